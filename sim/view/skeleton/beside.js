@@ -10,19 +10,34 @@ import { speedUnit } from "../numbers.js";
 /** @typedef {import("../types.js").Baked} Baked */
 /** @typedef {import("../types.js").Header} Header */
 
+/** The lens by itself: where there is room it stands between the picture and the sliders, for both
+ * are looked at together. @param {Baked} baked */
+export function near(baked) {
+  return showsForces(baked) && frame(baked, "carts-views carts-near", lens(baked));
+}
+
 /** @param {Baked} baked */
 export function views(baked) {
-  const { fence, run } = baked;
+  const forces = showsForces(baked) && freeBody(baked);
+  return frame(
+    baked,
+    "carts-views",
+    html`${forces}
+${bars(baked)}`,
+  );
+}
+
+/** Whether there are forces of a contact, and the lesson shows them. @param {Baked} baked */
+function showsForces({ fence, run }) {
   const linked = linkedPairs(run.header);
   const touches = run.header.contacts.some(({ stiffness, pair }) => stiffness || linked.has(pair));
-  return html`<div class="carts-views"${fence.predict && html` hidden`}>
-${
-  fence.forces === "shown" &&
-  touches &&
-  html`${freeBody(baked)}
-${lens(baked)}`
+  return fence.forces === "shown" && touches;
 }
-${bars(baked)}
+
+/** @param {Baked} baked @param {string} kinds @param {import("../markup.js").Markup} inside */
+function frame({ fence }, kinds, inside) {
+  return html`<div class=${kinds}${fence.predict && html` hidden`}>
+${inside}
 </div>`;
 }
 

@@ -7,7 +7,7 @@ import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { fixed, short } from "../numbers.js";
 import { motion } from "../words.js";
-import { views } from "./beside.js";
+import { near, views } from "./beside.js";
 import { graph } from "./graph.js";
 import { panel } from "./panel.js";
 import { predict } from "./predict.js";
@@ -51,6 +51,7 @@ ${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
 ${panel(baked)}
+${near(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>

@@ -7526,8 +7526,7 @@ ${lines4.join("\n")}
     #now = null;
     /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
-      this.frame = /** @type {HTMLElement | null} */
-      root.querySelector(".carts-views");
+      this.frames = root.querySelectorAll(".carts-views");
       for (const section of root.querySelectorAll(".carts-view")) {
         const element = (
           /** @type {HTMLElement} */
@@ -7552,7 +7551,7 @@ ${lines4.join("\n")}
     /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
     show(run, windows, t3) {
       if (!isTold(run)) return;
-      if (this.frame) this.frame.hidden = false;
+      for (const frame2 of this.frames) frame2.hidden = false;
       this.#now = { run, windows, t: t3 };
       for (const view of this.#views) view.show(run, windows);
     }

@@ -11937,14 +11937,26 @@ ${table3(facts)}
   }
 
   // ../view/skeleton/beside.js
+  function near(baked) {
+    return showsForces(baked) && frame(baked, "carts-views carts-near", lens(baked));
+  }
   function views(baked) {
-    const { fence, run } = baked;
+    const forces2 = showsForces(baked) && freeBody(baked);
+    return frame(
+      baked,
+      "carts-views",
+      html`${forces2}
+${bars(baked)}`
+    );
+  }
+  function showsForces({ fence, run }) {
     const linked = linkedPairs(run.header);
     const touches2 = run.header.contacts.some(({ stiffness, pair }) => stiffness || linked.has(pair));
-    return html`<div class="carts-views"${fence.predict && html` hidden`}>
-${fence.forces === "shown" && touches2 && html`${freeBody(baked)}
-${lens(baked)}`}
-${bars(baked)}
+    return fence.forces === "shown" && touches2;
+  }
+  function frame({ fence }, kinds, inside6) {
+    return html`<div class=${kinds}${fence.predict && html` hidden`}>
+${inside6}
 </div>`;
   }
   var closed = ({ fence }, view) => !fence.opened.includes(view) && html` hidden`;
@@ -12713,6 +12725,7 @@ ${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
 ${panel(baked)}
+${near(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -13044,7 +13057,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.#axis = t;
       this.#cursor = svg("path", { class: "carts-measured-cursor" });
       this.place.replaceChildren(
-        ...frame(t, x, BOTTOM5, TOP5, unit, true),
+        ...frame2(t, x, BOTTOM5, TOP5, unit, true),
         ...touch === null ? [] : band2(t, touch, TOP5, BOTTOM5),
         ...tracks.map(
           (track, k) => svg("path", {
@@ -13072,7 +13085,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const axis2 = span(-most, most, 6);
       this.left.toggleAttribute("hidden", false);
       this.left.replaceChildren(
-        ...frame(t, axis2, LOW.bottom, LOW.top, unit, false),
+        ...frame2(t, axis2, LOW.bottom, LOW.top, unit, false),
         svg("path", {
           class: "carts-measured-zero",
           d: `M${LEFT5} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT4}`
@@ -13106,7 +13119,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       })
     ];
   }
-  function frame(t, x, bottom, top, unit, named2) {
+  function frame2(t, x, bottom, top, unit, named2) {
     const parts2 = [];
     for (const tick of ticks(t)) {
       const at = px(across2(t, tick));
@@ -13281,7 +13294,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
-      this.#windows = windows.filter(({ near }) => !near);
+      this.#windows = windows.filter(({ near: near2 }) => !near2);
       this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
       let most = this.#first;
       for (const { values } of this.#curves) {
@@ -13413,7 +13426,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
-      this.#windows = windows.filter(({ near }) => !near);
+      this.#windows = windows.filter(({ near: near2 }) => !near2);
     }
     /** @param {number} t in s */
     at(t) {
@@ -13638,8 +13651,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     #now = null;
     /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
-      this.frame = /** @type {HTMLElement | null} */
-      root.querySelector(".carts-views");
+      this.frames = root.querySelectorAll(".carts-views");
       for (const section of root.querySelectorAll(".carts-view")) {
         const element = (
           /** @type {HTMLElement} */
@@ -13664,7 +13676,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
     show(run, windows, t) {
       if (!isTold(run)) return;
-      if (this.frame) this.frame.hidden = false;
+      for (const frame3 of this.frames) frame3.hidden = false;
       this.#now = { run, windows, t };
       for (const view of this.#views) view.show(run, windows);
     }
@@ -14205,8 +14217,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.button?.addEventListener("click", () => this.#toggle());
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
-        const frame2 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame2.left) / frame2.width * WIDTH3;
+        const frame3 = this.plot.getBoundingClientRect();
+        const x = (event.clientX - frame3.left) / frame3.width * WIDTH3;
         const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT3 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));

@@ -2025,14 +2025,26 @@ ${table2(facts)}
   }
 
   // ../view/skeleton/beside.js
+  function near(baked) {
+    return showsForces(baked) && frame(baked, "carts-views carts-near", lens(baked));
+  }
   function views(baked) {
-    const { fence, run } = baked;
+    const forces = showsForces(baked) && freeBody(baked);
+    return frame(
+      baked,
+      "carts-views",
+      html2`${forces}
+${bars(baked)}`
+    );
+  }
+  function showsForces({ fence, run }) {
     const linked = linkedPairs(run.header);
     const touches = run.header.contacts.some(({ stiffness, pair }) => stiffness || linked.has(pair));
-    return html2`<div class="carts-views"${fence.predict && html2` hidden`}>
-${fence.forces === "shown" && touches && html2`${freeBody(baked)}
-${lens(baked)}`}
-${bars(baked)}
+    return fence.forces === "shown" && touches;
+  }
+  function frame({ fence }, kinds, inside4) {
+    return html2`<div class=${kinds}${fence.predict && html2` hidden`}>
+${inside4}
 </div>`;
   }
   var closed = ({ fence }, view) => !fence.opened.includes(view) && html2` hidden`;
@@ -2687,6 +2699,7 @@ ${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
 ${panel(baked)}
+${near(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html2` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -2976,9 +2989,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       return id && this.#byId(id) || old || null;
     }
     /** @param {string} frame @param {(HTMLElement | null)[]} blocks */
-    #rebuild(frame, blocks) {
+    #rebuild(frame2, blocks) {
       const made2 = document.createElement("template");
-      made2.innerHTML = frame;
+      made2.innerHTML = frame2;
       for (const place4 of made2.content.querySelectorAll("carts-place")) {
         const index = Number(
           /** @type {HTMLElement} */

@@ -25,7 +25,8 @@ export class Views {
 
   /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
   constructor(root, baked) {
-    this.frame = /** @type {HTMLElement | null} */ (root.querySelector(".carts-views"));
+    /** @type {NodeListOf<HTMLElement>} */
+    this.frames = root.querySelectorAll(".carts-views");
     for (const section of root.querySelectorAll(".carts-view")) {
       const element = /** @type {HTMLElement} */ (section);
       const kind = KINDS[element.dataset.view ?? ""];
@@ -50,7 +51,7 @@ export class Views {
   /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
   show(run, windows, t) {
     if (!isTold(run)) return;
-    if (this.frame) this.frame.hidden = false;
+    for (const frame of this.frames) frame.hidden = false;
     this.#now = { run, windows, t };
     for (const view of this.#views) view.show(run, windows);
   }
