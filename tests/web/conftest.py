@@ -16,7 +16,7 @@ from typing import Any
 from urllib.parse import unquote, urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Page, Playwright, Request, sync_playwright
+from playwright.sync_api import Browser, Page, Playwright, Request, expect, sync_playwright
 
 LAUNCH: dict[str, dict[str, Any]] = {
     "chromium": {
@@ -35,6 +35,11 @@ LIGHT = Path("/usr/bin/chromium-headless-shell")
 # ESR 153 does not know the command that emulates these; "null" means: leave them alone.
 UNSET = dict.fromkeys(("color_scheme", "reduced_motion", "forced_colors", "contrast"), "null")
 CONTEXT: dict[str, dict[str, Any]] = {"chromium": {}, "firefox": UNSET}
+
+PATIENCE = 20_000
+"""ms that a test waits for what it expects of a page. A page that is right comes there sooner; on a
+machine that others use too, the five seconds of the driver's own are not always enough."""
+expect.set_options(timeout=PATIENCE)
 
 OpenPage = Callable[..., Page]
 
