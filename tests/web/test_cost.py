@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from sim.bridge.protocol import answer
+from sim.dynamics.cost.breaks import MAPS, parts, scene_at
 from tests import registry
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import LIVE
@@ -45,6 +47,23 @@ def test_methods_run_and_are_measured_in_the_readers_browser(
     seen = cost.evaluate("(el) => ({v: el.run.header.v, numbers: [...el.run.numbers]})")
     assert seen["v"]["exact"] == header["v"]["exact"]
     assert seen["numbers"] == pytest.approx(list(numbers), abs=1e-12)
+    # A point of the map says what came out there, and runs above as it does anywhere.
+    cost.locator(".carts-breaks-method").select_option("rk4")
+    cost.locator(".carts-breaks-map").select_option("1")
+    cost.locator(".carts-breaks-value").select_option("0")
+    cost.locator(".carts-breaks-step").select_option("20")
+    expect(cost.locator(".carts-breaks-found")).to_contain_text("energy was made")
+    cost.locator(".carts-breaks-run").click()
+    one, count = MAPS[1], parts()[20]
+    point = {"kind": "cost", "scene": scene_at(one, one.values()[0]), "method": "rk4"}
+    made = answer(request | point | {"parts": count})[0]["energy"]["stepped"]
+    page.wait_for_function(
+        "(made) => document.getElementById('cost-two-runs').run.header.energy.stepped === made",
+        arg=made,
+    )
+    told = cost.locator(".carts-breaks-command").text_content() or ""
+    assert json.loads(told.split("'")[1]) == point["scene"]
+    assert told.endswith(f"--method rk4 --step {1 / count}")
     # A measurement shows row after row; stopped, it keeps them.
     cost.locator(".carts-cost-go").click()
     said = cost.locator(".carts-cost-say")

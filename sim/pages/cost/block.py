@@ -3,7 +3,10 @@
 ```cost
 id: what-accuracy-costs
 scenes: [paper-two-carts.yml, off-the-wall.yml]
+breaks: true
 ```
+
+`breaks`: with the map of where methods break.
 """
 
 from __future__ import annotations
@@ -20,7 +23,7 @@ from sim.pages.text.yaml_source import Source
 from sim.scene import SceneError, read_scene
 from sim.scene.presentation import FENCE_KEYS
 
-KEYS = ("id", "title", "scenes")
+KEYS = ("id", "title", "scenes", "breaks")
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +34,7 @@ class CostBlock:
     title: str
     scenes: Mapping[str, Mapping[str, Any]]
     names: Mapping[str, str]
+    breaks: bool = False
 
 
 def read_cost_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: int) -> CostBlock:
@@ -53,7 +57,11 @@ def read_cost_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: i
         stem = PurePosixPath(str(file)).stem
         scenes[stem], names[stem] = values, str(values.get("title") or stem)
     ids.claim(identity, Finding(lesson.file, *source.place(("id",)), "id", ""))
-    return CostBlock(identity, str(plain.get("title") or "What accuracy costs"), scenes, names)
+    breaks = plain.get("breaks", False)
+    if not isinstance(breaks, bool):
+        raise _refuse(lesson, source.place(("breaks",)), "type", "breaks is true or false", "true")
+    title = str(plain.get("title") or "What accuracy costs")
+    return CostBlock(identity, title, scenes, names, breaks)
 
 
 def _scene(source: Source, lesson: Lesson, file: Any, k: int) -> Mapping[str, Any]:

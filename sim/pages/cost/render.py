@@ -17,6 +17,7 @@ from sim.pages.drawing import draw
 from sim.pages.templates import element
 
 MEASURED = Path(__file__).parent / "measured"
+BREAKS = MEASURED / "breaks.json"
 FIRST = {"method": "euler", "parts": 103}
 
 
@@ -26,6 +27,7 @@ def render_cost(block: CostBlock) -> str:
     tables = {name: found for name in block.scenes if (found := measured(name))}
     known = tables.get(first, {"rows": []})
     run = baked_run(block.scenes[first])
+    breaks = {"breaks": json.loads(BREAKS.read_text(encoding="utf-8"))} if block.breaks else {}
     inside = draw(
         "cost",
         {
@@ -35,10 +37,14 @@ def render_cost(block: CostBlock) -> str:
             "measured": "",
             **known,
             "run": run,
+            **breaks,
         },
     )
     return element(
-        "cost", block.id, inside, {"scenes": dict(block.scenes), "measured": tables, "run": run}
+        "cost",
+        block.id,
+        inside,
+        {"scenes": dict(block.scenes), "measured": tables, "run": run, **breaks},
     )
 
 

@@ -2,6 +2,7 @@
 
 import { html } from "../markup.js";
 import { px } from "../numbers.js";
+import { breaksPart } from "./breaks.js";
 import {
   BOTTOM,
   digitText,
@@ -23,7 +24,7 @@ import { cells, FIRST, told, toleranceText } from "./words.js";
 /** @typedef {import("./figure.js").CostRow} CostRow */
 /**
  * @typedef {{id: string, title: string, names: Record<string, string>, measured: string, rows: CostRow[],
- *   floor?: number, digits?: Record<string, number>,
+ *   breaks?: import("./breaks.js").Breaks, floor?: number, digits?: Record<string, number>,
  *   run: {header: import("./words.js").CostHeader, numbers: number[]}}} Values
  */
 
@@ -31,7 +32,7 @@ const PARTS = [19, 61, 103, 211, 499, 997, 9973];
 const TOLERANCES = [1e-6, 1e-9, 1e-12];
 
 /** @param {Values} values @returns {Markup} the inside of `<carts-cost>` */
-export function inside({ id, title, names, measured, rows, floor, digits = {}, run }) {
+export function inside({ id, title, names, measured, rows, floor, digits = {}, run, breaks }) {
   const told3 = told(run.header).map(
     ([head, got, real]) =>
       html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`,
@@ -57,6 +58,7 @@ ${figure(rows, floor, digits)}
 ${table(rows, run.header.until)}
 </div>
 </div>
+${breaks && breaksPart(breaks)}
 <noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
 </div>`;
 }

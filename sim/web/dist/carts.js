@@ -391,11 +391,11 @@
     } else if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
-    const found2 = root.querySelector(selector);
-    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    const found3 = root.querySelector(selector);
+    if (!found3) throw new Error(`this page lacks ${selector}; it was built by another version`);
     return (
       /** @type {T} */
-      found2
+      found3
     );
   }
   function parsed(markup) {
@@ -479,18 +479,189 @@
     return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
   }
 
+  // ../view/cost/breaks.js
+  var [LEFT, TOP, RIGHT, BOTTOM] = [62, 10, 510, 322];
+  var MADE = "energy was made";
+  var UNITS = (
+    /** @type {Record<string, string>} */
+    { stiffness: "N/m", mass: "kg" }
+  );
+  var cell = (count2) => ({ wide: (RIGHT - LEFT) / count2, high: (BOTTOM - TOP) / count2 });
+  function squares({ parts: parts2 }, map, method) {
+    const { wide, high } = cell(parts2.length);
+    const paths = {};
+    [...map.letters[method] ?? ""].forEach((letter, k) => {
+      const [column, row] = [Math.floor(k / parts2.length), k % parts2.length];
+      const [x2, y2] = [px(LEFT + column * wide), px(BOTTOM - (row + 1) * high)];
+      const box2 = `M${x2} ${y2}h${px(wide)}v${px(high)}h-${px(wide)}Z`;
+      paths[letter] = (paths[letter] ?? "") + box2;
+    });
+    return Object.entries(paths).sort();
+  }
+  function theory({ parts: parts2, limits }, map, method) {
+    const { wide } = cell(parts2.length);
+    const limit = limits[method];
+    const path3 = (steps2) => steps2.map((h2, k) => [LEFT + (k + 0.5) * wide, yOf(parts2, h2)]).filter(([, y2]) => Number(y2) >= TOP && Number(y2) <= BOTTOM).map(([x2, y2], k) => `${k ? "L" : "M"}${px(Number(x2))} ${px(Number(y2))}`).join("");
+    return [path3(map.lines.contact), limit ? path3(map.lines.swing.map((h2) => h2 * limit)) : ""];
+  }
+  function yOf(parts2, h2) {
+    const [short_, long] = [1 / Number(parts2[0]), 1 / Number(parts2.at(-1))];
+    const part = Math.log(h2 / short_) / Math.log(long / short_);
+    const { high } = cell(parts2.length);
+    return BOTTOM - high / 2 - part * (BOTTOM - TOP - high);
+  }
+  function ring({ parts: parts2 }, { column, row }) {
+    const { wide, high } = cell(parts2.length);
+    const [x2, y2] = [LEFT + column * wide, BOTTOM - (row + 1) * high];
+    return { x: px(x2 - 1), y: px(y2 - 1), width: px(wide + 2), height: px(high + 2) };
+  }
+  function pointAt({ parts: parts2 }, x2, y2) {
+    const { wide, high } = cell(parts2.length);
+    const within = (k) => Math.min(parts2.length - 1, Math.max(0, Math.floor(k)));
+    return { column: within((x2 - LEFT) / wide), row: within((BOTTOM - y2) / high) };
+  }
+  function valueText(map, value) {
+    const unit = UNITS[map.path.at(-1) ?? ""];
+    return unit ? `${short(value)} ${unit}` : short(value);
+  }
+  function found({ parts: parts2 }, map, method, { column, row }) {
+    const letter = map.letters[method]?.[column * parts2.length + row] ?? "";
+    const told3 = letter === "x" ? MADE : `${letter} right ${letter === "1" ? "digit" : "digits"}`;
+    const label = METHODS[method]?.label ?? method;
+    const value = valueText(map, Number(map.values[column]));
+    return `${label}, ${map.name} ${value}, ${parts2[row]} steps in 1 s: ${told3}.`;
+  }
+  function sceneOf({ scene }, map, column) {
+    const plain4 = structuredClone(scene);
+    let place4 = plain4;
+    for (const key of map.path.slice(0, -1)) place4 = place4[key];
+    place4[map.path.at(-1) ?? ""] = map.values[column];
+    return plain4;
+  }
+  function command(scene, method, parts2) {
+    return `echo '${JSON.stringify(scene)}' | carts run - --method ${method} --step ${1 / parts2}`;
+  }
+  function ticks(map) {
+    const [low, high] = [Number(map.values[0]), Number(map.values.at(-1))];
+    const { wide } = cell(map.values.length);
+    const grows = high / low > 100 && map.path.at(-1) !== "restitution";
+    const places = grows ? [-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => 10 ** k) : [0.2, 0.4, 0.6, 0.8, 1];
+    const part = (v2) => grows ? Math.log(v2 / low) / Math.log(high / low) : (v2 - low) / (high - low);
+    return places.filter((v2) => part(v2) > -0.03 && part(v2) < 1.03).map((v2) => [
+      LEFT + wide / 2 + part(v2) * (RIGHT - LEFT - wide),
+      grows && (v2 >= 1e3 || v2 < 0.01) ? `10${superscript(Math.round(Math.log10(v2)))}` : short(v2)
+    ]);
+  }
+  function unitText(map) {
+    const unit = UNITS[map.path.at(-1) ?? ""];
+    return unit ? `${map.name} in ${unit}` : map.name;
+  }
+
+  // src/cost/breaks.js
+  var PARTS = ["method", "map", "value", "step", "run"];
+  var BreaksFigure = class {
+    /** @param {HTMLElement} root @param {Breaks} breaks @param {Run} run */
+    constructor(root, breaks, run) {
+      this.root = root;
+      this.breaks = breaks;
+      for (const part of PARTS) this.#part(part).disabled = false;
+      this.#part("method").addEventListener("change", () => this.#draw());
+      this.#part("map").addEventListener("change", () => this.#draw(true));
+      this.#part("value").addEventListener("change", () => this.#tell());
+      this.#part("step").addEventListener("change", () => this.#tell());
+      this.#part("run").addEventListener("click", () => {
+        const { scene, method, parts: parts2 } = this.#chosen;
+        run(scene, method, parts2);
+      });
+      const picture2 = need(root, ".carts-breaks-picture");
+      picture2.addEventListener("click", (event) => {
+        const { left, top, width, height } = picture2.getBoundingClientRect();
+        const { clientX, clientY } = (
+          /** @type {MouseEvent} */
+          event
+        );
+        const [wide, high] = (picture2.getAttribute("viewBox") ?? "").split(" ").slice(2).map(Number);
+        const x2 = (clientX - left) / width * Number(wide);
+        const { column, row } = pointAt(breaks, x2, (clientY - top) / height * Number(high));
+        this.#part("value").value = String(column);
+        this.#part("step").value = String(row);
+        this.#tell();
+      });
+    }
+    /** @param {string} part @returns {HTMLSelectElement} */
+    #part(part) {
+      return (
+        /** @type {HTMLSelectElement} */
+        need(this.root, `.carts-breaks-${part}`)
+      );
+    }
+    get #map() {
+      return (
+        /** @type {Breaks["maps"][0]} */
+        this.breaks.maps[Number(this.#part("map").value)]
+      );
+    }
+    get #chosen() {
+      const point = {
+        column: Number(this.#part("value").value),
+        row: Number(this.#part("step").value)
+      };
+      const method = this.#part("method").value;
+      const parts2 = Number(this.breaks.parts[point.row]);
+      return { point, method, parts: parts2, scene: sceneOf(this.breaks, this.#map, point.column) };
+    }
+    /** @param {boolean} [values] whether other values stand across now */
+    #draw(values) {
+      const [map, method] = [this.#map, this.#part("method").value];
+      const kinds = squares(this.breaks, map, method).map(
+        ([kind, d2]) => svg("path", { class: `carts-breaks-${kind}`, d: d2 })
+      );
+      need(this.root, ".carts-breaks-squares").replaceChildren(...kinds);
+      const [contact, limit] = theory(this.breaks, map, method);
+      put(need(this.root, ".carts-breaks-picture > .carts-breaks-contact"), "d", contact);
+      put(need(this.root, ".carts-breaks-picture > .carts-breaks-limit"), "d", limit);
+      if (values) {
+        const y2 = this.root.querySelector(".carts-breaks-unit")?.getAttribute("y");
+        const texts = ticks(map).map(([x2, text]) => {
+          const made3 = svg("text", { class: "carts-tick-x", x: px(x2), y: Number(y2) - 20 });
+          made3.textContent = text;
+          return made3;
+        });
+        need(this.root, ".carts-breaks-ticks").replaceChildren(...texts);
+        say(need(this.root, ".carts-breaks-unit"), unitText(map));
+        const options = map.values.map((value, k) => {
+          const option2 = html("option", "", valueText(map, value));
+          option2.setAttribute("value", String(k));
+          return option2;
+        });
+        this.#part("value").replaceChildren(...options);
+      }
+      this.#tell();
+    }
+    #tell() {
+      const { point, method, parts: parts2, scene } = this.#chosen;
+      const mark2 = need(this.root, ".carts-breaks-ring");
+      for (const [name2, value] of Object.entries(ring(this.breaks, point))) put(mark2, name2, value);
+      put(mark2, "visibility", "visible");
+      say(need(this.root, ".carts-breaks-found"), found(this.breaks, this.#map, method, point));
+      const line2 = need(this.root, ".carts-breaks-command");
+      line2.hidden = false;
+      say(line2, command(scene, method, parts2));
+    }
+  };
+
   // ../view/cost/figure.js
-  var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
+  var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [62, 14, 506, 330];
   var FLOOR = 1e-17;
   var [LOW_X, HIGH_X] = [0.5, 1e6];
   var HIGH_Y = 10;
   function xAt(ratio) {
     const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
-    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
+    return LEFT2 + Math.min(1, part) * (RIGHT2 - LEFT2);
   }
   function yAt(error) {
     const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
-    return BOTTOM - Math.log(seen / FLOOR) / Math.log(HIGH_Y / FLOOR) * (BOTTOM - TOP);
+    return BOTTOM2 - Math.log(seen / FLOOR) / Math.log(HIGH_Y / FLOOR) * (BOTTOM2 - TOP2);
   }
   function errorOf(row) {
     return row.error_v ?? (row.method === "exact" ? 0 : null);
@@ -500,7 +671,7 @@
     return { line: points.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join(""), points };
   }
   function levelAt(floor) {
-    return floor ? `M${LEFT} ${px(yAt(floor))}H${RIGHT}` : "";
+    return floor ? `M${LEFT2} ${px(yAt(floor))}H${RIGHT2}` : "";
   }
   function digitText(factor) {
     return factor ? `one more digit: × ${short(factor, 2)}` : "";
@@ -595,7 +766,7 @@
       const typed = times2.value.trim();
       const said = { error: asked3, bet: bet.value, times: typed ? Number(typed) : Number.NaN };
       say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
-      put(need(root, ".carts-cost-asked"), "d", `M${LEFT} ${px(yAt(asked3))}H${RIGHT}`);
+      put(need(root, ".carts-cost-asked"), "d", `M${LEFT2} ${px(yAt(asked3))}H${RIGHT2}`);
     });
   }
 
@@ -612,14 +783,14 @@
       );
     };
     await client2.need(PACKAGES);
-    const found2 = [];
+    const found3 = [];
     for (let row = 0, of = 1; row < of; row += 1) {
       if (!going()) return false;
       const answer = await ask({ row });
       if (!going()) return false;
       of = answer.of;
-      found2.push(...answer.rows);
-      rows(found2);
+      found3.push(...answer.rows);
+      rows(found3);
       const progress = (
         /** @type {HTMLProgressElement} */
         need(root, ".carts-cost-progress")
@@ -627,7 +798,7 @@
       progress.value = (row + 1) / of;
       say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
     }
-    const { floor, digits } = await ask({ digits: found2 });
+    const { floor, digits } = await ask({ digits: found3 });
     if (going()) tell2(floor, digits);
     return going();
   }
@@ -638,12 +809,12 @@
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
-  function ticks(axis2) {
+  function ticks2(axis2) {
     const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
     const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
-    const found2 = [];
-    for (let k = first; k <= last; k += 1) found2.push(k * axis2.step);
-    return found2;
+    const found3 = [];
+    for (let k = first; k <= last; k += 1) found3.push(k * axis2.step);
+    return found3;
   }
   function niceAbove(value) {
     const power = Number(`1e${exponent(value)}`);
@@ -758,7 +929,7 @@
       const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x2 = (t3) => left + t3 / until * (right - left);
       const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
-      const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
+      const parts2 = ticks2(scale).filter((tick) => tick >= 0).flatMap((tick) => {
         const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y2(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
         return [
@@ -868,6 +1039,12 @@
         this.#show(facts.run);
         this.#mark();
         guessFirst(this, () => this.rows);
+        if (facts.breaks) {
+          new BreaksFigure(this, facts.breaks, (scene, method, parts2) => {
+            void this.compute({ scene, method, parts: parts2 });
+            this.scrollIntoView({ block: "start" });
+          });
+        }
         this.#select("scene").addEventListener("change", () => this.#newScene());
         for (const part of ["method", "step", "rtol"]) {
           this.#select(part).addEventListener("change", () => void this.compute());
@@ -898,21 +1075,25 @@
       get #scene() {
         return this.#facts?.scenes[this.#select("scene").value];
       }
-      /** Runs the chosen scene with the chosen method; resolves when it is drawn. */
-      async compute() {
+      /**
+       * Runs the chosen scene with the chosen method, or a point of the map; resolves when it is drawn.
+       * @param {{scene: object, method: string, parts: number}} [point]
+       */
+      async compute(point) {
         this.#generation += 1;
         const generation = this.#generation;
+        if (point) this.#select("method").value = point.method;
         const method = this.#select("method").value;
         const adaptive = ADAPTIVE.includes(method);
         this.#select("step").hidden = adaptive;
         this.#select("rtol").hidden = !adaptive;
-        const size = adaptive ? { rtol: Number(this.#select("rtol").value) } : { parts: Number(this.#select("step").value) };
+        const size = adaptive ? { rtol: Number(this.#select("rtol").value) } : { parts: point?.parts ?? Number(this.#select("step").value) };
         try {
           if (adaptive) {
             this.#note("Python’s scipy is being loaded …");
             await client2.need(PACKAGES);
           }
-          const scene = this.#scene;
+          const scene = point?.scene ?? this.#scene;
           const { header, numbers } = await client2.ask(this, () => ({
             kind: "cost",
             scene,
@@ -922,12 +1103,12 @@
           if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
-          this.#note("");
+          this.#note(point ? "This is the point of the map below. Choose a scene to go back." : "");
           this.#show({ header: (
             /** @type {any} */
             header
           ), numbers });
-          this.#mark();
+          if (!point) this.#mark();
           this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
         } catch (error) {
           if (generation === this.#generation) this.#fail(
@@ -1060,7 +1241,7 @@
     sticks: "carts stick together",
     wrong: "wrong"
   };
-  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
+  var UNITS2 = { v: " m/s", x: " m", last: " s", count: "" };
   var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
   var LOADING = "Python’s numpy and scipy are being loaded …";
   var progressWords = (done, of) => `${done} of ${of}`;
@@ -1084,7 +1265,7 @@
   function amount(what, value, figures2) {
     const { kind } = parts(what);
     if (kind === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS[kind] ?? " J");
+    return short(value, figures2) + (UNITS2[kind] ?? " J");
   }
   function cameOut(wanted, got, figures2) {
     let worst = "";
@@ -1190,13 +1371,13 @@
       #show(name2, one, answer) {
         const row = need(this, `[data-case="${name2}"]`);
         say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
-        for (const [k, cell2] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
+        for (const [k, cell3] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
           const stepped = answer.stepped[k];
           if (!stepped) continue;
           const [verdict2, distance] = steppedCell(one.expected, stepped);
-          cell2.setAttribute("data-verdict", stepped.verdict);
-          say(need(cell2, "b"), verdict2);
-          say(need(cell2, "span"), distance);
+          cell3.setAttribute("data-verdict", stepped.verdict);
+          say(need(cell3, "b"), verdict2);
+          say(need(cell3, "span"), distance);
         }
         row.classList.add("carts-hard-fresh");
       }
@@ -1256,7 +1437,7 @@
   // ../view/map/words.js
   var SMALLER = 2;
   var EXACT = 12;
-  function valueText(value, { low, high }) {
+  function valueText2(value, { low, high }) {
     if (Number.isNaN(value)) return "no value";
     const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
     const text = fixed(value, Math.min(decimalsFor(value || 1), most));
@@ -1654,8 +1835,8 @@
     const s3 = (t3 - at3(times2, k)) / h2;
     if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
     const r2 = 1 - s3;
-    const found2 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at3(values, k);
+    const found3 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found3) ? found3 : at3(values, k);
   }
 
   // ../effects/push/view.js
@@ -2240,17 +2421,17 @@
   }
 
   // ../view/map/figure.js
-  var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [58, 10, 388, 270];
+  var [LEFT3, TOP3, RIGHT3, BOTTOM3] = [58, 10, 388, 270];
   var WIDTH2 = 400;
   var [HEIGHT, HEIGHT_OF_CURVE] = [370, 312];
   var TICKS = 5;
   var heightOf = ({ axes }) => axes.length === 1 ? HEIGHT_OF_CURVE : HEIGHT;
   var valueAxis = ({ low, high }) => axis(low, high, TICKS);
   function across(value, { low, high }) {
-    return LEFT2 + (value - low) * ((RIGHT2 - LEFT2) / (high - low));
+    return LEFT3 + (value - low) * ((RIGHT3 - LEFT3) / (high - low));
   }
   function up(value, { low, high }) {
-    return BOTTOM2 - (value - low) * ((BOTTOM2 - TOP2) / (high - low));
+    return BOTTOM3 - (value - low) * ((BOTTOM3 - TOP3) / (high - low));
   }
   function curve(facts, points, values) {
     const along = facts.axes[0];
@@ -2282,16 +2463,16 @@
   }
   function between(values, lines4, count2, factor, next, line2) {
     const fine = (count2 - 1) * factor + 1;
-    const found2 = new Float64Array(lines4 * fine);
+    const found3 = new Float64Array(lines4 * fine);
     for (let i2 = 0; i2 < lines4; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at3 = i2 * line2 + left * next;
         const part = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
+        found3[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
       }
     }
-    return found2;
+    return found3;
   }
   function pixels(values, columns, scale) {
     const rows = values.length / columns;
@@ -2384,11 +2565,11 @@
       const x2 = this.#along(0, places[0] ?? 0, across);
       const flat = places.length === 1;
       const y2 = flat ? up(value, valueAxis(this.facts)) : this.#along(1, places[1] ?? 0, up);
-      const across2 = flat ? "" : `M${LEFT2} ${px(y2)}H${RIGHT2}`;
-      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${TOP2}V${BOTTOM2}${across2}`);
+      const across2 = flat ? "" : `M${LEFT3} ${px(y2)}H${RIGHT3}`;
+      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${TOP3}V${BOTTOM3}${across2}`);
       const point = need(this.over, '[data-part="point"]');
       put(point, "cx", px(x2));
-      put(point, "cy", px(Number.isNaN(y2) ? BOTTOM2 : y2));
+      put(point, "cy", px(Number.isNaN(y2) ? BOTTOM3 : y2));
       put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
     }
     /** The canvas lies between the picture, which it hides, and the cross. */
@@ -2398,10 +2579,10 @@
         html("canvas", "carts-map-canvas")
       );
       canvas.setAttribute("aria-hidden", "true");
-      canvas.style.left = `${100 * LEFT2 / WIDTH2}%`;
-      canvas.style.top = `${100 * TOP2 / this.height}%`;
-      canvas.style.width = `${100 * (RIGHT2 - LEFT2) / WIDTH2}%`;
-      canvas.style.height = `${100 * (BOTTOM2 - TOP2) / this.height}%`;
+      canvas.style.left = `${100 * LEFT3 / WIDTH2}%`;
+      canvas.style.top = `${100 * TOP3 / this.height}%`;
+      canvas.style.width = `${100 * (RIGHT3 - LEFT3) / WIDTH2}%`;
+      canvas.style.height = `${100 * (BOTTOM3 - TOP3) / this.height}%`;
       this.over.before(canvas);
       return canvas;
     }
@@ -2419,7 +2600,7 @@
       const box2 = this.over.getBoundingClientRect();
       const x2 = (event.clientX - box2.left) / box2.width * WIDTH2;
       const y2 = (event.clientY - box2.top) / box2.height * this.height;
-      const fractions = [(x2 - LEFT2) / (RIGHT2 - LEFT2), (BOTTOM2 - y2) / (BOTTOM2 - TOP2)];
+      const fractions = [(x2 - LEFT3) / (RIGHT3 - LEFT3), (BOTTOM3 - y2) / (BOTTOM3 - TOP3)];
       return this.axes.map(({ length }, k) => {
         const place4 = Math.round(Number(fractions[k]) * (length - 1));
         return Math.min(length - 1, Math.max(0, place4));
@@ -2485,15 +2666,15 @@
       (_2, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
   }
-  function tableOf(columns, rows, axisText, valueText2) {
+  function tableOf(columns, rows, axisText, valueText3) {
     if (rows === 1) {
-      const lines5 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText2(k)]);
+      const lines5 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText3(k)]);
       return { head: [], lines: lines5 };
     }
     const across2 = spread(columns, COLUMNS);
     const lines4 = spread(rows, ROWS).map((row) => [
       axisText(1, row),
-      ...across2.map((k) => valueText2(row * columns + k))
+      ...across2.map((k) => valueText3(row * columns + k))
     ]);
     return { head: across2.map((k) => axisText(0, k)), lines: lines4 };
   }
@@ -2504,7 +2685,7 @@
       grid.columns,
       grid.rows,
       axisText,
-      (place4) => valueText(Number(grid.values[place4]), facts)
+      (place4) => valueText2(Number(grid.values[place4]), facts)
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
@@ -2512,7 +2693,7 @@
       const line2 = html("tr");
       const first = html("th", "", name2);
       first.setAttribute("scope", "row");
-      line2.append(first, ...cells2.map((cell2) => html("td", "", cell2)));
+      line2.append(first, ...cells2.map((cell3) => html("td", "", cell3)));
       return line2;
     });
     table.querySelector("tbody")?.replaceChildren(...body2);
@@ -2726,7 +2907,7 @@
           /** @type {MapFacts} */
           this.#facts
         );
-        const told3 = valueText(value, facts);
+        const told3 = valueText2(value, facts);
         const text = Number.isNaN(value) ? told3 : `${told3} ${facts.unit}`;
         for (const [k, control] of this.#axes.entries()) {
           control.show(this.#grid.axes[k] ?? [], Number(places[k]));
@@ -3418,7 +3599,7 @@
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
-    const found2 = [];
+    const found3 = [];
     for (const event of events) {
       const { bodies, before, t: start } = event;
       const pair = bodies.join("-");
@@ -3435,26 +3616,26 @@
         const over = key && open2.get(key);
         if (!over) continue;
         open2.delete(key);
-        found2.push({ ...over.touch, end: event.t });
+        found3.push({ ...over.touch, end: event.t });
       }
     }
     for (const { touch } of open2.values()) {
       const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
-      found2.push({ ...touch, end: peak > touch.start ? peak : until });
+      found3.push({ ...touch, end: peak > touch.start ? peak : until });
     }
-    return found2.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
+    return found3.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
   }
   function begunWith(before, one) {
     return Object.entries(one?.before ?? {}).every(([name2, v2]) => before[name2] === v2);
   }
   var FELT = 0.1;
   function windowsOf({ header, trajectory }) {
-    const found2 = touches(header.events, header.until);
+    const found3 = touches(header.events, header.until);
     const { t: t3, F: F2 } = trajectory;
     for (const event of header.events) {
       const pair = event.bodies.join("-");
       const column = F2[pair];
-      const within = found2.some(
+      const within = found3.some(
         (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end
       );
       if (event.kind !== "peak" || within || !column || t3.length < 2) continue;
@@ -3463,22 +3644,22 @@
       while (first > 0 && felt(first)) first -= 1;
       while (last < t3.length - 1 && felt(last)) last += 1;
       const window = { start: Number(t3[first]), end: Number(t3[last]) };
-      found2.push({ pair, bodies: event.bodies, ...window, near: true });
+      found3.push({ pair, bodies: event.bodies, ...window, near: true });
     }
-    return found2.sort((a2, b2) => a2.start - b2.start);
+    return found3.sort((a2, b2) => a2.start - b2.start);
   }
   function latestTouch(windows, t3) {
     return windows.findLast((touch) => touch.start <= t3);
   }
 
   // src/answers/outline.js
-  var found;
+  var found2;
   function outline() {
-    if (found === void 0) {
+    if (found2 === void 0) {
       const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
+      found2 = text ? JSON.parse(text) : null;
     }
-    return found ?? null;
+    return found2 ?? null;
   }
   function itemOf(entry2) {
     const form = entry2?.form ?? "worksheet";
@@ -3519,11 +3700,11 @@
     return entry2;
   }
   function union(a2, b2) {
-    const found2 = /* @__PURE__ */ new Map();
+    const found3 = /* @__PURE__ */ new Map();
     for (const entry2 of [...a2 ?? [], ...b2 ?? []]) {
-      found2.set(JSON.stringify([entry2.hash, entry2.value]), entry2);
+      found3.set(JSON.stringify([entry2.hash, entry2.value]), entry2);
     }
-    const all = [...found2.values()];
+    const all = [...found3.values()];
     all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
     return all.slice(-MOST_EARLIER);
   }
@@ -3705,17 +3886,17 @@
   var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
+    const found3 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found3);
+    return found3;
   }
   async function openStore(site) {
     const all = await openAll(site);
     return forStudent(all, await readStudent(all));
   }
   async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
+    const found3 = await all.get(STUDENT).catch(() => null);
+    return typeof found3?.code === "string" ? found3.code : "";
   }
   function forStudent(all, code) {
     const before = code ? `@${code}/` : "";
@@ -3760,9 +3941,9 @@
     /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
     #found = /* @__PURE__ */ new Map();
     /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
-    constructor(root, id, found2) {
+    constructor(root, id, found3) {
       this.id = `${id}-forces`;
-      this.found = found2;
+      this.found = found3;
       this.which = /** @type {HTMLSelectElement} */
       need(root, ".carts-find-which");
       this.box = /** @type {HTMLInputElement} */
@@ -3936,24 +4117,24 @@
     note2.hidden = false;
   }
   function meanForces(run) {
-    const found2 = [];
+    const found3 = [];
     for (const touch of ended(run)) {
       for (const cart of touch.bodies.filter((name2) => !isWall(name2))) {
         const other = String(touch.bodies.find((name2) => name2 !== cart));
-        if (found2.some((one) => one.cart === cart && one.other === other)) continue;
+        if (found3.some((one) => one.cart === cart && one.other === other)) continue;
         const change2 = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
         const value = massOf(run, cart) * change2 / (touch.end - touch.start);
-        if (value) found2.push({ cart, other, value });
+        if (value) found3.push({ cart, other, value });
       }
     }
-    return found2;
+    return found3;
   }
   function ended({ header }) {
     return touches(header.events, header.until).filter(({ end: end2 }) => end2 < header.until);
   }
   function touchOf(run, { cart, other }) {
-    const found2 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
-    return found2 ?? { start: 0, end: 0 };
+    const found3 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
+    return found3 ?? { start: 0, end: 0 };
   }
   function massOf({ header }, name2) {
     return header.bodies.find((one) => one.name === name2)?.mass ?? 0;
@@ -4004,7 +4185,7 @@
   // ../view/effects-forces.js
   var FEW = 3;
   function forcesAt({ header, trajectory }, t3, always = false) {
-    const found2 = [];
+    const found3 = [];
     for (const kind of kindsOnOne(header)) {
       const acting = header.effects.filter(
         (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
@@ -4018,10 +4199,10 @@
         const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name2, by: listed([...new Set(own.map(agent))]), value, size });
+        found3.push({ kind, on: name2, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
-    return found2;
+    return found3;
   }
   function partsOf(header, run, name2) {
     return kindsOnOne(header).flatMap((kind) => {
@@ -4434,12 +4615,12 @@
           grid.append(html("span", "", who));
           for (const row of rows) {
             const size = style === "carts-guessed" ? row.size ?? 0 : actual;
-            const cell2 = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
-            cell2.append(
+            const cell3 = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
+            cell3.append(
               arrow(size, this.full, style, row.side),
               ` ${newtons(size)}${isCut(size, this.full) ? tr(", arrow cut") : ""}`
             );
-            grid.append(cell2);
+            grid.append(cell3);
           }
         }
         return grid;
@@ -4514,22 +4695,22 @@
   }
 
   // ../view/pad.js
-  var LEFT3 = 40;
+  var LEFT4 = 40;
   var STEP2 = 77.5;
   var POINTS = 5;
   var HIGHEST = 10;
-  var TOP3 = 10;
-  var BOTTOM3 = 130;
+  var TOP4 = 10;
+  var BOTTOM4 = 130;
   function pad(quantity) {
     const low = quantity === "F" ? 0 : -HIGHEST;
-    const per = (BOTTOM3 - TOP3) / (HIGHEST - low);
-    return { low, zero: TOP3 + HIGHEST * per, per };
+    const per = (BOTTOM4 - TOP4) / (HIGHEST - low);
+    return { low, zero: TOP4 + HIGHEST * per, per };
   }
   function path({ zero, per }, heights) {
     const step = (POINTS - 1) * STEP2 / (heights.length - 1);
     const points = Array.from(
       heights,
-      (height, k) => `${px(LEFT3 + k * step)} ${px(zero - per * height)}`
+      (height, k) => `${px(LEFT4 + k * step)} ${px(zero - per * height)}`
     );
     return `M${points.join("L")}`;
   }
@@ -4597,17 +4778,17 @@
     return h2.at(k) ?? 0;
   }
   function hills(heights) {
-    let found2 = 0;
+    let found3 = 0;
     let rising = false;
     heights.forEach((height, k) => {
       const before = heights[k - 1] ?? 0;
       if (height > before) rising = true;
       if (height < before && rising) {
-        found2 += 1;
+        found3 += 1;
         rising = false;
       }
     });
-    return found2 + (rising ? 1 : 0);
+    return found3 + (rising ? 1 : 0);
   }
 
   // src/predict/curve.js
@@ -4720,7 +4901,7 @@
     #point(event) {
       const frame2 = this.pad.getBoundingClientRect();
       const scale = 360 / frame2.width;
-      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT3) / STEP2);
+      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT4) / STEP2);
       const height = (this.place.zero - (event.clientY - frame2.top) * scale) / this.place.per;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
@@ -4821,9 +5002,9 @@
           html("span"),
           ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
           html("span", "", tr("you")),
-          ...rows.map((row) => cell(row, most ? (row.share ?? 0) / most : 0, "carts-guessed")),
+          ...rows.map((row) => cell2(row, most ? (row.share ?? 0) / most : 0, "carts-guessed")),
           html("span", "", tr("the run")),
-          ...rows.map((row) => cell(row, actual ? 1 : 0, "carts-block-arrow"))
+          ...rows.map((row) => cell2(row, actual ? 1 : 0, "carts-block-arrow"))
         );
         const place4 = html("div");
         const words = html("p", "", tr("You: {yours} The run: {seen}", { yours, seen }));
@@ -4861,7 +5042,7 @@
     if (!Math.min(a2, b2)) return tr("only the {force}.", { force: name(large) });
     return tr("the {large} is larger than the {small}.", { large: name(large), small: name(small) });
   }
-  function cell({ style, side }, part, look) {
+  function cell2({ style, side }, part, look) {
     const made3 = html("span", `carts-compare-arrow ${style} ${side}`);
     made3.append(pulled(part * LONG, look, side));
     return made3;
@@ -5085,10 +5266,10 @@
           tr("This browser keeps nothing: your prediction is lost when you close the page.")
         );
       }
-      const found2 = await this.#store.get(this.key).catch(() => null);
-      if (found2?.type === this.#entry.type && isCurrent(found2)) {
-        this.#entry = found2;
-        this.form.value = found2.value;
+      const found3 = await this.#store.get(this.key).catch(() => null);
+      if (found3?.type === this.#entry.type && isCurrent(found3)) {
+        this.#entry = found3;
+        this.form.value = found3.value;
         say(this.saved, tr("Saved."));
       }
       const talking = Boolean(this.#entry.talk) && !this.#entry.before;
@@ -5347,7 +5528,7 @@
 
   // src/scene/how/panel.js
   var EXACT3 = "exact";
-  var PARTS = [19, 37, 61, 103, 211, 499, 997, 1999, 4999];
+  var PARTS2 = [19, 37, 61, 103, 211, 499, 997, 1999, 4999];
   var OPENS_AT = 3;
   var TOLERANCES = [1e-3, 1e-6, 1e-9, 1e-12];
   var ADAPTIVE2 = ["rk45", "adaptive"];
@@ -5411,7 +5592,7 @@
       const method = this.method.value;
       if (method === EXACT3) return null;
       const place4 = this.slider.valueAsNumber;
-      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place4] ?? 1e-9 } : { method, parts: PARTS[place4] ?? 103 };
+      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place4] ?? 1e-9 } : { method, parts: PARTS2[place4] ?? 103 };
     }
     reset() {
       this.method.value = EXACT3;
@@ -5448,7 +5629,7 @@
       const adaptive = ADAPTIVE2.includes(this.method.value);
       const kind = adaptive ? TOLERANCE : STEP3;
       if (this.kind.textContent !== kind) {
-        this.slider.max = String((adaptive ? TOLERANCES : PARTS).length - 1);
+        this.slider.max = String((adaptive ? TOLERANCES : PARTS2).length - 1);
         this.slider.value = String(adaptive ? 1 : OPENS_AT);
       }
       say(this.kind, kind);
@@ -6952,10 +7133,10 @@ ${lines4.join("\n")}
     async #meanwhile() {
       if (!this.prepared?.there) return;
       const asked3 = this.#asked;
-      const found2 = await this.prepared.nearest(this.values.wanted).catch(() => null);
-      if (!found2?.header.ok || asked3 !== this.#asked) return;
-      this.values.good = found2.set;
-      const { header, numbers } = found2;
+      const found3 = await this.prepared.nearest(this.values.wanted).catch(() => null);
+      if (!found3?.header.ok || asked3 !== this.#asked) return;
+      this.values.good = found3.set;
+      const { header, numbers } = found3;
       await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
     }
     /** Back to the values that the scene came with. */
@@ -7195,8 +7376,8 @@ ${lines4.join("\n")}
         const [before, now] = [at3(start), at3(t3)];
         say(need(row, "th"), curve2.label);
         const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
-        row.querySelectorAll("td[data-when]").forEach((cell2, i2) => {
-          say(cell2, texts[i2] ?? "");
+        row.querySelectorAll("td[data-when]").forEach((cell3, i2) => {
+          say(cell3, texts[i2] ?? "");
         });
         bar(need(row, '[data-part="before"]'), before / this.#full);
         bar(need(row, '[data-part="now"]'), now / this.#full);
@@ -7328,8 +7509,8 @@ ${lines4.join("\n")}
     }
     /** @param {string} name @param {string} quantity @param {string} text */
     #say(name2, quantity, text) {
-      const cell2 = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
-      if (cell2) say(cell2, text);
+      const cell3 = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
+      if (cell3) say(cell3, text);
     }
     /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
     #roomFor({ header }) {
@@ -7567,10 +7748,10 @@ ${lines4.join("\n")}
   };
 
   // ../view/graph.js
-  var LEFT4 = 52;
-  var RIGHT3 = 350;
-  var TOP4 = 8;
-  var BOTTOM4 = 129;
+  var LEFT5 = 52;
+  var RIGHT4 = 350;
+  var TOP5 = 8;
+  var BOTTOM5 = 129;
   var WIDTH6 = 360;
   var HEIGHT3 = 160;
   var BELOW_LINE = 5;
@@ -7578,10 +7759,10 @@ ${lines4.join("\n")}
   var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t3) {
-    return LEFT4 + (t3 - plane.time.low) * ((RIGHT3 - LEFT4) / (plane.time.high - plane.time.low));
+    return LEFT5 + (t3 - plane.time.low) * ((RIGHT4 - LEFT5) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM4 - (value - plane.value.low) * ((BOTTOM4 - TOP4) / (plane.value.high - plane.value.low));
+    return BOTTOM5 - (value - plane.value.low) * ((BOTTOM5 - TOP5) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -7609,8 +7790,8 @@ ${lines4.join("\n")}
   }
   function path2(curve2, times2, plane, seen = Infinity) {
     const { values, slopes } = curve2;
-    const kx = (RIGHT3 - LEFT4) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM4 - TOP4) / (plane.value.high - plane.value.low);
+    const kx = (RIGHT4 - LEFT5) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM5 - TOP5) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn2 = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -7647,11 +7828,11 @@ ${lines4.join("\n")}
   }
   function timeMarks(plane) {
     const decimals = axisDecimals(plane.time);
-    return ticks(plane.time).map((t3) => ({ at: px(timeX(plane, t3)), label: fixed(t3, decimals) }));
+    return ticks2(plane.time).map((t3) => ({ at: px(timeX(plane, t3)), label: fixed(t3, decimals) }));
   }
   function valueMarks(plane) {
     const decimals = axisDecimals(plane.value);
-    return ticks(plane.value).map((v2) => ({
+    return ticks2(plane.value).map((v2) => ({
       at: px(valueY(plane, v2)),
       textY: px(valueY(plane, v2) + BELOW_LINE),
       label: fixed(v2, decimals),
@@ -7707,12 +7888,12 @@ ${lines4.join("\n")}
     }
   };
   function ghostCurves(plot2, curves, times2, plane) {
-    const found2 = plot2.querySelector('[data-part="ghost"]');
-    if (!curves.length) return found2?.remove();
+    const found3 = plot2.querySelector('[data-part="ghost"]');
+    if (!curves.length) return found3?.remove();
     const front = plot2.querySelector('[data-part="curves"]');
     const clip = front?.getAttribute("clip-path") ?? "none";
-    const group2 = found2 ?? svg("g", { "data-part": "ghost", "clip-path": clip });
-    if (!found2) front?.before(group2);
+    const group2 = found3 ?? svg("g", { "data-part": "ghost", "clip-path": clip });
+    if (!found3) front?.before(group2);
     group2.replaceChildren(
       ...curves.filter(({ over }) => !over).map((curve2) => svg("path", { class: "carts-pale", d: path2(curve2, times2, plane) }))
     );
@@ -7728,10 +7909,10 @@ ${lines4.join("\n")}
         times2[i2]
       );
       put(line2, "class", "carts-grid");
-      put(line2, "d", `M${at3} ${TOP4}V${BOTTOM4}`);
+      put(line2, "d", `M${at3} ${TOP5}V${BOTTOM5}`);
       put(text, "class", "carts-tick-x");
       put(text, "x", at3);
-      put(text, "y", String(BOTTOM4 + 15));
+      put(text, "y", String(BOTTOM5 + 15));
       say(text, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line2, text, i2) => {
@@ -7740,9 +7921,9 @@ ${lines4.join("\n")}
         rows[i2]
       );
       put(line2, "class", zero ? "carts-zero" : "carts-grid");
-      put(line2, "d", `M${LEFT4} ${at3}H${RIGHT3}`);
+      put(line2, "d", `M${LEFT5} ${at3}H${RIGHT4}`);
       put(text, "class", "carts-tick-y");
-      put(text, "x", String(LEFT4 - 5));
+      put(text, "x", String(LEFT5 - 5));
       put(text, "y", textY);
       say(text, label);
     });
@@ -8111,22 +8292,22 @@ ${lines4.join("\n")}
     ).filter((t3) => t3 <= last);
   }
   function tableTimes({ header, trajectory }) {
-    const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
+    const times2 = /* @__PURE__ */ new Set([...ticks2(span(0, header.until, ROWS2)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);
     const last = Number(trajectory.t[trajectory.t.length - 1]);
     return [...times2].filter((t3) => t3 <= last).sort((a2, b2) => a2 - b2);
   }
   function heading(text) {
-    const cell2 = html("th", "", text);
-    cell2.setAttribute("scope", "col");
-    return cell2;
+    const cell3 = html("th", "", text);
+    cell3.setAttribute("scope", "col");
+    return cell3;
   }
   function greatest3(curves) {
-    let found2 = 0;
+    let found3 = 0;
     for (const { values } of curves) {
-      for (let k = 0; k < values.length; k += 1) found2 = Math.max(found2, Math.abs(Number(values[k])));
+      for (let k = 0; k < values.length; k += 1) found3 = Math.max(found3, Math.abs(Number(values[k])));
     }
-    return found2 || 1;
+    return found3 || 1;
   }
 
   // src/scene/graphs/graph-view.js
@@ -8178,7 +8359,7 @@ ${lines4.join("\n")}
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame2 = this.plot.getBoundingClientRect();
         const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH6;
-        const part = Math.min(1, Math.max(0, (x2 - LEFT4) / (RIGHT3 - LEFT4)));
+        const part = Math.min(1, Math.max(0, (x2 - LEFT5) / (RIGHT4 - LEFT5)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
       };
@@ -8297,8 +8478,8 @@ ${lines4.join("\n")}
         put(line2, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
-      const end2 = Math.min(RIGHT3, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
-      if (room) put(room, "width", px(end2 - LEFT4 + 1));
+      const end2 = Math.min(RIGHT4, Math.max(LEFT5, timeX(this.#plane, this.#seen)));
+      if (room) put(room, "width", px(end2 - LEFT5 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -9038,7 +9219,7 @@ ${lines4.join("\n")}
   var HALVINGS = 40;
   function exits({ header, trajectory }, { low, high }, camera) {
     const { t: times2, x: places, v: v2, a: a2 } = trajectory;
-    const found2 = [];
+    const found3 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
       const place4 = (t3) => valueAt(times2, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
@@ -9053,9 +9234,9 @@ ${lines4.join("\n")}
         else before = middle;
       }
       const velocity3 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
-      found2.push({ t: after, name: name2, side: place4(after) > high ? "right" : "left", velocity: velocity3 });
+      found3.push({ t: after, name: name2, side: place4(after) > high ? "right" : "left", velocity: velocity3 });
     }
-    return found2;
+    return found3;
   }
 
   // ../view/model-words.js
@@ -9262,7 +9443,7 @@ ${lines4.join("\n")}
       this.#until = until;
       put(this.scrub, "max", String(until));
       const axis2 = span(0, until, 6);
-      const times2 = ticks(axis2);
+      const times2 = ticks2(axis2);
       this.numbers.replaceChildren(
         ...times2.flatMap((t3, i2) => {
           const x2 = `${px(100 * t3 / until, 3)}%`;
@@ -9404,16 +9585,16 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   function plot(clip, isForce, growing) {
     const inside = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
-    const room = html2`<rect x=${LEFT4} y=${TOP4 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP4 + 8}/>`;
+    const room = html2`<rect x=${LEFT5} y=${TOP5 - 4} width=${RIGHT4 - LEFT5 + 1} height=${BOTTOM5 - TOP5 + 8}/>`;
     const seen = `${clip}-seen`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH6} ${HEIGHT3}" width=${WIDTH6} height=${HEIGHT3} aria-hidden="true">
 <defs><clipPath id=${clip}>${room}</clipPath>${growing && html2`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
+<text class="carts-unit" x=${RIGHT4} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
-<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP4}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
+<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP5}V${BOTTOM5}" transform="translate(${LEFT5} 0)"/></g>
 </svg>`;
   }
 

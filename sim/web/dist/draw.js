@@ -10438,6 +10438,89 @@
 `;
   }
 
+  // ../view/cost/breaks.js
+  var [WIDTH2, HEIGHT2] = [520, 372];
+  var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [62, 10, 510, 322];
+  var MADE = "energy was made";
+  var DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8];
+  var UNITS = (
+    /** @type {Record<string, string>} */
+    { stiffness: "N/m", mass: "kg" }
+  );
+  var cell = (count) => ({ wide: (RIGHT2 - LEFT2) / count, high: (BOTTOM2 - TOP2) / count });
+  function squares({ parts: parts2 }, map, method) {
+    const { wide, high } = cell(parts2.length);
+    const paths = {};
+    [...map.letters[method] ?? ""].forEach((letter, k) => {
+      const [column, row2] = [Math.floor(k / parts2.length), k % parts2.length];
+      const [x, y] = [px(LEFT2 + column * wide), px(BOTTOM2 - (row2 + 1) * high)];
+      const box2 = `M${x} ${y}h${px(wide)}v${px(high)}h-${px(wide)}Z`;
+      paths[letter] = (paths[letter] ?? "") + box2;
+    });
+    return Object.entries(paths).sort();
+  }
+  function theory({ parts: parts2, limits }, map, method) {
+    const { wide } = cell(parts2.length);
+    const limit = limits[method];
+    const path3 = (steps) => steps.map((h, k) => [LEFT2 + (k + 0.5) * wide, yOf(parts2, h)]).filter(([, y]) => Number(y) >= TOP2 && Number(y) <= BOTTOM2).map(([x, y], k) => `${k ? "L" : "M"}${px(Number(x))} ${px(Number(y))}`).join("");
+    return [path3(map.lines.contact), limit ? path3(map.lines.swing.map((h) => h * limit)) : ""];
+  }
+  function yOf(parts2, h) {
+    const [short_, long] = [1 / Number(parts2[0]), 1 / Number(parts2.at(-1))];
+    const part = Math.log(h / short_) / Math.log(long / short_);
+    const { high } = cell(parts2.length);
+    return BOTTOM2 - high / 2 - part * (BOTTOM2 - TOP2 - high);
+  }
+  function valueText(map, value) {
+    const unit = UNITS[map.path.at(-1) ?? ""];
+    return unit ? `${short(value)} ${unit}` : short(value);
+  }
+  function ticks(map) {
+    const [low, high] = [Number(map.values[0]), Number(map.values.at(-1))];
+    const { wide } = cell(map.values.length);
+    const grows = high / low > 100 && map.path.at(-1) !== "restitution";
+    const places = grows ? [-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => 10 ** k) : [0.2, 0.4, 0.6, 0.8, 1];
+    const part = (v) => grows ? Math.log(v / low) / Math.log(high / low) : (v - low) / (high - low);
+    return places.filter((v) => part(v) > -0.03 && part(v) < 1.03).map((v) => [
+      LEFT2 + wide / 2 + part(v) * (RIGHT2 - LEFT2 - wide),
+      grows && (v >= 1e3 || v < 0.01) ? `10${superscript(Math.round(Math.log10(v)))}` : short(v)
+    ]);
+  }
+  function breaksPart(breaks) {
+    const first = (
+      /** @type {BreaksMap} */
+      breaks.maps[0]
+    );
+    const names = Object.keys(first.letters);
+    const method = "verlet";
+    const steps = [1e-3, 0.01, 0.1].map(
+      (h) => html`<text class="carts-tick-y" x=${LEFT2 - 7} y=${px(yOf(breaks.parts, h) + 4)}>${short(h)}</text>`
+    );
+    const [contact, limit] = theory(breaks, first, method);
+    return html`<div class="carts-cost-breaks">
+<p class="carts-heading">Where methods break</p>
+<div class="carts-cost-choice"><label>method <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
+<label>across <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
+<svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} role="img" aria-label="right digits of the velocities for each step and each value; the lists below reach every point">
+<g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind, d]) => html`<path class="carts-breaks-${kind}" d=${d}/>`)}</g>
+<path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
+${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<text class="carts-tick-x" x=${px(x)} y=${BOTTOM2 + 16}>${text3}</text>`)}</g>
+<text class="carts-unit carts-breaks-unit" x=${RIGHT2} y=${BOTTOM2 + 36} text-anchor="end">${unitText(first)}</text>
+<text class="carts-unit" transform="translate(14 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">step in s</text>
+<rect class="carts-breaks-ring" visibility="hidden"/>
+</svg>
+<ul class="carts-cost-key">${DIGITS.map((k) => html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${k}" d="M0 0H16V16H0Z"/></svg> ${k}${k === 8 && " right digits"}</li>`)}<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-x" d="M0 0H16V16H0Z"/></svg> ${MADE}</li><li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-contact" d="M0 8H16"/></svg> a step as long as the contact</li><li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-limit" d="M0 8H16"/></svg> limit of stability</li></ul>
+<div class="carts-cost-choice"><label>value <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
+<label>steps in 1 s <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>Run it above</button></div>
+<p class="carts-breaks-found" role="status"></p>
+<pre class="carts-breaks-command" hidden></pre>
+</div>`;
+  }
+  function unitText(map) {
+    const unit = UNITS[map.path.at(-1) ?? ""];
+    return unit ? `${map.name} in ${unit}` : map.name;
+  }
+
   // ../view/cost/guess.js
   var ASKED = [0.01, 1e-4, 1e-6, 1e-9, 1e-12];
   var FIRST = 1e-6;
@@ -10512,7 +10595,7 @@
   // ../view/cost/skeleton.js
   var PARTS = [19, 61, 103, 211, 499, 997, 9973];
   var TOLERANCES = [1e-6, 1e-9, 1e-12];
-  function inside({ id, title, names, measured: measured2, rows, floor, digits = {}, run }) {
+  function inside({ id, title, names, measured: measured2, rows, floor, digits = {}, run, breaks }) {
     const told3 = told(run.header).map(
       ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
     );
@@ -10537,6 +10620,7 @@ ${figure(rows, floor, digits)}
 ${table(rows, run.header.until)}
 </div>
 </div>
+${breaks && breaksPart(breaks)}
 <noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
 </div>`;
   }
@@ -10602,7 +10686,7 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
     sticks: "carts stick together",
     wrong: "wrong"
   };
-  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
+  var UNITS2 = { v: " m/s", x: " m", last: " s", count: "" };
   var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
   function measure(what) {
     const { kind, name } = parts(what);
@@ -10619,7 +10703,7 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
   function amount(what, value, figures2) {
     const { kind } = parts(what);
     if (kind === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS[kind] ?? " J");
+    return short(value, figures2) + (UNITS2[kind] ?? " J");
   }
   function cameOut(wanted, got, figures2) {
     let worst = "";
@@ -10687,7 +10771,7 @@ ${rows.map(row)}</tbody>
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
-  function ticks(axis2) {
+  function ticks2(axis2) {
     const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
     const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
     const found = [];
@@ -10841,7 +10925,7 @@ ${rows.map(row)}</tbody>
   // ../view/map/words.js
   var SMALLER = 2;
   var EXACT = 12;
-  function valueText(value, { low, high }) {
+  function valueText2(value, { low, high }) {
     if (Number.isNaN(value)) return "no value";
     const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
     const text3 = fixed(value, Math.min(decimalsFor(value || 1), most));
@@ -10859,20 +10943,20 @@ ${rows.map(row)}</tbody>
   }
 
   // ../view/map/figure.js
-  var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [58, 10, 388, 270];
-  var WIDTH2 = 400;
-  var [HEIGHT2, HEIGHT_OF_CURVE] = [370, 312];
+  var [LEFT3, TOP3, RIGHT3, BOTTOM3] = [58, 10, 388, 270];
+  var WIDTH3 = 400;
+  var [HEIGHT3, HEIGHT_OF_CURVE] = [370, 312];
   var [BAR_TOP, BAR_HEIGHT] = [322, 12];
   var TICKS = 5;
   var MOST_NUMBERS = 7;
   var BASELINE = 4;
-  var heightOf = ({ axes: axes2 }) => axes2.length === 1 ? HEIGHT_OF_CURVE : HEIGHT2;
+  var heightOf = ({ axes: axes2 }) => axes2.length === 1 ? HEIGHT_OF_CURVE : HEIGHT3;
   var valueAxis = ({ low, high }) => axis(low, high, TICKS);
   function across(value, { low, high }) {
-    return LEFT2 + (value - low) * ((RIGHT2 - LEFT2) / (high - low));
+    return LEFT3 + (value - low) * ((RIGHT3 - LEFT3) / (high - low));
   }
   function up(value, { low, high }) {
-    return BOTTOM2 - (value - low) * ((BOTTOM2 - TOP2) / (high - low));
+    return BOTTOM3 - (value - low) * ((BOTTOM3 - TOP3) / (high - low));
   }
   function curve(facts, points, values) {
     const along = facts.axes[0];
@@ -10896,28 +10980,28 @@ ${rows.map(row)}</tbody>
     const y = second ? span(second.low, second.high, TICKS) : valueAxis(facts);
     const labels2 = [first ? named(first) : "", second ? named(second) : named(facts)];
     const height = heightOf(facts);
-    const [bottom, right] = picture2 ? [BOTTOM2, LEFT2] : [TOP2, RIGHT2];
-    const image = html`<image href=${picture2} x=${LEFT2} y=${TOP2} width=${RIGHT2 - LEFT2} height=${BOTTOM2 - TOP2} preserveAspectRatio="none"/>
+    const [bottom, right] = picture2 ? [BOTTOM3, LEFT3] : [TOP3, RIGHT3];
+    const image = html`<image href=${picture2} x=${LEFT3} y=${TOP3} width=${RIGHT3 - LEFT3} height=${BOTTOM3 - TOP3} preserveAspectRatio="none"/>
 `;
-    const columns = ticks(x).map((tick) => {
+    const columns = ticks2(x).map((tick) => {
       const at = px(across(tick, x));
-      return html`<path class="carts-grid" d="M${at} ${bottom}V${BOTTOM2 + 4}"/><text class="carts-tick-x" x=${at} y=${BOTTOM2 + 16}>${fixed(tick, axisDecimals(x))}</text>`;
+      return html`<path class="carts-grid" d="M${at} ${bottom}V${BOTTOM3 + 4}"/><text class="carts-tick-x" x=${at} y=${BOTTOM3 + 16}>${fixed(tick, axisDecimals(x))}</text>`;
     });
-    const rows = ticks(y).map((tick) => {
+    const rows = ticks2(y).map((tick) => {
       const at = up(tick, y);
-      return html`<path class="carts-grid" d="M${LEFT2 - 4} ${px(at)}H${right}"/><text class="carts-tick-y" x=${LEFT2 - 7} y=${px(at + BASELINE)}>${fixed(tick, axisDecimals(y))}</text>`;
+      return html`<path class="carts-grid" d="M${LEFT3 - 4} ${px(at)}H${right}"/><text class="carts-tick-y" x=${LEFT3 - 7} y=${px(at + BASELINE)}>${fixed(tick, axisDecimals(y))}</text>`;
     });
-    return html`<svg class="carts-map-under" viewBox="0 0 ${WIDTH2} ${height}" width=${WIDTH2} height=${height} aria-hidden="true" focusable="false">
+    return html`<svg class="carts-map-under" viewBox="0 0 ${WIDTH3} ${height}" width=${WIDTH3} height=${height} aria-hidden="true" focusable="false">
 ${picture2 !== "" && image}${columns}
 ${rows}
-<text class="carts-unit" x=${RIGHT2} y=${BOTTOM2 + 31} text-anchor="end">${labels2[0]}</text>
-<text class="carts-unit" transform="translate(13 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">${labels2[1]}</text>
+<text class="carts-unit" x=${RIGHT3} y=${BOTTOM3 + 31} text-anchor="end">${labels2[0]}</text>
+<text class="carts-unit" transform="translate(13 ${(TOP3 + BOTTOM3) / 2}) rotate(-90)" text-anchor="middle">${labels2[1]}</text>
 ${second && bar(facts)}
 </svg>`;
   }
   function bar(facts) {
     const scale = scaleFor(facts.low, facts.high);
-    const width = (RIGHT2 - LEFT2) / scale.count;
+    const width = (RIGHT3 - LEFT3) / scale.count;
     const numbers = edges(scale);
     const every = Math.ceil(scale.count / MOST_NUMBERS);
     const zero = Math.max(
@@ -10925,14 +11009,14 @@ ${second && bar(facts)}
       numbers.findIndex((number) => Math.abs(number) < 0.5 * scale.step)
     );
     const parts2 = numbers.map((number, k) => {
-      const x = px(LEFT2 + k * width, 2);
+      const x = px(LEFT3 + k * width, 2);
       const colour = scale.colours[k];
       const band4 = colour && html`<rect x=${x} y=${BAR_TOP} width=${px(width, 2)} height=${BAR_HEIGHT} fill=${hex(colour)}/>`;
       const notch = (k - zero) % every === 0 && html`<path class="carts-map-notch" d="M${x} ${BAR_TOP}v${BAR_HEIGHT}"/><text class="carts-tick-x" x=${x} y=${BAR_TOP + BAR_HEIGHT + 12}>${fixed(number, edgeDecimals(scale))}</text>`;
       return html`${band4}${notch}`;
     });
     return html`${parts2}
-<text class="carts-unit" x=${RIGHT2} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
+<text class="carts-unit" x=${RIGHT3} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
   }
   var hex = (colour) => `#${colour.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 
@@ -10946,15 +11030,15 @@ ${second && bar(facts)}
       (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
     );
   }
-  function tableOf(columns, rows, axisText2, valueText2) {
+  function tableOf(columns, rows, axisText2, valueText3) {
     if (rows === 1) {
-      const lines4 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
+      const lines4 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText3(k)]);
       return { head: [], lines: lines4 };
     }
     const across3 = spread(columns, COLUMNS2);
     const lines3 = spread(rows, ROWS).map((row2) => [
       axisText2(1, row2),
-      ...across3.map((k) => valueText2(row2 * columns + k))
+      ...across3.map((k) => valueText3(row2 * columns + k))
     ]);
     return { head: across3.map((k) => axisText2(0, k)), lines: lines3 };
   }
@@ -10986,8 +11070,8 @@ ${table2(facts, draw)}
     const height = heightOf(facts);
     const all = draw.values.map((value) => value ?? Number.NaN);
     const line = facts.axes.length === 1 ? curve(facts, facts.axes[0]?.values ?? [], all) : "";
-    return html`<svg class="carts-map-over" viewBox="0 0 ${WIDTH2} ${height}" width=${WIDTH2} height=${height} aria-hidden="true" focusable="false">
-<rect class="carts-map-edge" x=${LEFT2} y=${TOP2} width=${RIGHT2 - LEFT2} height=${BOTTOM2 - TOP2}/>
+    return html`<svg class="carts-map-over" viewBox="0 0 ${WIDTH3} ${height}" width=${WIDTH3} height=${height} aria-hidden="true" focusable="false">
+<rect class="carts-map-edge" x=${LEFT3} y=${TOP3} width=${RIGHT3 - LEFT3} height=${BOTTOM3 - TOP3}/>
 <path data-part="curve" class="carts-curve" d=${line}/>
 <g data-part="cross"><path data-part="lines" class="carts-map-cross" d=""/><circle data-part="point" class="carts-map-point" r="6" cx="0" cy="0" visibility="hidden"/></g>
 </svg>`;
@@ -11009,7 +11093,7 @@ ${table2(facts, draw)}
       );
     });
     const ids = axes2.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
-    const at = valueText(facts.at ?? Number.NaN, facts);
+    const at = valueText2(facts.at ?? Number.NaN, facts);
     return html`<div class="carts-map-side">
 <p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
 <p class="carts-heading">One point of the map</p>
@@ -11036,17 +11120,17 @@ ${further}</div>`;
       columns,
       second?.values.length ?? 1,
       (axis2, place2) => axisText(facts, axis2, place2),
-      (place2) => valueText(valueAt(draw, place2), facts)
+      (place2) => valueText2(valueAt(draw, place2), facts)
     );
     const heads = second ? head : [facts.label];
     const across3 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
     const rows = lines3.map(
-      ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell) => html`<td>${cell}</td>`)}</tr>`
+      ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`
     );
     return html`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead>
 ${second && across3}
-<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell) => html`<th scope="col">${cell}</th>`)}</tr></thead>
+<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell2) => html`<th scope="col">${cell2}</th>`)}</tr></thead>
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
@@ -11088,7 +11172,7 @@ ${second && across3}
 
   // ../view/measured/skeleton.js
   var MOST_ROWS = 60;
-  var UNITS2 = (
+  var UNITS3 = (
     /** @type {const} */
     [
       ["length", "lengths are in"],
@@ -11130,7 +11214,7 @@ ${table3(facts)}
 </div>`;
   }
   function source({ name, units, offered, read }) {
-    const choices = UNITS2.map(([kind, text3], k) => {
+    const choices = UNITS3.map(([kind, text3], k) => {
       const options = offered[kind].map(
         (unit) => html`<option value=${unit}${units?.[kind] === unit && html` selected`}>${unit}</option>`
       );
@@ -11168,8 +11252,8 @@ ${table3(facts)}
   }
   function table3({ read }) {
     const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
-    const heads = head.map((cell) => html`<th scope="col">${cell}</th>`);
-    const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell) => html`<td>${cell}</td>`)}</tr>`);
+    const heads = head.map((cell2) => html`<th scope="col">${cell2}</th>`);
+    const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
     return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
   }
@@ -12050,21 +12134,21 @@ ${rows}</tbody></table></div>
   }
 
   // ../view/graph.js
-  var LEFT3 = 52;
-  var RIGHT3 = 350;
-  var TOP3 = 8;
-  var BOTTOM3 = 129;
-  var WIDTH3 = 360;
-  var HEIGHT3 = 160;
+  var LEFT4 = 52;
+  var RIGHT4 = 350;
+  var TOP4 = 8;
+  var BOTTOM4 = 129;
+  var WIDTH4 = 360;
+  var HEIGHT4 = 160;
   var BELOW_LINE = 5;
   var NEAR = 0.7;
   var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
-    return LEFT3 + (t - plane.time.low) * ((RIGHT3 - LEFT3) / (plane.time.high - plane.time.low));
+    return LEFT4 + (t - plane.time.low) * ((RIGHT4 - LEFT4) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM3 - (value - plane.value.low) * ((BOTTOM3 - TOP3) / (plane.value.high - plane.value.low));
+    return BOTTOM4 - (value - plane.value.low) * ((BOTTOM4 - TOP4) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -12092,8 +12176,8 @@ ${rows}</tbody></table></div>
   }
   function path(curve3, times2, plane, seen = Infinity) {
     const { values, slopes } = curve3;
-    const kx = (RIGHT3 - LEFT3) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM3 - TOP3) / (plane.value.high - plane.value.low);
+    const kx = (RIGHT4 - LEFT4) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM4 - TOP4) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -12130,11 +12214,11 @@ ${rows}</tbody></table></div>
   }
   function timeMarks(plane) {
     const decimals = axisDecimals(plane.time);
-    return ticks(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
+    return ticks2(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
   }
   function valueMarks(plane) {
     const decimals = axisDecimals(plane.value);
-    return ticks(plane.value).map((v) => ({
+    return ticks2(plane.value).map((v) => ({
       at: px(valueY(plane, v)),
       textY: px(valueY(plane, v) + BELOW_LINE),
       label: fixed(v, decimals),
@@ -12166,16 +12250,16 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   function plot(clip, isForce, growing) {
     const inside6 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
-    const room = html`<rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/>`;
+    const room = html`<rect x=${LEFT4} y=${TOP4 - 4} width=${RIGHT4 - LEFT4 + 1} height=${BOTTOM4 - TOP4 + 8}/>`;
     const seen = `${clip}-seen`;
-    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH3} ${HEIGHT3}" width=${WIDTH3} height=${HEIGHT3} aria-hidden="true">
+    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH4} ${HEIGHT4}" width=${WIDTH4} height=${HEIGHT4} aria-hidden="true">
 <defs><clipPath id=${clip}>${room}</clipPath>${growing && html`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
+<text class="carts-unit" x=${RIGHT4} y=${HEIGHT4 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside6}></g>
-<g data-part="cursor" ${inside6}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
+<g data-part="cursor" ${inside6}><path class="carts-cursor" d="M0 ${TOP4}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
 </svg>`;
   }
 
@@ -12276,22 +12360,22 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   var ownerOf = (set) => set.split(".")[0] ?? "";
 
   // ../view/pad.js
-  var LEFT4 = 40;
+  var LEFT5 = 40;
   var STEP = 77.5;
   var POINTS = 5;
   var HIGHEST = 10;
-  var TOP4 = 10;
-  var BOTTOM4 = 130;
+  var TOP5 = 10;
+  var BOTTOM5 = 130;
   function pad(quantity) {
     const low = quantity === "F" ? 0 : -HIGHEST;
-    const per = (BOTTOM4 - TOP4) / (HIGHEST - low);
-    return { low, zero: TOP4 + HIGHEST * per, per };
+    const per = (BOTTOM5 - TOP5) / (HIGHEST - low);
+    return { low, zero: TOP5 + HIGHEST * per, per };
   }
   function path2({ zero, per }, heights) {
     const step = (POINTS - 1) * STEP / (heights.length - 1);
     const points = Array.from(
       heights,
-      (height, k) => `${px(LEFT4 + k * step)} ${px(zero - per * height)}`
+      (height, k) => `${px(LEFT5 + k * step)} ${px(zero - per * height)}`
     );
     return `M${points.join("L")}`;
   }
@@ -12375,7 +12459,7 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
     const i = header.bodies.findIndex(({ name }) => name === cart2);
     const place2 = pad(quantity);
     const knobs = KNOBS.map(
-      (k) => html`<circle class="carts-knob" data-index=${k} cx=${LEFT4 + STEP * k} cy=${place2.zero} r="7"/>`
+      (k) => html`<circle class="carts-knob" data-index=${k} cx=${LEFT5 + STEP * k} cy=${place2.zero} r="7"/>`
     );
     const heights = TIMES2[quantity === "F" ? "contact" : "run"].map(
       (name) => html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place2.low} max=${HIGHEST} step="0.5" disabled></label>`
@@ -12626,7 +12710,7 @@ ${legend(baked, layout)}
     while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
     const numbers = { low: first, high: last, step };
     const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
-    const fine = ticks({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
+    const fine = ticks2({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
     const wall = (edge3, from) => {
       const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
@@ -12639,7 +12723,7 @@ ${legend(baked, layout)}
 ${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
-${ticks(numbers).map(
+${ticks2(numbers).map(
       (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 22)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
@@ -12867,7 +12951,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/cost/stage.js
-  var [WIDTH4, FLOOR_Y, SIDE] = [640, 84, 20];
+  var [WIDTH5, FLOOR_Y, SIDE] = [640, 84, 20];
   var [LOWEST, TALLEST2] = [16, 58];
   var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
   var MOST = 3;
@@ -12906,7 +12990,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
       const left = track.left === "wall" ? 0 : Math.min(...ends2);
       const right = track.right === "wall" ? Number(track.length) : Math.max(...ends2);
-      this.scale = (WIDTH4 - 2 * SIDE) / (right - left);
+      this.scale = (WIDTH5 - 2 * SIDE) / (right - left);
       this.left = left;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
       const shape = (k, name) => {
@@ -12933,7 +13017,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       };
       this.carts = bodies.map((_, k) => group(k));
       this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
-      const floor = svg("path", { class: "carts-rule", d: `M0 ${FLOOR_Y}H${WIDTH4}` });
+      const floor = svg("path", { class: "carts-rule", d: `M0 ${FLOOR_Y}H${WIDTH5}` });
       const walls = [];
       if (track.left === "wall") walls.push(this.#place(0));
       if (track.right === "wall") walls.push(this.#place(Number(track.length)));
@@ -12962,7 +13046,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x = (t) => left + t / until * (right - left);
       const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
-      const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
+      const parts2 = ticks2(scale).filter((tick) => tick >= 0).flatMap((tick) => {
         const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
         return [
@@ -13012,7 +13096,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   };
 
   // src/measured/figure.js
-  var [LEFT5, RIGHT4, TOP5, BOTTOM5] = [58, 630, 10, 250];
+  var [LEFT6, RIGHT5, TOP6, BOTTOM6] = [58, 630, 10, 250];
   var LOW = { top: 8, bottom: 104 };
   var ROOM2 = 0.06;
   var HEAD = 1.15;
@@ -13027,15 +13111,15 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     return [low, high];
   }
-  var across2 = (axis2, value) => LEFT5 + (value - axis2.low) / (axis2.high - axis2.low) * (RIGHT4 - LEFT5);
-  var up2 = (axis2, value, top = TOP5, bottom = BOTTOM5) => bottom - (value - axis2.low) / (axis2.high - axis2.low) * (bottom - top);
+  var across2 = (axis2, value) => LEFT6 + (value - axis2.low) / (axis2.high - axis2.low) * (RIGHT5 - LEFT6);
+  var up2 = (axis2, value, top = TOP6, bottom = BOTTOM6) => bottom - (value - axis2.low) / (axis2.high - axis2.low) * (bottom - top);
   function planes(tracks) {
     const [begin, end2] = reach(tracks.map((track) => track.t));
     const [low, high] = reach(tracks.map((track) => track.value));
     const room = ROOM2 * (high - low) || 1;
     return { t: span(begin, end2, 8), x: span(low - room, high + room, 8) };
   }
-  function dots(t, values, axis2, up_, room = [TOP5, BOTTOM5]) {
+  function dots(t, values, axis2, up_, room = [TOP6, BOTTOM6]) {
     return t.map((time, k) => `M${px(across2(axis2, time))} ${px(up2(up_, Number(values[k]), ...room))}h0`).join("");
   }
   var Figure = class {
@@ -13057,8 +13141,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.#axis = t;
       this.#cursor = svg("path", { class: "carts-measured-cursor" });
       this.place.replaceChildren(
-        ...frame2(t, x, BOTTOM5, TOP5, unit, true),
-        ...touch === null ? [] : band2(t, touch, TOP5, BOTTOM5),
+        ...frame2(t, x, BOTTOM6, TOP6, unit, true),
+        ...touch === null ? [] : band2(t, touch, TOP6, BOTTOM6),
         ...tracks.map(
           (track, k) => svg("path", {
             class: `carts-measured-dots carts-b${k}`,
@@ -13069,7 +13153,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           (values, k) => svg("path", {
             class: `carts-measured-curve carts-b${k}`,
             d: values.map((value, n) => {
-              const y = Math.min(BOTTOM5, Math.max(TOP5, up2(x, value)));
+              const y = Math.min(BOTTOM6, Math.max(TOP6, up2(x, value)));
               return `${n ? "L" : "M"}${px(across2(t, Number(curve3?.t[n])))} ${px(y)}`;
             }).join("")
           })
@@ -13088,7 +13172,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         ...frame2(t, axis2, LOW.bottom, LOW.top, unit, false),
         svg("path", {
           class: "carts-measured-zero",
-          d: `M${LEFT5} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT4}`
+          d: `M${LEFT6} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT5}`
         }),
         ...tracks.map(
           (track, k) => svg("path", {
@@ -13107,7 +13191,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** Marks an instant. @param {number} time s */
     at(time) {
       if (!this.#cursor || !this.#axis) return;
-      put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP5}V${BOTTOM5}`);
+      put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP6}V${BOTTOM6}`);
     }
   };
   function band2(t, touch, top, bottom) {
@@ -13121,15 +13205,15 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   function frame2(t, x, bottom, top, unit, named2) {
     const parts2 = [];
-    for (const tick of ticks(t)) {
+    for (const tick of ticks2(t)) {
       const at = px(across2(t, tick));
       parts2.push(svg("path", { class: "carts-grid", d: `M${at} ${top}V${bottom}` }));
       parts2.push(text2("carts-tick-x", at, bottom + 16, fixed(tick, axisDecimals(t))));
     }
-    for (const tick of ticks(x)) {
+    for (const tick of ticks2(x)) {
       const at = px(up2(x, tick, top, bottom));
-      parts2.push(svg("path", { class: "carts-grid", d: `M${LEFT5} ${at}H${RIGHT4}` }));
-      parts2.push(text2("carts-tick-y", LEFT5 - 6, Number(at) + 4, fixed(tick, axisDecimals(x))));
+      parts2.push(svg("path", { class: "carts-grid", d: `M${LEFT6} ${at}H${RIGHT5}` }));
+      parts2.push(text2("carts-tick-y", LEFT6 - 6, Number(at) + 4, fixed(tick, axisDecimals(x))));
     }
     const label = svg("text", {
       class: "carts-unit",
@@ -13139,7 +13223,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     label.textContent = unit;
     parts2.push(label);
     if (named2) {
-      const name = text2("carts-unit", RIGHT4, bottom + 31, "t in s");
+      const name = text2("carts-unit", RIGHT5, bottom + 31, "t in s");
       put(name, "text-anchor", "end");
       parts2.push(name);
     }
@@ -13320,8 +13404,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const [before2, now] = [at(start), at(t)];
         say(need(row2, "th"), curve3.label);
         const texts = [before2, now, now - before2].map((value) => fixed(value, this.decimals));
-        row2.querySelectorAll("td[data-when]").forEach((cell, i) => {
-          say(cell, texts[i] ?? "");
+        row2.querySelectorAll("td[data-when]").forEach((cell2, i) => {
+          say(cell2, texts[i] ?? "");
         });
         bar2(need(row2, '[data-part="before"]'), before2 / this.#full);
         bar2(need(row2, '[data-part="now"]'), now / this.#full);
@@ -13393,11 +13477,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/beside/free-body.js
-  var WIDTH5 = 260;
-  var HEIGHT4 = 60;
+  var WIDTH6 = 260;
+  var HEIGHT5 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE2 = WIDTH5 / 2;
+  var MIDDLE2 = WIDTH6 / 2;
   var APART2 = 8;
   var FULL2 = 95;
   var FreeBody = class {
@@ -13453,8 +13537,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** @param {string} name @param {string} quantity @param {string} text */
     #say(name, quantity, text3) {
-      const cell = this.root.querySelector(`td[data-body="${name}"][data-quantity="${quantity}"]`);
-      if (cell) say(cell, text3);
+      const cell2 = this.root.querySelector(`td[data-body="${name}"][data-quantity="${quantity}"]`);
+      if (cell2) say(cell2, text3);
     }
     /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
     #roomFor({ header }) {
@@ -13489,8 +13573,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
       });
       const picture2 = need(card, "svg");
-      put(picture2, "viewBox", `0 ${-room} ${WIDTH5} ${HEIGHT4 + 2 * room}`);
-      put(picture2, "height", String(HEIGHT4 + 2 * room));
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH6} ${HEIGHT5 + 2 * room}`);
+      put(picture2, "height", String(HEIGHT5 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name, way, value, size: written }, cut) {
@@ -13514,7 +13598,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
 
   // src/scene/beside/lens.js
   var TIMES3 = 10;
-  var WIDTH6 = 360;
+  var WIDTH7 = 360;
   var TRACK = 96;
   var BAR = 70;
   var SCALE = 3;
@@ -13547,7 +13631,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const stage2 = this.scene.querySelector(`.carts-stage-${layout.kind}`);
         const [shown2, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown2 || !own) continue;
-        const unit = shown2 / layout.width * (WIDTH6 / own);
+        const unit = shown2 / layout.width * (WIDTH7 / own);
         this.#perMetre = TIMES3 * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -13585,7 +13669,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.#draw(k, side2, Number(faces[k]), middle, force);
       });
       const pushed = touch.loose && t >= touch.start && t <= touch.end;
-      const at = (x) => WIDTH6 / 2 + (x - middle) * this.#perMetre;
+      const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
       const wire = coil(at(left.face), at(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
       const pair = listed(touch.bodies.map(body));
@@ -13611,21 +13695,21 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side2, face, middle, force) {
-      const at = (x) => WIDTH6 / 2 + (x - middle) * this.#perMetre;
+      const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
       const group = need(this.root, `[data-side="${k}"]`);
       const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side2.name) ?? -1;
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
       const [edge3, end2] = [at(side2.edge), at(face)];
       const rect = need(group, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH6 : edge3));
+      put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH7 : edge3));
       const bent = need(group, '[data-part="spring"]');
       put(bent, "d", side2.bumper ? spring(edge3 / SCALE, end2 / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end2 - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside6 = Math.min(WIDTH6 - 34, Math.max(34, edge3 - 22 * way));
+      const inside6 = Math.min(WIDTH7 - 34, Math.max(34, edge3 - 22 * way));
       put(name, "x", px(inside6));
       say(name, index2 < 0 ? tr("wall") : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
@@ -13714,10 +13798,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         times2[i]
       );
       put(line, "class", "carts-grid");
-      put(line, "d", `M${at} ${TOP3}V${BOTTOM3}`);
+      put(line, "d", `M${at} ${TOP4}V${BOTTOM4}`);
       put(text3, "class", "carts-tick-x");
       put(text3, "x", at);
-      put(text3, "y", String(BOTTOM3 + 15));
+      put(text3, "y", String(BOTTOM4 + 15));
       say(text3, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line, text3, i) => {
@@ -13726,9 +13810,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         rows[i]
       );
       put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT3} ${at}H${RIGHT3}`);
+      put(line, "d", `M${LEFT4} ${at}H${RIGHT4}`);
       put(text3, "class", "carts-tick-y");
-      put(text3, "x", String(LEFT3 - 5));
+      put(text3, "x", String(LEFT4 - 5));
       put(text3, "y", textY);
       say(text3, label);
     });
@@ -14152,15 +14236,15 @@ ${found && html`<p class="carts-found" hidden></p>`}
     ).filter((t) => t <= last);
   }
   function tableTimes({ header, trajectory }) {
-    const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
+    const times2 = /* @__PURE__ */ new Set([...ticks2(span(0, header.until, ROWS2)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);
     const last = Number(trajectory.t[trajectory.t.length - 1]);
     return [...times2].filter((t) => t <= last).sort((a, b) => a - b);
   }
   function heading(text3) {
-    const cell = html2("th", "", text3);
-    cell.setAttribute("scope", "col");
-    return cell;
+    const cell2 = html2("th", "", text3);
+    cell2.setAttribute("scope", "col");
+    return cell2;
   }
   function greatest2(curves) {
     let found = 0;
@@ -14218,8 +14302,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame3 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame3.left) / frame3.width * WIDTH3;
-        const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT3 - LEFT3)));
+        const x = (event.clientX - frame3.left) / frame3.width * WIDTH4;
+        const part = Math.min(1, Math.max(0, (x - LEFT4) / (RIGHT4 - LEFT4)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
       };
@@ -14338,8 +14422,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
         put(line, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
-      const end2 = Math.min(RIGHT3, Math.max(LEFT3, timeX(this.#plane, this.#seen)));
-      if (room) put(room, "width", px(end2 - LEFT3 + 1));
+      const end2 = Math.min(RIGHT4, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
+      if (room) put(room, "width", px(end2 - LEFT4 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -15190,7 +15274,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.#until = until;
       put(this.scrub, "max", String(until));
       const axis2 = span(0, until, 6);
-      const times2 = ticks(axis2);
+      const times2 = ticks2(axis2);
       this.numbers.replaceChildren(
         ...times2.flatMap((t, i) => {
           const x = `${px(100 * t / until, 3)}%`;

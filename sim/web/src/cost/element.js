@@ -5,6 +5,7 @@ import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
+import { BreaksFigure } from "./breaks.js";
 import { CostFigure } from "./figure.js";
 import { guessFirst } from "./guess.js";
 import { measureAll, PACKAGES } from "./measuring.js";
@@ -17,7 +18,7 @@ import { showWorking } from "./working.js";
 /** @typedef {{header: CostHeader, numbers: ArrayLike<number>}} CostRun */
 /**
  * @typedef {{rows: CostRow[], floor?: number, digits?: Record<string, number>, measured?: string}} Measured
- * @typedef {{scenes: Record<string, object>, measured: Record<string, Measured>, run: CostRun}} CostFacts
+ * @typedef {{breaks?: import("../../../view/cost/breaks.js").Breaks, scenes: Record<string, object>, measured: Record<string, Measured>, run: CostRun}} CostFacts
  */
 
 const ADAPTIVE = ["rk45", "adaptive"]; // they have a tolerance in place of a step
@@ -57,6 +58,12 @@ export function costElement(client) {
       this.#show(facts.run);
       this.#mark();
       guessFirst(this, () => this.rows);
+      if (facts.breaks) {
+        new BreaksFigure(this, facts.breaks, (scene, method, parts) => {
+          void this.compute({ scene, method, parts });
+          this.scrollIntoView({ block: "start" });
+        });
+      }
       this.#select("scene").addEventListener("change", () => this.#newScene());
       for (const part of ["method", "step", "rtol"]) {
         this.#select(part).addEventListener("change", () => void this.compute());
@@ -85,23 +92,27 @@ export function costElement(client) {
       return this.#facts?.scenes[this.#select("scene").value];
     }
 
-    /** Runs the chosen scene with the chosen method; resolves when it is drawn. */
-    async compute() {
+    /**
+     * Runs the chosen scene with the chosen method, or a point of the map; resolves when it is drawn.
+     * @param {{scene: object, method: string, parts: number}} [point]
+     */
+    async compute(point) {
       this.#generation += 1;
       const generation = this.#generation;
+      if (point) this.#select("method").value = point.method;
       const method = this.#select("method").value;
       const adaptive = ADAPTIVE.includes(method);
       this.#select("step").hidden = adaptive;
       this.#select("rtol").hidden = !adaptive;
       const size = adaptive
         ? { rtol: Number(this.#select("rtol").value) }
-        : { parts: Number(this.#select("step").value) };
+        : { parts: point?.parts ?? Number(this.#select("step").value) };
       try {
         if (adaptive) {
           this.#note("Python’s scipy is being loaded …");
           await client.need(PACKAGES);
         }
-        const scene = this.#scene;
+        const scene = point?.scene ?? this.#scene;
         const { header, numbers } = await client.ask(this, () => ({
           kind: "cost",
           scene,
@@ -111,9 +122,9 @@ export function costElement(client) {
         if (generation !== this.#generation) return;
         if (!header.ok) throw refusal(header.problems ?? []);
         this.#live();
-        this.#note("");
+        this.#note(point ? "This is the point of the map below. Choose a scene to go back." : "");
         this.#show({ header: /** @type {any} */ (header), numbers });
-        this.#mark();
+        if (!point) this.#mark();
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
       } catch (error) {
         if (generation === this.#generation) this.#fail(/** @type {Error} */ (error));
