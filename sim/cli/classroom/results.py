@@ -156,14 +156,12 @@ def command(
         report, whole, left_out = merged_report(files)
         if summary:
             write_whole(summary, whole)
-        out.hand(report)
-        out.end(left_out, anything=bool(whole.lessons))
+        out.report(report, left_out, anything=bool(whole.lessons))
     elif tables:
         found, unread = tables_of(tables, named, most, lesson)
         report = table_report(found)
         out.sums([found.lesson], found.groups)
-        out.hand(report)
-        out.end([*unread, *found.refused], anything=bool(found.taken))
+        out.report(report, [*unread, *found.refused], anything=bool(found.taken))
     else:
         _answers(out, papers, given, named, dict(map(student, students)), codes_text)
 
@@ -190,8 +188,7 @@ def _answers(
     if out.summary:
         out.sums(lessons_of_answers(sorted_[0], reading.keys, wanted), wanted.groups)
     papers.write(*sorted_[:2], wanted)
-    out.hand(report)
-    out.end([(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
+    out.report(report, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
 
 
 def _written(
@@ -217,5 +214,4 @@ def _country(
     """The report on a table of answers."""
     report, lessons, groups = country_report(tables, backend, keys)
     out.sums(to_hand_on(lessons), groups)
-    out.hand(report)
-    out.end(refused, anything=bool(report["files"]["counted"]))
+    out.report(report, refused, anything=bool(report["files"]["counted"]))
