@@ -76,7 +76,7 @@ class Slip:
 
 
 def slips(counted: Sequence[Marked], keys: Keys, groups: Sequence[str]) -> list[Slip]:
-    """A slip for each student and lesson, in the order of groups and names."""
+    """A slip for each student and lesson, by group and name; those without a code word last."""
     found: dict[tuple[str, str, str], list[Marked]] = {}
     for file in counted:
         found.setdefault((file.file.site, file.file.lesson, file.student), []).append(file)
@@ -93,7 +93,10 @@ def slips(counted: Sequence[Marked], keys: Keys, groups: Sequence[str]) -> list[
         )
         for files in found.values()
     ]
-    return sorted(made, key=lambda s: (groups.index(s.group), s.student.upper(), s.file, s.lesson))
+    return sorted(
+        made,
+        key=lambda s: (groups.index(s.group), not s.student, s.student.upper(), s.file, s.lesson),
+    )
 
 
 def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
