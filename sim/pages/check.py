@@ -71,8 +71,7 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
         except AuthorError as error:
             items.give_up(block)
             findings += error.findings
-    own = [one for one in (*findings, *items.findings()) if not items.follows(one)]
-    return sorted([*own, *text_findings(text, lesson)])
+    return sorted([*items.first_causes(findings), *text_findings(text, lesson)])
 
 
 def _read(

@@ -97,9 +97,7 @@ class _TakeOut(Preprocessor):
             self.put_in.html[word] = html
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
-        for finding in page.items.findings():
-            if page.items.follows(finding):
-                continue
+        for finding in page.items.first_causes(()):
             if page.report is None:
                 raise AuthorError([finding])
             page.report(finding)

@@ -13,7 +13,7 @@ it is shown:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -21,9 +21,10 @@ from typing import Any
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
 from sim.pages.law_files import with_law_files
+from sim.pages.off_track import off_track
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
 from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load
-from sim.scene import Fence, Problem, Scene, SceneError, read_fence
+from sim.scene import Fence, Problem, SceneError, read_fence
 
 _FAULTS = {
     "in-quote": ("a block cannot stand in a quotation", "remove the > in front of its lines"),
@@ -128,20 +129,10 @@ def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: 
         fence = read_fence(with_law_files(plain, lesson.scene_folders))
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
-    if off := list(_off_track(fence.scene)):
+    if off := off_track(fence.scene):
         raise AuthorError(map(places.finding, off))
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return SceneBlock(replace(fence, watch=fence.watch or lesson.watch), places)
-
-
-def _off_track(scene: Scene) -> Iterator[Problem]:
-    """Carts that begin where no picture shows them: in a lesson a slip of the pen."""
-    length = scene.track.length
-    for cart in scene.carts if length else ():
-        if not 0 <= cart.position <= (length or 0):
-            message = f"cart {cart.name} begins at {cart.position:g} m, off the track"
-            hint = f"the track is 0 to {length:g} m: change the position, or track.length"
-            yield Problem(("carts", cart.name, "position"), "off-track", message, hint)
 
 
 def load_block(block: Block, file: str, *, first_line: int) -> Source:

@@ -140,6 +140,11 @@ def test_no_student_stands_on_the_page_of_the_class() -> None:
     assert html.count("carts-sheet-bar") > 8
 
 
+def test_first_ideas_stand_on_the_page_with_how_many_had_them() -> None:
+    files = [answers(RICH, f"FOX-{k}", "pre", {"first": "ab"[k > 1]}) for k in range(6)]
+    assert "Ben (4); Ana (2)" in made_html("sheet", files, RICH)
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_sentence_of_ours_is_told_in_the_language_of_the_paper(language: str) -> None:
     files = [answers(RICH, f"FOX-{k}", "pre", WRONG) for k in range(6)]

@@ -19,7 +19,7 @@ Row = Mapping[str, Any]
 SHADES = 4
 """Steps of grey in the map: paper shows no more."""
 
-MOST_PREDICTED = 3
+MOST_SAID = 4
 SHORT = 62
 """Characters of a question in the table: a line of it."""
 
@@ -73,7 +73,9 @@ def _parts(form: Row, tell: Tell) -> Iterator[str]:
         reads = said("To be read by you: {questions}", questions=numbers(unread))
         yield f"<p>{tell(reads)}</p>"
     yield _map(items, tell)
-    yield _predictions(form["predictions"], tell)
+    yield _counted(template("First ideas"), _ideas(form["items"]), tell)
+    before = template("Predicted before the run")
+    yield _counted(before, _predictions(form["predictions"]), tell)
 
 
 def _questions(items: Sequence[tuple[int, Row]], tell: Tell) -> str:
@@ -147,14 +149,29 @@ def _cell(count: int | None, most: int) -> str:
     return f'<td class="carts-shade-{shade}">{count}</td>'
 
 
-def _predictions(rows: Sequence[Row], tell: Tell) -> str:
+def _ideas(items: Sequence[Row]) -> list[tuple[str, list[tuple[str, int]]]]:
+    """First ideas by their question: nothing is right or wrong in them."""
+    return [
+        (item["ask"], [(c["text"] or c["label"], int(c["count"])) for c in item["choices"]])
+        for item in items
+        if item["type"] == "idea"
+    ]
+
+
+def _predictions(rows: Sequence[Row]) -> list[tuple[str, list[tuple[str, int]]]]:
     """What was expected most, scene by scene."""
+    return [
+        (row["ask"] or row["id"], [(one["said"], int(one["count"])) for one in row["answers"]])
+        for row in rows
+    ]
+
+
+def _counted(title: str, rows: Sequence[tuple[str, list[tuple[str, int]]]], tell: Tell) -> str:
+    """What was said most often, question by question; nothing where nothing was said."""
     lines = []
-    for row in rows:
-        said_ = [f"{text(one['said'])} ({one['count']})" for one in row["answers"][:MOST_PREDICTED]]
-        if said_:
-            lines.append(f"<li>{text(cut(row['ask'] or row['id'], SHORT))}<br>"
-                         f"{'; '.join(said_)}</li>")  # fmt: skip
-    if not lines:
-        return ""
-    return f"<h3>{tell(template('Predicted before the run'))}</h3><ul>{''.join(lines)}</ul>"
+    for ask, answers in rows:
+        most = sorted((one for one in answers if one[1]), key=lambda one: -one[1])[:MOST_SAID]
+        if most:
+            told = "; ".join(f"{text(cut(words, SHORT))} ({count})" for words, count in most)
+            lines.append(f"<li>{text(cut(ask, SHORT))}<br>{told}</li>")
+    return f"<h3>{tell(title)}</h3><ul>{''.join(lines)}</ul>" if lines else ""

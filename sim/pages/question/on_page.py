@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -54,6 +54,10 @@ class PageItems:
         """Whether it says no more than that a scene with mistakes is not there."""
         return finding.code == NO_SCENE and any(f"“{name}”" in finding.message
                                                 for name in self.broken)  # fmt: skip
+
+    def first_causes(self, found: Iterable[Finding]) -> list[Finding]:
+        """These findings and those of the whole page, without those that follow from others."""
+        return [one for one in (*found, *self.findings()) if not self.follows(one)]
 
     @property
     def answers(self) -> bool:
