@@ -75,19 +75,12 @@ class SiteIds:
         folder = language_folder(place.file)
         first = self.used.setdefault(f"{folder}/{identity}" if folder else identity, here)
         if first != here:
-            raise AuthorError(
-                [
-                    Finding(
-                        place.file,
-                        place.line,
-                        place.col,
-                        "id-taken",
-                        f"id: “{identity}” is already used at {first}",
-                        "every scene and question of the site needs an id of its own: "
-                        "in a copy, change the copy",
-                    )
-                ]
-            )
+            message = f"id: “{identity}” is already used at {first}"
+            hint = "every scene and question of the site needs an id of its own: "
+            raise AuthorError([
+                Finding(place.file, place.line, place.col, "id-taken", message,
+                        f"{hint}in a copy, change the copy")
+            ])  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
