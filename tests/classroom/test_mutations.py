@@ -8,7 +8,7 @@ import pytest
 
 from tests.classroom.mutations import KINDS
 
-FEW = 120
+FEW = 60
 """Mutations of each kind in CI; the command tries 10,000."""
 
 

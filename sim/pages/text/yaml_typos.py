@@ -21,6 +21,7 @@ _NEVER = "\u00ad\u200b\u2060\ufeff"
 
 _VALUE = re.compile(rf"\s*(?:- +)*([\w.-]+):\s[^\"'\[{{]*?([{_NEVER}])[^\"'\[{{]*$")
 _WIDE = re.compile(r"\s*(?:- +)*[\w.-]+(：)")
+_TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
 _CUT = re.compile(rf"\s*(?:- +)*(?:{'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
 _BLOCK = re.compile(r":\s*[|>][+-]?\d?\s*(?:#.*)?$|^\s*-\s+[|>][+-]?\d?\s*$")
@@ -55,6 +56,9 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
     elif found := _WIDE.match(line):
         hint = "write “key: value”, with an ordinary colon and a space"
         yield number, found.start(1), "a wide colon (：) stands here", hint
+    elif found := _TIGHT.match(line):
+        hint = "write a space after the hyphen: - {…}"
+        yield number, found.end() - 1, "a list entry begins with a hyphen and a space", hint
     elif found := _DASH.match(line):
         hint = "a list begins with a hyphen and a space: - "
         yield number, found.end() - 2, "a long dash begins this line", hint
