@@ -61,6 +61,7 @@ bench: node_modules/ready browsers
 	@$(PY) -m tests.benchmarks $(AREA)
 
 #   make fuzz          long random tests; AREA=physics: the adversary of the engine, as a table;
+#                      AREA=classroom: hostile tables of marks and summaries, 10,000 each;
 #                      AREA=certificates: forty digits against certificates of random scenes
 ifeq ($(AREA),physics)
 fuzz: .venv/ready
@@ -68,6 +69,9 @@ fuzz: .venv/ready
 else ifeq ($(AREA),certificates)
 fuzz: .venv/ready
 	@$(PY) -m tests.certify
+else ifeq ($(AREA),classroom)
+fuzz: .venv/ready
+	@$(PY) -m tests.classroom.mutations
 else
 fuzz: node_modules/ready browsers
 	@$(PY) -m pytest tests --fuzz

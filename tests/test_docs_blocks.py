@@ -96,6 +96,16 @@ def test_every_line_for_a_shell_calls_what_exists(place: str, text: str) -> None
             called(line)
 
 
+def test_the_pages_for_teachers_write_every_command_in_one_way() -> None:
+    """Who installed a wheel has no .venv; how a copy of the project calls it is told once."""
+    elsewhere = [
+        path.name
+        for path in (ROOT / "docs" / "teachers").glob("*.md")
+        for _ in re.findall(r"\.venv/bin/carts", path.read_text(encoding="utf-8"))
+    ]
+    assert elsewhere == ["install.md"]
+
+
 def test_every_call_of_ours_in_the_texts_exists() -> None:
     for path in TEXTS:
         text = path.read_text(encoding="utf-8")

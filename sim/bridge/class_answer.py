@@ -3,6 +3,7 @@
     {"id": 8, "kind": "class", "do": "read", "files": [{"name": "a.zip", "base64": "…"}], "from": 0}
     {"id": 9, "kind": "class", "do": "report", "records": [[record, "7a"], …], "keys": […], …}
     {"id": 10, "kind": "class", "do": "save", "what": "html", …as for a report}
+    {"id": 11, "kind": "class", "do": "paper", "what": "slips", "language": "ms", "words": {…}, …}
 
 A report or a save with `tables` [{"name", "base64", "form"}], and `most`, is about these tables of
 marks.
@@ -24,8 +25,9 @@ from typing import Any
 from sim.classroom.files.codes import read_codes
 from sim.classroom.files.keyed import KeyedForm, read_key_file
 from sim.classroom.files.marks_file import given_marks, marks_file
-from sim.classroom.files.reading import Outcome, Reading, Refused, Source, outcomes
+from sim.classroom.files.reading import Outcome, Read, Reading, Refused, Source, outcomes
 from sim.classroom.files.records import as_record, from_record
+from sim.classroom.handouts.paper import Handout, handout
 from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
@@ -44,6 +46,7 @@ def class_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[floa
         "read": _read,
         "report": _report,
         "save": _save,
+        "paper": _paper,
         "ready": _ready,
     }
     return ways[str(request.get("do"))](request), array("d")
@@ -84,7 +87,10 @@ def _keys(texts: Sequence[str]) -> list[KeyedForm]:
     return [form for text in texts for form in read_key_file(text)]
 
 
-def _made(request: Mapping[str, Any]) -> Report:
+def _given(
+    request: Mapping[str, Any],
+) -> tuple[list[tuple[Read, str]], list[KeyedForm], list[Refused], Asked]:
+    """What a report is made of."""
     keys = _keys(request.get("keys") or [])
     groups = tuple(map(str, request["groups"]))
     files = [(from_record(row), str(group)) for row, group in request["records"]]
@@ -97,7 +103,23 @@ def _made(request: Mapping[str, Any]) -> Report:
         now=str(request.get("now") or ""),
         inference=bool(request.get("inference")),
     )
-    return class_report(files, keys, [*refused, *bad], asked)
+    return files, keys, [*refused, *bad], asked
+
+
+def _made(request: Mapping[str, Any]) -> Report:
+    return class_report(*_given(request))
+
+
+def _paper(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Slips or the sheet of the class, to be printed by the page."""
+    files, keys, _, asked = _given(request)
+    wanted = Handout(
+        what=str(request["what"]),
+        language=str(request["language"]),
+        words=request["words"],
+        answers=bool(request.get("answers")),
+    )
+    return {"html": handout(files, keys, asked, wanted)}
 
 
 def _tables(request: Mapping[str, Any]) -> Report:

@@ -17,7 +17,7 @@ COMMANDS = {
     "new": ("sim.cli.new", "Make a site, a lesson or a bank to begin with."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
     "fit": ("sim.cli.measured.fit", "Fit the model to the motion of two real carts."),
-    "export": ("sim.cli.export", "Write a bank of questions for a learning platform."),
+    "export": ("sim.cli.export", "Write questions for a learning platform."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "completion": ("sim.cli.completion", "Let the Tab key finish words."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),

@@ -1,19 +1,26 @@
-"""`carts export`: a bank of questions for a learning platform."""
+"""`carts export`: the questions of a bank or a lesson for a learning platform."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import click
 
 from sim.cli.check import report
+from sim.lesson import Question
 from sim.pages.classroom.gift import gift
-from sim.pages.classroom.losses import Target, losses
+from sim.pages.classroom.losses import Target, fitting, losses
 from sim.pages.classroom.moodle import moodle_xml
-from sim.pages.classroom.portable import Portable, portable
+from sim.pages.classroom.portable import NOWHERE, Portable, portable
 from sim.pages.classroom.qti.package import qti_package
+from sim.pages.findings import AuthorError
+from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.quiz import read_bank_text
+from sim.pages.translate.catalogues import OTHERS
+from sim.pages.translate.in_languages import in_languages
 
 ENDINGS = {"moodle": ".moodle.xml", "gift": ".gift.txt", "qti": ".qti.zip"}
 WRITERS: dict[str, Callable[[str, Sequence[Portable]], str | bytes]] = {
@@ -23,9 +30,20 @@ WRITERS: dict[str, Callable[[str, Sequence[Portable]], str | bytes]] = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """What a file asks: `forms` by name, each with its questions; `stays`: what cannot go along."""
+
+    title: str
+    questions: Mapping[str, Question]
+    forms: Mapping[str, Iterable[str]]
+    about: Mapping[str, str] = NOWHERE
+    stays: tuple[str, ...] = ()
+
+
 @click.command("export")
-@click.argument("bank", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-@click.option("--form", help="Only the questions of this form in the bank, in its order.")
+@click.argument("path", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--form", help="Only the questions of this form, in its order.")
 @click.option(
     "--to",
     "target",
@@ -35,38 +53,78 @@ WRITERS: dict[str, Callable[[str, Sequence[Portable]], str | bytes]] = {
     help="Moodle XML, GIFT, or a package of QTI 3.0.",
 )
 @click.option(
+    "--language",
+    type=click.Choice(sorted(OTHERS)),
+    help="A lesson in the language of one of its catalogues.",
+)
+@click.option(
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
-    help="The file to write (default: build/export/BANK and an ending).",
+    help="The file to write (default: build/export/NAME and an ending).",
 )
 @click.pass_context
 def command(
-    ctx: click.Context, bank: Path, form: str | None, target: Target, out: Path | None
+    ctx: click.Context,
+    path: Path,
+    form: str | None,
+    target: Target,
+    language: str | None,
+    out: Path | None,
 ) -> None:
-    """Write a bank of questions for Moodle and other learning platforms.
+    """Write questions for Moodle and other learning platforms.
 
-    BANK is a file of worksheets/banks. The file holds the right answers: import it, and do not hand
-    it out.
+    PATH is a lesson (.md), with all that it asks, or a bank of questions (worksheets/banks). The
+    file holds the right answers: import it, and do not hand it out.
 
     \b
-    carts export worksheets/banks/forces-and-motion.yml
+    carts export worksheets/newtons-second-law.md
+    carts export worksheets/newtons-second-law.md --form worksheet --language ms
     carts export worksheets/banks/forces-and-motion.yml --form test-15 --to gift
     carts export worksheets/banks/forces-and-motion.yml --to qti
     """
-    found, findings = read_bank_text(bank.read_text(encoding="utf-8"), bank.as_posix())
-    if found is None:
-        report(findings)
+    try:
+        asked = _of_lesson(path, language) if path.suffix == ".md" else _of_bank(path, language)
+    except AuthorError as error:
+        report(list(error.findings))
         ctx.exit(1)
-    if form is not None and form not in found.forms:
-        known = ", ".join(found.forms) or "none"
-        raise click.UsageError(f"the bank has no form “{form}”; its forms: {known}")
-    ids = found.forms[form] if form else tuple(found.items)
-    taken, left = portable(found.items[name] for name in ids)
-    made = WRITERS[target](found.title, taken)
+    if form is not None and form not in asked.forms:
+        known = ", ".join(asked.forms) or "none"
+        raise click.UsageError(f"there is no form “{form}” in it; its forms: {known}")
+    ids = asked.forms[form] if form else asked.questions
+    with speaking(words(language or ENGLISH)):
+        found, left = portable((asked.questions[name] for name in ids), asked.about)
+    taken, refused = fitting(found, target)
+    if not taken:
+        nothing = ["there is no question in it that a platform could take", *left, *refused]
+        raise click.ClickException("\n".join(nothing))
+    made = WRITERS[target](asked.title, taken)
     content = made.encode("utf-8") if isinstance(made, str) else made
-    out = out or Path("build/export") / f"{bank.stem}{ENDINGS[target]}"
+    name = f"{path.stem}.{language}" if language else path.stem
+    out = out or Path("build/export") / f"{name}{ENDINGS[target]}"
     out.parent.mkdir(parents=True, exist_ok=True)
     out.write_bytes(content)
-    click.echo(f"{out}: {len(taken)} questions")
-    for sentence in (*left, *losses(taken, target)):
+    click.echo(f"{out}: {len(taken)} {'question' if len(taken) == 1 else 'questions'}")
+    for sentence in (*left, *refused, *losses(taken, target), *asked.stays):
         click.echo(sentence, err=True)
+
+
+def _of_bank(path: Path, language: str | None) -> _Asked:
+    if language:
+        raise click.UsageError("--language belongs to a lesson (.md)")
+    found, findings = read_bank_text(path.read_text(encoding="utf-8"), path.as_posix())
+    if found is None:
+        raise AuthorError(findings)
+    return _Asked(found.title, found.items, found.forms)
+
+
+def _of_lesson(path: Path, language: str | None) -> _Asked:
+    """A question that stands in several forms is taken once."""
+    found = in_languages(path.resolve(), Path.cwd()).get(language or "")
+    if found is None:
+        raise click.UsageError(f"{path.name} is not translated: no catalogue in “{language}”")
+    asks = lesson_asks(*found)
+    questions = {q.id: q for part in asks.parts.values() for q in part}
+    forms = {name: [q.id for q in part] for name, part in asks.parts.items()}
+    stays = tuple(f"{scene}: what is predicted before its run stays here"
+                  for scene in asks.predicted)  # fmt: skip
+    return _Asked(asks.title or path.stem, questions, forms, asks.about, stays)

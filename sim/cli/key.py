@@ -12,9 +12,7 @@ import yaml
 from sim.cli.check import report
 from sim.pages.findings import AuthorError
 from sim.pages.question.key_page import Key, lesson_key
-from sim.pages.text.lesson_places import described
-from sim.pages.translate.catalogues import lessons_folder
-from sim.pages.translate.translation import translations_of
+from sim.pages.translate.in_languages import in_languages
 
 
 @click.command("key")
@@ -57,13 +55,9 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
 def _keys(path: Path, root: Path) -> Iterator[tuple[str, Key]]:
     """The keys of a lesson by the names of their files: its own first, then its translations."""
     name, site = path.stem, _site_id(root)
-    texts = [(name, path.read_text(encoding="utf-8"), described(path, root))]
-    for one in translations_of(path, lessons_folder(path), root):
-        language = one.source.language
-        texts.append((f"{name}.{language}", one.lesson.made.text, one.described(root)))
-    for file, text, lesson in texts:
+    for language, (text, lesson) in in_languages(path, root).items():
         if key := lesson_key(text, lesson, name, site):
-            yield file, key
+            yield f"{name}.{language}" if language else name, key
 
 
 def _site_id(root: Path) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
-from sim.classroom.report.item_report import item_rows, letter
+from sim.classroom.report.item_report import item_rows, letter, question_label
 from sim.classroom.summary.of_answers import meta_of
 from sim.country.cells import Cell
 from sim.country.refusal import CountryError
@@ -49,7 +49,7 @@ def _meta(name: str, cells: Sequence[Cell]) -> dict[str, Any]:
     kind = min(cell["type"] for cell in cells)
     choices = _choices(cells) if kind in OPTIONS else []
     return {
-        "id": name, "label": f"Question {place}" if place else name, "ask": "", "type": kind,
+        "id": name, "label": question_label(place) if place else name, "ask": "", "type": kind,
         "worth": max((cell["worth"] or 0 for cell in cells), default=0),
         "sure": bool(place) and any(cell["certain"] for cell in cells), "choices": choices,
     }  # fmt: skip

@@ -13,8 +13,8 @@ from sim.country.refusal import CountryError
 from sim.country.rows import Row
 from sim.country.schema import NAMES, arrow_schema
 
-BATCH = 20_000
-"""Rows that are held before they are written: some 15 MB."""
+BATCH = 10_000
+"""Rows that are held before they are written: some 15 MB with what Arrow makes of them."""
 
 PART = 1_000_000
 """Rows of one Parquet file, so that several can be read side by side."""
@@ -43,6 +43,7 @@ class TableWriter:
             if not self._parts:
                 self._open()  # no answers at all: a table without rows
         self._close()
+        _give_back()
         for path in self._parts:
             if kind is None:
                 path.rename(path.with_suffix(""))
@@ -86,6 +87,13 @@ class TableWriter:
         if self._part is not None:
             self._part.close()
             self._part = None
+
+
+def _give_back() -> None:
+    """Arrow keeps what it no longer needs for itself; the report that follows needs it more."""
+    import pyarrow as pa
+
+    pa.default_memory_pool().release_unused()
 
 
 def new_folder(folder: Path) -> None:

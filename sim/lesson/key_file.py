@@ -1,7 +1,8 @@
 """The teacher's key file: what marks the answers of a lesson, kept apart from the pages.
 
 `{"format": 1, "kind": "newtons-carts-key", site, lesson, forms: [{form, hash, options, items}]}`;
-an item has the texts, the key, the rubric, the beliefs behind wrong answers and the note.
+an item has the texts, the key, the rubric, the beliefs behind wrong answers, the feedback on them
+and the note.
 """
 
 from __future__ import annotations
@@ -52,6 +53,8 @@ def item_key(item: Question) -> dict[str, Any]:
         row["note"] = item.common.note
     if item.common.explain:
         row["explain"] = item.common.explain
+    if said := item.feedback():
+        row["feedback"] = said
     if isinstance(item, Long) and item.rubric:
         row["rubric"] = {str(marks): text for marks, text in item.rubric.items()}
     return row

@@ -31,6 +31,7 @@ from sim.pages.translate.translation import Translation
 from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
+HIDDEN_SUFFIX = ".md.txt"  # an editor adds it, a file manager hides it
 SCENE_SUFFIXES = (".yml", ".yaml")
 USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 
@@ -68,8 +69,9 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
             else:
                 findings += _read(block, lesson, ids, items, hints=hints)
         except AuthorError as error:
+            items.give_up(block)
             findings += error.findings
-    return sorted([*findings, *items.findings(), *text_findings(text, lesson)])
+    return sorted([*items.first_causes(findings), *text_findings(text, lesson)])
 
 
 def _read(
@@ -140,6 +142,9 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
     for path in paths:
         for file in _files(path):
             name = shown(file, root)
+            if file.name.endswith(HIDDEN_SUFFIX):
+                findings.append(_not_seen(name))
+                continue
             try:
                 text = file.read_text(encoding="utf-8")
             except UnicodeDecodeError as error:
@@ -177,8 +182,15 @@ def _files(path: Path) -> Iterator[Path]:
         # A YAML file counts only in a folder of scenes or of banks: others are settings.
         for file in sorted(path.rglob("*")):
             ours = file.suffix in SCENE_SUFFIXES and file.parent.name in ("scenes", BANK_FOLDER)
-            if file.is_file() and (file.suffix in LESSON_SUFFIXES or ours):
+            hidden = file.name.endswith(HIDDEN_SUFFIX)
+            if file.is_file() and (file.suffix in LESSON_SUFFIXES or ours or hidden):
                 yield file
+
+
+def _not_seen(file: str) -> Finding:
+    right = file.removesuffix(".txt").rpartition("/")[2]
+    message = "this is no lesson: its name ends in .txt, and many computers hide that"
+    return Finding(file, 1, 1, "hidden-ending", message, f"rename it to {right}")
 
 
 def _not_text(file: str, error: UnicodeDecodeError) -> Finding:

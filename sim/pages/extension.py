@@ -84,8 +84,10 @@ class _TakeOut(Preprocessor):
             except AuthorError as error:
                 if page.report is None:
                     raise
+                page.items.give_up(block)
                 for finding in error.findings:
-                    page.report(finding)
+                    if not page.items.follows(finding):
+                        page.report(finding)
                 html = error_box(error.findings)
             word = f"{_WORD}{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
             if page.late is not None and _NOT_TO_SEARCH.match(html):
@@ -95,7 +97,7 @@ class _TakeOut(Preprocessor):
             self.put_in.html[word] = html
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
-        for finding in page.items.findings():
+        for finding in page.items.first_causes(()):
             if page.report is None:
                 raise AuthorError([finding])
             page.report(finding)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Literal
 
 Severity = Literal["error", "warning", "hint"]
@@ -31,6 +31,10 @@ class Finding:
     def __str__(self) -> str:
         text = f"{self.file}:{self.line}:{self.col}: {self.severity}: {self.message}"
         return f"{text}\n  hint: {self.hint}" if self.hint else text
+
+    def as_hint(self, told: str) -> Finding:
+        """At the same place a hint in place of a mistake."""
+        return replace(self, message=told, hint="", severity="hint")
 
     def as_row(self) -> dict[str, str | int]:
         """The row of `carts check --json`."""

@@ -27,5 +27,4 @@ def relevance_hints(scene: Scene, places: Placed) -> list[Finding]:
         return []
     if not told:
         return []
-    found = places.finding(Problem(("effects",), "relevance", told))
-    return [Finding(found.file, found.line, found.col, "relevance", told, severity="hint")]
+    return [places.finding(Problem(("effects",), "relevance", "")).as_hint(told)]

@@ -21,6 +21,7 @@ from typing import Any
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
 from sim.pages.law_files import with_law_files
+from sim.pages.off_track import off_track
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
 from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
@@ -74,19 +75,12 @@ class SiteIds:
         folder = language_folder(place.file)
         first = self.used.setdefault(f"{folder}/{identity}" if folder else identity, here)
         if first != here:
-            raise AuthorError(
-                [
-                    Finding(
-                        place.file,
-                        place.line,
-                        place.col,
-                        "id-taken",
-                        f"id: “{identity}” is already used at {first}",
-                        "every scene and question of the site needs an id of its own: "
-                        "in a copy, change the copy",
-                    )
-                ]
-            )
+            message = f"id: “{identity}” is already used at {first}"
+            hint = "every scene and question of the site needs an id of its own: "
+            raise AuthorError([
+                Finding(place.file, place.line, place.col, "id-taken", message,
+                        f"{hint}in a copy, change the copy")
+            ])  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +122,8 @@ def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: 
         fence = read_fence(with_law_files(plain, lesson.scene_folders))
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
+    if off := off_track(fence.scene):
+        raise AuthorError(map(places.finding, off))
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return SceneBlock(replace(fence, watch=fence.watch or lesson.watch), places)
 

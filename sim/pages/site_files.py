@@ -90,7 +90,8 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     own = {name: _WEB / "css" / name for name in OWN_STYLES}
     sheets = [path for path in sorted(_WEB.glob("css/*.css")) if path not in own.values()]
     yield "carts.css", b"\n".join(path.read_bytes() for path in sheets)
-    report = (_CLASSROOM / "show" / "report.css").read_bytes()
+    sheets_of_class = (_CLASSROOM / "show" / "report.css", _CLASSROOM / "handouts" / "paper.css")
+    report = b"".join(sheet.read_bytes() for sheet in sheets_of_class)
     for name, path in own.items():
         yield name, path.read_bytes() + (report if name == "class.css" else b"")
     for font in FONTS:

@@ -141,6 +141,11 @@ def _curve(
         hint = f"curve: F.{first} (force), v.{first} (velocity) or x.{first} (position)"
         problems.append(Problem(path, "unknown-path", f"no curve “{body}”", hint))
         return None
+    if quantity == "F" and not any(scene.contacts):
+        message = f"nothing can touch {cart}: there is no contact force to predict"
+        hint = f"curve: v.{cart}, or another cart or a wall for it to meet"
+        problems.append(Problem(path, "no-contact", message, hint))
+        return None
     asks = {
         "F": said("How does the force on {cart} change while they touch?", cart=cart),
         "v": said("How does the velocity of {cart} change from start to end?", cart=cart),

@@ -35,8 +35,20 @@ class SceneError(ValueError):
     """A description that cannot be used. Carries every problem found, never none."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:
-        self.problems = tuple(problems)
+        self.problems = first_causes(problems)
         super().__init__("\n".join(str(problem) for problem in self.problems))
+
+
+def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
+    """The problems without those that follow from another: a misspelt key is not missing too."""
+    found = tuple(problems)
+    meant = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
+
+    def follows(p: Problem) -> bool:
+        name = p.message.removesuffix(" is missing")
+        return p.code == "missing" and (p.path, f"did you mean “{name}”?") in meant
+
+    return tuple(p for p in found if not follows(p))
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:

@@ -50,6 +50,14 @@ def listed(items: Sequence[str]) -> str:
     return said("{first} and {last}", first=listed(items[:-1]), last=items[-1])
 
 
+def in_words(text: str, words: Mapping[str, str]) -> str:
+    """The sentence, or a word, in a language; `words`: what each English sentence is in it."""
+    if not isinstance(text, Said):
+        return words.get(text, text)
+    values = {name: in_words(value, words) for name, value in text.values.items()}
+    return str(Said(words.get(text.template, text.template), values))
+
+
 def wire(text: str) -> str | dict[str, Any]:
     """What goes to the page: code (the template) and values, or plain text as it is."""
     if not isinstance(text, Said):

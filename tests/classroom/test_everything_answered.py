@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 from typing import Any
 
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.files.records import as_record, from_record
+from sim.classroom.report.class_csv import items_csv
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
@@ -123,3 +126,15 @@ def test_questions_are_called_what_students_call_them() -> None:
     form = report["lessons"][0]["forms"][0]
     assert [item["label"] for item in form["items"]] == [f"Question {k}" for k in (1, 2, 3)]
     assert len(form["talk"]) <= 3
+
+
+def test_who_left_a_question_open_is_not_among_those_who_answered_it() -> None:
+    source = bank(2)
+    files = [
+        answers(source, f"FOX-{k}", "pre", {"item-0": "a" if k else "", "item-1": "b"})
+        for k in range(6)
+    ]
+    report = report_of(files, keys(source, ("pre",)))
+    row = next(csv.DictReader(io.StringIO(items_csv(report).removeprefix("\ufeff"))))
+    assert (row["answered by"], row["open"]) == ("5", "1")
+    assert "partly" in row and "partly" in report_as_text(report)

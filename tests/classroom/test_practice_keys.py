@@ -9,8 +9,10 @@ from typing import Any
 from markdown import Markdown
 
 from sim.classroom.files.keyed import read_key_file
+from sim.lesson.beliefs import BELIEFS
 from sim.pages.classroom.practice_keys import keys_script, practice_key
 from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.language import LANGUAGES
 from sim.pages.scene_block import Lesson
 
 BANKS = Path(__file__).parents[2] / "worksheets" / "banks"
@@ -55,15 +57,20 @@ def made(text: str) -> str:
 def keys_of(site: Path) -> list[dict[str, Any]]:
     """The keys that a built site brings along."""
     script = (site / "assets" / "carts" / "class-keys.js").read_text(encoding="utf-8")
-    texts = json.loads(script.removeprefix("self.__cartsKeys = ").rstrip(";\n"))
-    return [json.loads(text) for text in texts]
+    return [json.loads(text) for text in brought(script)["__cartsKeys"]]
+
+
+def brought(script: str) -> dict[str, Any]:
+    """What the script gives to its page, by name."""
+    lines = (line.removeprefix("self.").rstrip(";").split(" = ", 1) for line in script.splitlines())
+    return {name: json.loads(value) for name, value in lines}
 
 
 def test_worksheet_and_practice_are_marked_and_nothing_is_told_to_students() -> None:
     script = made(QUESTION + QUIZ % ("easy", "pre", "practice"))
     assert "secret" not in script
     assert "</script" not in script
-    (text,) = json.loads(script.removeprefix("self.__cartsKeys = ").rstrip(";\n"))
+    (text,) = brought(script)["__cartsKeys"]
     forms = read_key_file(text)
     assert [form.form for form in forms] == ["worksheet", "pre"]
     assert forms[0].items["mine"].mark("b").verdict == "right"
@@ -71,11 +78,20 @@ def test_worksheet_and_practice_are_marked_and_nothing_is_told_to_students() -> 
 
 
 def test_an_exam_stays_out() -> None:
-    assert made(QUIZ % ("hard", "pre", "exam")) == "self.__cartsKeys = [];\n"
+    assert brought(made(QUIZ % ("hard", "pre", "exam")))["__cartsKeys"] == []
 
 
 def test_a_page_without_questions_has_no_key() -> None:
-    assert made("Only words.") == "self.__cartsKeys = [];\n"
+    assert brought(made("Only words."))["__cartsKeys"] == []
+
+
+def test_the_page_has_the_words_of_papers_in_every_language_and_no_others() -> None:
+    papers = brought(made("Only words."))["__cartsPapers"]
+    assert list(papers) == list(LANGUAGES)
+    malay = papers["ms"]["words"]
+    assert malay["Feedback slips"] == "Slip maklum balas"
+    assert malay[BELIEFS["bigger-pushes-more"]].startswith("Yang lebih berat")
+    assert set(malay) == set(papers["ta"]["words"]) and len(malay) < 120  # of 1,000 in all
 
 
 def test_the_key_of_a_lesson_comes_after_those_of_its_translations(site: Path) -> None:

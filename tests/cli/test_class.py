@@ -137,3 +137,19 @@ def test_hostile_names_are_escaped_in_the_report(school: Path) -> None:
 @pytest.mark.parametrize("words", [(), ("no-such-file",), (".", "--group", "a")])
 def test_a_wrong_call_exits_with_2(words: tuple[str, ...]) -> None:
     assert carts(*words).exit_code == 2
+
+
+def test_slips_and_the_page_of_the_class_are_written_in_a_language(school: Path) -> None:
+    slips, sheet = school / "slips.html", school / "sheet.html"
+    papers = ("--slips", slips, "--sheet", sheet, "--language", "ta")
+    assert carts(school / "7a", school / "carts.key.json", *papers).exit_code == 0
+    assert slips.read_text(encoding="utf-8").count('class="carts-slip"') == 12
+    assert 'lang="ta"' in sheet.read_text(encoding="utf-8")
+
+
+def test_slips_are_made_from_answer_files_only(school: Path) -> None:
+    table = school / "marks.csv"
+    table.write_text("student,pre,post\nA,1,2\n", encoding="utf-8")
+    result = carts("--table", table, "--slips", school / "x.html")
+    assert result.exit_code == 2
+    assert "--slips and --sheet are made from answer files" in result.output

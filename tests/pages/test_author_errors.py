@@ -95,6 +95,13 @@ def test_a_lesson_that_is_no_text_is_a_finding(tmp_path: Path) -> None:
     assert (finding.line, finding.code) == (2, "not-text")
 
 
+def test_a_lesson_whose_ending_the_computer_hides_is_named(tmp_path: Path) -> None:
+    (tmp_path / "forces.md.txt").write_text("# Forces\n", encoding="utf-8")
+    (finding,) = check_paths([tmp_path], tmp_path)
+    assert str(finding).startswith("forces.md.txt:1:1: error: this is no lesson")
+    assert finding.hint == "rename it to forces.md"
+
+
 def test_our_own_lessons_and_scenes_have_no_findings() -> None:
     root = Path(__file__).parents[2]
     assert not check_paths([root / "worksheets", root / "docs", root / "tests" / "scenes"], root)

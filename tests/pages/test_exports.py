@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from html import unescape
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -18,7 +19,9 @@ from sim.lesson.bank import Bank
 from sim.pages.classroom.gift import gift
 from sim.pages.classroom.moodle import moodle_xml
 from sim.pages.classroom.portable import Portable, portable
+from sim.pages.question.key_page import lesson_key
 from sim.pages.question.quiz import read_bank_text
+from sim.pages.text.lesson_places import described
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden" / "exports"
@@ -46,6 +49,89 @@ def test_what_cannot_be_taken_along_is_named() -> None:
     assert portable(BANKS["every-kind"].items.values())[1] == [
         "sure: a question of type confidence stays here"
     ]
+
+
+LONG = "type: long\nrubric: {1: Both., 0: Else.}\nstart: It is"
+LESSONS = sorted(
+    path
+    for path in (ROOT / "worksheets").glob("*.md")
+    if re.search(r"^```(question|quiz)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+)
+
+
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_every_question_of_a_lesson_is_in_the_file_or_named_as_left_behind(
+    path: Path, tmp_path: Path
+) -> None:
+    keys = {
+        item["id"]
+        for form in made_key(path)["forms"]
+        for item in form["items"]
+    }  # fmt: skip
+    out = tmp_path / "x.xml"
+    result = CliRunner().invoke(main, ["export", str(path), "--out", str(out)])
+    assert result.exit_code == 0, result.output
+    taken = {str(fact["id"]) for fact in from_moodle(out.read_text(encoding="utf-8"))}
+    left = set(re.findall(r"^(\S+): a question of type \w+ stays here$", result.stderr, re.M))
+    assert taken | left == keys
+    assert not taken & left
+
+
+def made_key(path: Path) -> dict[str, Any]:
+    """The key of a lesson: what it asks, read by another way."""
+    key = lesson_key(path.read_text(encoding="utf-8"), described(path, ROOT), path.stem, "x")
+    assert key is not None
+    return key.content
+
+
+def test_the_export_of_a_lesson_says_what_its_scenes_did_for_it(tmp_path: Path) -> None:
+    third = str(ROOT / "worksheets" / "newtons-third-law.md")
+    words = ["export", third, "--form", "worksheet", "--out", str(tmp_path / "x.xml")]
+    told = CliRunner().invoke(main, words).stderr.splitlines()
+    assert (
+        "third-cancel: it is about the scene “third-light-into-heavy”, which stays here: link to "
+        "the lesson" in told
+    )
+    assert "third-wall: what is predicted before its run stays here" in told
+    assert "third-answer: the student's first idea is not shown beside it there" in told
+
+
+def test_a_translated_lesson_is_exported_in_its_language(tmp_path: Path) -> None:
+    out = tmp_path / "x.xml"
+    words = ["export", str(ROOT / "worksheets" / "newtons-second-law.md"), "--out", str(out)]
+    assert CliRunner().invoke(main, [*words, "--language", "ms"]).exit_code == 0
+    malay = out.read_text(encoding="utf-8")
+    assert "Hukum kedua Newton" in malay
+    assert "Answer in" not in malay and "<p>Jawab dalam N.</p>" in malay
+
+
+def one_question(tmp_path: Path, question: str, *words: str) -> tuple[str, str]:
+    """What is exported of a lesson with one question, and what is said about it."""
+    lesson, out = tmp_path / "one.md", tmp_path / "one.out"
+    lesson.write_text(f"# One\n\n```question\nid: one\n{question}\n```\n", encoding="utf-8")
+    result = CliRunner().invoke(main, ["export", str(lesson), "--out", str(out), *words])
+    return out.read_text(encoding="utf-8") if out.exists() else "", result.output
+
+
+@pytest.mark.parametrize("target", ["moodle", "gift"])
+def test_a_star_in_a_short_answer_is_a_star_and_not_anything(tmp_path: Path, target: str) -> None:
+    made, _ = one_question(tmp_path, "type: short\nask: Which?\naccept: ['m*a']", "--to", target)
+    assert r"m\*a" in made
+    assert r"m\\*a" not in made
+
+
+def test_more_right_answers_than_moodle_knows_shares_of_are_named(tmp_path: Path) -> None:
+    options = "".join(f"\n  - {{text: right {k}, correct: true}}" for k in range(11))
+    question = f"type: multiple\nask: Which?\noptions:{options}\n  - {{text: wrong}}"
+    made, said = one_question(tmp_path, question)
+    assert not made
+    assert "11 right answers; Moodle refuses more than 10" in said
+
+
+def test_a_question_that_leads_elsewhere_says_so(tmp_path: Path) -> None:
+    _, said = one_question(tmp_path, f"{LONG}\nask: 'See [the rule](index.md).'")
+    assert "one: its links lead to pages of this site" in said
+    assert "<text>It is</text>" in one_question(tmp_path, f"{LONG}\nask: Why?")[0]
 
 
 def facts(q: Portable) -> dict[str, object]:

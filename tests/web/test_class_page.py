@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import FilePayload, Page, expect
 
 from sim.classroom.files.reading import Source
+from sim.pages.classroom.practice_keys import keys_script
 from sim.pages.runtime import CLASSROOM, default_cache, pack
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources, zipped
 from tests.web.boot_site import ROOT, STRICT, bundle
@@ -26,6 +27,7 @@ PAGE = f"""<!doctype html><html lang="en"><head><meta charset="utf-8">
 <title>Class results</title><link rel="icon" href="data:,">
 <link rel="stylesheet" href="assets/carts/carts.css"></head>
 <body><main><h1>Class results</h1><carts-class></carts-class></main>
+<script src="assets/carts/class-keys.js"></script>
 <script src="assets/carts/class.js"></script></body></html>
 """
 
@@ -40,6 +42,8 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     web = ROOT / "sim" / "web"
     sheets = [web / "css" / "carts.css", web / "css" / "class.css"]
     sheets.append(ROOT / "sim" / "classroom" / "show" / "report.css")
+    sheets.append(ROOT / "sim" / "classroom" / "handouts" / "paper.css")
+    (assets / "class-keys.js").write_bytes(keys_script([]))
     (assets / "carts.css").write_bytes(b"\n".join(sheet.read_bytes() for sheet in sheets))
     bundle(web / "src" / "class-main.js", assets / "class.js")
     (site / "class.html").write_text(PAGE, encoding="utf-8")
@@ -107,6 +111,27 @@ def test_a_bad_file_in_a_zip_is_named_and_the_others_are_counted(page: Page) -> 
     expect(report).to_contain_text("12 of 12 files of answers", timeout=60_000)
     expect(report).to_contain_text("class.zip/bad.json: this file is damaged")
     expect(report).to_contain_text("picture.png: this is no text file")
+
+
+@pytest.mark.one_browser
+def test_slips_are_printed_alone_and_in_the_language_that_was_chosen(page: Page) -> None:
+    choose(page, [*sources(random_class(BANK, 6)), KEY])
+    expect(page.locator(".carts-class-table.means")).to_be_visible(timeout=60_000)
+    page.evaluate("() => { window.print = () => { window.printed = true; }; }")
+    page.locator(".carts-class-language").select_option("ms")
+    page.get_by_role("button", name="Print slips for students").click()
+    slips = page.locator(".carts-slip")
+    expect(slips).to_have_count(6)
+    expect(page.locator("html.carts-class-paper-only")).to_have_count(1)
+    assert page.evaluate("window.printed")
+    assert "Sebelum pelajaran" in (slips.first.text_content() or "")
+    assert not slips.first.is_visible()
+    page.emulate_media(media="print")
+    expect(slips.first).to_be_visible()
+    expect(page.locator(".carts-class-table.means")).to_be_hidden()
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    expect(slips.first).to_be_hidden()
+    expect(page.locator(".carts-class-table.means")).to_be_visible()
 
 
 @pytest.mark.one_browser

@@ -123,6 +123,8 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
         marks=int(row["marks"]),
         sure=bool(row.get("sure")),
         topics=tuple(map(str, row.get("topics", ()))),
+        explain=str(row.get("explain", "")),
+        idea=str(row.get("idea", "")),
     )
     return KeyedItem(
         question=_question(row, common),
@@ -136,6 +138,7 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
 
 def _question(row: Mapping[str, Any], common: Common) -> Question:
     kind, key, texts = str(row["type"]), row["key"], row.get("texts", {})
+    said = {str(k): str(v) for k, v in row.get("feedback", {}).items()}
     if kind in CHOSEN:
         options = tuple(
             Option(
@@ -143,14 +146,20 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
                 text=str(texts.get(f"option-{name}", "")),
                 correct=name in key["correct"],
                 belief=str(key["beliefs"].get(name, "")),
+                feedback=said.get(f"option-{name}", ""),
             )
             for name in row["options"]
         )
         return CHOSEN[kind](common=common, options=options)
     if kind == "number":
         wrong = tuple(
-            Wrong(value=float(w["value"]), tolerance=float(w["tolerance"]), belief=w["belief"])
-            for w in key["wrong"]
+            Wrong(
+                value=float(w["value"]),
+                tolerance=float(w["tolerance"]),
+                belief=w["belief"],
+                feedback=said.get(f"wrong-{k}", ""),
+            )
+            for k, w in enumerate(key["wrong"])
         )
         units = {str(name): float(factor) for name, factor in row["units"].items()}
         return Number(
@@ -162,7 +171,10 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
         rubric = rubric or {common.marks: ""}
         if kind == "long":
             return Long(common=common, rubric=rubric)
-        known = tuple((tuple(w["texts"]), str(w["belief"]), "") for w in key["wrong"])
+        known = tuple(
+            (tuple(w["texts"]), str(w["belief"]), said.get(f"wrong-{k}", ""))
+            for k, w in enumerate(key["wrong"])
+        )
         return Short(common=common, rubric=rubric, accept=tuple(key["accept"]), wrong=known)
     if kind == "ordering":
         return Ordering(common=common, order=tuple(texts[f"line-{k}"] for k in key["order"]))

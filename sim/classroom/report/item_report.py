@@ -15,6 +15,7 @@ from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import PREDICTIONS
 from sim.lesson.kinds.number import NEAR, Number, Wrong
 from sim.lesson.mark import is_empty
+from sim.scene.said import said
 
 
 def item_rows(
@@ -35,6 +36,11 @@ def item_rows(
     ]
 
 
+def question_label(number: int) -> str:
+    """A question as students know it, from 1."""
+    return said("Question {number}", number=str(number))
+
+
 def _row(
     number: int,
     name: str,
@@ -47,7 +53,7 @@ def _row(
     verdicts = Counter(a.mark.verdict for a in answers if a.mark)
     row: dict[str, Any] = {
         "id": name,
-        "label": f"Question {number}" if keyed else name,
+        "label": question_label(number) if keyed else name,
         "ask": keyed.ask if keyed else "",
         "type": keyed.question.KIND if keyed else (answers[0].type if answers else ""),
         "worth": keyed.worth if keyed else 0,
@@ -77,10 +83,10 @@ def _sure(answers: Sequence[Answer], keyed: KeyedItem | None) -> dict[str, int] 
     """How many said that they were sure, of those who were right and of those who were wrong."""
     if not keyed or not keyed.question.common.sure:
         return None
-    said = Counter(
+    found = Counter(
         a.mark.verdict for a in answers if a.sure == "sure" and a.mark and not is_empty(a.value)
     )
-    return {"right": said["right"], "wrong": said["wrong"] + said["partly"] + said["unclear"]}
+    return {"right": found["right"], "wrong": found["wrong"] + found["partly"] + found["unclear"]}
 
 
 def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[str, Any]]:

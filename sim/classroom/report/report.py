@@ -16,7 +16,7 @@ from sim.classroom.files.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
 from sim.classroom.report import sentences as say
 from sim.classroom.report.beliefs import belief_rows, word_rows
-from sim.classroom.report.flags import ORDER, sort_out
+from sim.classroom.report.flags import ORDER, Sorted, sort_out
 from sim.classroom.report.gain_report import comparison_table, gain_table, only_after_table
 from sim.classroom.report.item_report import item_rows
 from sim.classroom.report.item_statistics import whole_test
@@ -53,10 +53,7 @@ def class_report(
     """The report on files, each with the name of its group."""
     of_files = Keys(keys)
     forms = of_files.main
-    marked = [
-        mark_file(read, group, of_files.of(read.answers), asked.given) for read, group in files
-    ]
-    sorted_out = sort_out(marked, asked.now)
+    sorted_out = sorted_files(files, of_files, asked)
     lessons: dict[tuple[str, str], list[Marked]] = {}
     for file in sorted_out.counted:
         lessons.setdefault((file.file.site, file.file.lesson), []).append(file)
@@ -68,7 +65,7 @@ def class_report(
         "format": FORMAT,
         "kind": KIND,
         "files": {
-            "read": len(marked),
+            "read": len(sorted_out.counted) + len(sorted_out.set_aside),
             "counted": len(sorted_out.counted),
             "set_aside": [file.name for file in sorted_out.set_aside],
             "refused": [asdict(row) for row in refused[:MOST_NAMED]],
@@ -81,6 +78,12 @@ def class_report(
         "notes": notes_of(tables),
         "lessons": tables,
     }
+
+
+def sorted_files(files: Iterable[tuple[Read, str]], keys: Keys, asked: Asked) -> Sorted:
+    """The files with their marks: which count, which wait for the teacher."""
+    marked = [mark_file(read, group, keys.of(read.answers), asked.given) for read, group in files]
+    return sort_out(marked, asked.now)
 
 
 def _lesson(

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from sim.scene.said import said
+
 FEWEST = 2
 """Students who chose the same wrong answer, before it is worth a talk in class."""
 
@@ -23,13 +25,22 @@ def talk_rows(items: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         most = max(wrong, key=_weight, default=None)
         if most is None or most["count"] < FEWEST:
             continue
-        sure = f", {most['sure']} of them sure" if most.get("sure") else ""
-        text = f"{item['label']}: {most['count']} of {item['answered']} chose {most['label']}{sure}"
-        if most.get("says"):
-            text += f"; students who choose it often think: “{most['says']}”"
-        found.append((_weight(most), {"id": item["id"], "sentence": f"{text}."}))
+        found.append((_weight(most), {"id": item["id"], "sentence": _sentence(item, most)}))
     found.sort(key=lambda one: -one[0])
     return [row for _, row in found[:MOST]]
+
+
+def _sentence(item: dict[str, Any], most: dict[str, Any]) -> str:
+    """How many chose what, how sure they were, and what they may think."""
+    text = said("{question}: {count} of {answered} chose {answer}", question=item["label"],
+                count=f"{most['count']}", answered=f"{item['answered']}",
+                answer=most["label"])  # fmt: skip
+    if most.get("sure"):
+        text = said("{sentence}, {count} of them sure", sentence=text, count=f"{most['sure']}")
+    if most.get("says"):
+        return said("{sentence}; students who choose it often think: “{belief}”", sentence=text,
+                    belief=most["says"])  # fmt: skip
+    return said("{sentence}.", sentence=text)
 
 
 def _weight(choice: dict[str, Any]) -> int:

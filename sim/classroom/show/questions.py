@@ -8,6 +8,7 @@ from typing import Any
 from sim.classroom.report.sentences import number, signed
 from sim.classroom.show.html_parts import listed, table, text, who
 from sim.classroom.show.predictions import predictions_html
+from sim.classroom.show.prose import prose
 
 Row = Mapping[str, Any]
 TITLES = {"pre": "before (pre)", "post": "after (post)", "delayed": "later (delayed)",
@@ -62,11 +63,11 @@ def _overview(items: Sequence[Row]) -> str:
 def _item(item: Row) -> str:
     quiet = f" <small>{text(item['id'])}</small>" if item["label"] != item["id"] else ""
     title = f"<h4>{text(item['label'])}{quiet}</h4>"
-    title += f'<p class="carts-class-ask">{text(item["ask"])}</p>'
+    title += f'<p class="carts-class-ask">{text(prose(item["ask"]))}</p>'
     rows = [
         [
             f"{text(choice['label'])}{' ✓' if choice.get('correct') else ''}",
-            text(choice["text"]),
+            text(prose(choice["text"])),
             str(choice["count"]),
             text(choice.get("says", "")),
         ]

@@ -25,11 +25,16 @@ def style() -> str:
 def standalone(report: Mapping[str, Any], title: str = "Class results") -> str:
     """The whole file."""
     opened = report_html(report).replace("<details>", "<details open>")  # texts are escaped
+    return whole_file(f"<h1>{escape(title)}</h1>\n{opened}", title)
+
+
+def whole_file(body: str, title: str, sheet: str = "", language: str = "en") -> str:
+    """A file of its own around HTML that is escaped; `sheet`: more style, after the report's."""
     return (
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">\n'
+        f'<!doctype html>\n<html lang="{language}"><head><meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>\n{_PAGE}{style()}</style></head>\n"
-        f'<body class="carts-class-report"><h1>{escape(title)}</h1>\n{opened}\n'
+        f"<title>{escape(title)}</title>\n<style>\n{_PAGE}{style()}{sheet}</style></head>\n"
+        f'<body class="carts-class-report">{body}\n'
         "</body></html>\n"
     )

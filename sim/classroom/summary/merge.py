@@ -119,11 +119,11 @@ def _lesson(lessons: Sequence[LessonSums], groups: Sequence[str]) -> LessonSums:
 def _form(forms: Sequence[FormSums], groups: Sequence[str]) -> FormSums:
     found = all_added(form.groups for form in forms)
     first = min(forms, key=lambda form: [meta["id"] for meta in form.items])
-    items = tuple(
-        {**meta, "choices": _choices([m for form in forms for m in form.items
-                                      if m["id"] == meta["id"]])}
-        for meta in first.items
-    )  # fmt: skip
+    by_id: dict[str, list[Mapping[str, Any]]] = {}
+    for form in forms:
+        for meta in form.items:
+            by_id.setdefault(meta["id"], []).append(meta)
+    items = tuple({**meta, "choices": _choices(by_id[meta["id"]])} for meta in first.items)
     return replace(
         first,
         items=items,

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 
 from sim.classroom.statistics.spread import Exact
 
 MOST_DIGITS = 2_000
 """Digits of a numerator or denominator: sums of gains of many students have long ones."""
+
+SHORT = 12
+"""Characters of a number that is likely to come again."""
 
 MOST_STUDENTS = 10_000_000
 _FRACTION = re.compile(rf"(-?[0-9]{{1,{MOST_DIGITS}}})(?:/([0-9]{{1,{MOST_DIGITS}}}))?")
@@ -30,12 +34,24 @@ def exact(value: object) -> Exact:
     """The number back; raises `SummaryError`."""
     if type(value) is int and -_LARGEST < value < _LARGEST:  # a bool is none
         return value
-    if isinstance(value, str) and (found := _FRACTION.fullmatch(value)):
-        if found[2] and int(found[2]) == 0:
-            raise SummaryError("a number in it is divided by 0")
-        number = Fraction(int(found[1]), int(found[2] or 1))
-        return number.numerator if number.denominator == 1 else number
+    if isinstance(value, str):
+        return _of_text(value) if len(value) <= SHORT else _parsed(value)
     raise SummaryError("a number in it is damaged")
+
+
+def _parsed(text: str) -> Exact:
+    found = _FRACTION.fullmatch(text)
+    if not found:
+        raise SummaryError("a number in it is damaged")
+    if not found[2]:
+        return int(found[1])
+    if int(found[2]) == 0:
+        raise SummaryError("a number in it is divided by 0")
+    number = Fraction(int(found[1]), int(found[2]))
+    return number.numerator if number.denominator == 1 else number
+
+
+_of_text = lru_cache(maxsize=2**14)(_parsed)  # marks: of a thousand schools the same few
 
 
 def count(value: object) -> int:

@@ -54,10 +54,14 @@ def _list(value: object) -> list[Any]:
     return value
 
 
-def _map(value: object, made: Callable[[Any], T]) -> dict[str, T]:
+def _table(value: object) -> dict[str, Any]:
     if not isinstance(value, dict) or len(value) > MOST_PARTS:
         raise SummaryError(DAMAGED)
-    return {name: made(inner) for name, inner in value.items()}  # names are text in JSON
+    return value  # names are text in JSON
+
+
+def _map(value: object, made: Callable[[Any], T]) -> dict[str, T]:
+    return {name: made(inner) for name, inner in _table(value).items()}
 
 
 def _text(value: object) -> str:
@@ -98,8 +102,8 @@ def _enough(n: int) -> None:
 
 
 def _histogram(row: object) -> dict[Exact, int]:
-    found = {exact(value): n for value, n in _map(row, count).items()}
-    if any(n == 0 for n in found.values()):
+    found = {exact(value): count(n) for value, n in _table(row).items()}
+    if 0 in found.values():
         raise SummaryError(DAMAGED)
     return found
 
@@ -171,9 +175,7 @@ def _item(row: Mapping[str, Any]) -> ItemSums:
 def _levels(row: object, students: int) -> Levels | None:
     if row is None:
         return None
-    found = {
-        exact(total): (count(n), exact(marks)) for total, (n, marks) in _map(row, _list).items()
-    }
+    found = {exact(total): (count(n), exact(marks)) for total, (n, marks) in _table(row).items()}
     numbers = [n for n, _ in found.values()]
     if 0 in numbers or sum(numbers) != students:
         raise SummaryError("the marks by total do not fit together")

@@ -30,6 +30,8 @@ def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[s
         raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
     if (given["most"] or given["lesson"]) and not tables:
         raise click.UsageError("--max and --lesson belong to --table")
+    if (tables or merge) and (given["slips"] or given["sheet"]):
+        raise click.UsageError("--slips and --sheet are made from answer files")
     if merge and (tables or of_answers):
         raise click.UsageError("--merge adds summaries only: no tables, keys, codes and marks")
     if given["backend"]:
@@ -39,6 +41,8 @@ def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[s
 def only_country(ctx: click.Context, parquet: object, tables: Sequence[str]) -> None:
     """A table of answers is written from files, or read; it lists no students."""
     given = ctx.params
+    if given["slips"] or given["sheet"]:
+        raise click.UsageError("--slips and --sheet are made from answer files, without a table")
     if parquet:
         if not given["files"]:
             raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])

@@ -34,7 +34,17 @@ class Out:
         if self.summary:
             write_summary(self.summary, lessons, groups, by_total=self.by_total)
 
-    def hand(self, report: dict[str, Any]) -> None:
+    def report(
+        self, report: dict[str, Any], refused: Sequence[tuple[str, str]], *, anything: bool
+    ) -> None:
+        """Hands out a report; exit code 1 where something was refused, or nothing was found."""
+        self._hand(report)
+        for name, reason in refused:
+            click.echo(f"{name}: {reason}", err=True)
+        if refused or not anything:
+            self.ctx.exit(1)
+
+    def _hand(self, report: dict[str, Any]) -> None:
         """Writes the files of a report, and prints it."""
         if self.html:
             self.html.write_text(standalone(report), encoding="utf-8")
@@ -48,10 +58,3 @@ class Out:
         click.echo(report_as_text(report))
         for path in filter(None, (self.html, self.csv_file, self.items_file)):
             click.echo(f"Written: {path}")
-
-    def end(self, refused: Sequence[tuple[str, str]], *, anything: bool) -> None:
-        """Names what was refused; exit code 1 where something was, or nothing was found."""
-        for name, reason in refused:
-            click.echo(f"{name}: {reason}", err=True)
-        if refused or not anything:
-            self.ctx.exit(1)

@@ -15,8 +15,10 @@ from sim.cli.classroom.calls import asked, group, only_country, only_one_way, pl
 from sim.cli.classroom.country import country_report, of_country, to_hand_on, write_answers
 from sim.cli.classroom.files import sources
 from sim.cli.classroom.out import Out
+from sim.cli.classroom.papers import Papers
 from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_whole
 from sim.cli.classroom.tables import tables_of
+from sim.pages.language import ENGLISH, LANGUAGES
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
@@ -26,6 +28,15 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
 @click.argument("files", nargs=-1, type=click.Path(exists=True, path_type=Path))
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
 @click.option("--html", type=FILE, help="Write the report as one HTML file, to keep and to print.")
+@click.option("--slips", type=FILE, help="Write a feedback slip for each student, to be printed.")
+@click.option("--sheet", type=FILE, help="Write a page of the class, without names, to be printed.")
+@click.option(
+    "--language",
+    type=click.Choice(list(LANGUAGES)),
+    default=ENGLISH,
+    help="What --slips and --sheet speak.",
+)
+@click.option("--answers", is_flag=True, help="Slips with the right answers.")
 @click.option("--csv", "csv_file", type=FILE, help="Write marks by student as a table.")
 @click.option("--items", "items_file", type=FILE, help="Write numbers by question as a table.")
 @click.option("--key", "keys", type=EXISTING, multiple=True, help="Key file of `carts key`.")
@@ -88,6 +99,10 @@ def command(
     files: tuple[Path, ...],
     as_json: bool,
     html: Path | None,
+    slips: Path | None,
+    sheet: Path | None,
+    language: str,
+    answers: bool,
     csv_file: Path | None,
     items_file: Path | None,
     keys: tuple[Path, ...],
@@ -112,6 +127,7 @@ def command(
 
     \b
     carts class answers/ --html report.html
+    carts class answers/ --key KEY.json --slips slips.html --sheet sheet.html --language ms
     carts class answers.zip build/keys/
     carts class answers/ --group "new=7a-*" --group "old=7b-*"
     carts class --table marks.csv --html report.html
@@ -122,6 +138,7 @@ def command(
     carts class --table country/ --html country.html
     """
     out = Out(ctx, as_json, html, csv_file, items_file, summary, by_total)
+    papers = Papers(slips, sheet, language, answers)
     named = [group(text) for text in groups]
     given = [*files, *keys, *([marks] if marks else [])]
     codes_text = codes.read_text(encoding="utf-8-sig") if codes else ""
@@ -139,20 +156,19 @@ def command(
         report, whole, left_out = merged_report(files)
         if summary:
             write_whole(summary, whole)
-        out.hand(report)
-        out.end(left_out, anything=bool(whole.lessons))
+        out.report(report, left_out, anything=bool(whole.lessons))
     elif tables:
         found, unread = tables_of(tables, named, most, lesson)
         report = table_report(found)
         out.sums([found.lesson], found.groups)
-        out.hand(report)
-        out.end([*unread, *found.refused], anything=bool(found.taken))
+        out.report(report, [*unread, *found.refused], anything=bool(found.taken))
     else:
-        _answers(out, given, named, dict(map(student, students)), codes_text)
+        _answers(out, papers, given, named, dict(map(student, students)), codes_text)
 
 
 def _answers(
     out: Out,
+    papers: Papers,
     given: Sequence[Path],
     groups: list[tuple[str, str]],
     students: dict[str, str],
@@ -171,8 +187,8 @@ def _answers(
     report = class_report(*sorted_, wanted)
     if out.summary:
         out.sums(lessons_of_answers(sorted_[0], reading.keys, wanted), wanted.groups)
-    out.hand(report)
-    out.end([(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
+    papers.write(*sorted_[:2], wanted)
+    out.report(report, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
 
 
 def _written(
@@ -198,5 +214,4 @@ def _country(
     """The report on a table of answers."""
     report, lessons, groups = country_report(tables, backend, keys)
     out.sums(to_hand_on(lessons), groups)
-    out.hand(report)
-    out.end(refused, anything=bool(report["files"]["counted"]))
+    out.report(report, refused, anything=bool(report["files"]["counted"]))

@@ -11,9 +11,8 @@ from typing import Any
 import click
 
 from sim.classroom.files.reading import Read as ReadFile
-from sim.classroom.report.flags import sort_out
-from sim.classroom.report.marked import Keys, mark_file
-from sim.classroom.report.report import Asked
+from sim.classroom.report.marked import Keys
+from sim.classroom.report.report import Asked, sorted_files
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.handed_on import Summary, handed_on
 from sim.classroom.summary.merge import Named, merged
@@ -49,10 +48,7 @@ def lessons_of_answers(
 ) -> list[LessonSums]:
     """The sums of the files that the report counts."""
     of_files = Keys(keys)
-    marked = [
-        mark_file(read, group, of_files.of(read.answers), asked.given) for read, group in files
-    ]
-    counted = sort_out(marked, asked.now).counted
+    counted = sorted_files(files, of_files, asked).counted
     return lessons_of(counted, of_files.main, asked.groups, asked.classes)
 
 

@@ -72,6 +72,8 @@ class Number(Question):
         """The answer's unit is the question's; a tolerance that nobody can meet is a problem."""
         before = len(problems)
         unit, dimension = read_unit(table, "answer", path, problems)
+        if len(problems) > before:  # whatever is said about the rest would follow from this
+            return cls(common=common, answer=0, tolerance=0, unit="", units={})
         exact = read_number(table, "answer", dimension, path, problems)
         tolerance = read_tolerance(table, exact, dimension, path, problems)
         wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
@@ -149,6 +151,12 @@ def read_unit(
     unit = unit_of(str(table.get(name, ""))).replace("μ", "µ")
     dimension = units.dimension_of(unit)
     if dimension is None:
+        try:  # a comma in the number is no unit
+            read_quantity(table[name], units.RATIO)
+        except QuantityError as error:
+            if error.code != "wrong-unit":
+                problems.append(Problem((*path, name), error.code, error.message, error.hint))
+                return "", units.RATIO
         message = f"“{unit[:20]}” is not a unit that is known here"
         hint = "for example m/s, cm, N, kg, J, N s"
         problems.append(Problem((*path, name), "wrong-unit", message, hint))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from sim.pages.classroom.moodle import literal
 from sim.pages.classroom.portable import Portable
 
 _SPECIAL = re.compile(r"([~=#{}:\\])")
@@ -43,7 +44,7 @@ def _answer(q: Portable, text: str, percent: float, feedback: str) -> str:
         return f"\n~%{weight}%{_text(text)}{said}"
     if q.shape == "short":
         weight = "" if percent == 100 else f"%{percent:.0f}%"
-        return f"\n={weight}{_text(text)}{said}"
+        return f"\n={weight}{literal(_text(text))}{said}"
     return f"\n{'=' if percent == 100 else '~'}{_text(text)}{said}"
 
 

@@ -1,10 +1,11 @@
 """What a question loses on its way to a learning platform, in sentences: nothing goes silently.
 
-What holds for all of them stands in docs/teachers/platform.md: beliefs, hints and scenes stay here.
+What holds for all of them stands in docs/teachers/platform.md: beliefs and hints stay here.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
@@ -12,18 +13,43 @@ from sim.pages.classroom.portable import Portable
 
 Target = Literal["moodle", "gift", "qti"]
 
+MOST_RIGHT = 10
+"""Right answers of one question whose share of the marks Moodle knows (100 % / n, n up to 10)."""
+
+_OWN_LINK = re.compile(r'<a href="(?![a-z]+:)', re.IGNORECASE)
+
 
 def losses(questions: Iterable[Portable], target: Target) -> list[str]:
     """A sentence for each loss, question by question."""
     return [f"{q.id}: {text}" for q in questions for text in _of(q, target)]
 
 
+def fitting(questions: Iterable[Portable], target: Target) -> tuple[list[Portable], list[str]]:
+    """The questions that the platform takes, and a sentence for each that it refuses."""
+    fine, refused = [], []
+    for q in questions:
+        right = sum(percent > 0 for _, percent, _ in q.answers)
+        if q.shape == "choices" and target != "qti" and right > MOST_RIGHT:
+            refused.append(f"{q.id}: {right} right answers; Moodle refuses more than {MOST_RIGHT}")
+        else:
+            fine.append(q)
+    return fine, refused
+
+
 def _of(q: Portable, target: Target) -> Iterator[str]:
     texts = [q.ask, q.explain, *(t for a in q.answers for t in (a[0], a[2])), *sum(q.pairs, ())]
+    if q.scene:
+        yield f"it is about the scene “{q.scene}”, which stays here: link to the lesson"
+    if q.idea:
+        yield "the student's first idea is not shown beside it there"
     if any("<img" in text for text in texts):
         yield "its pictures are not in the file; add them on the platform"
+    if any(map(_OWN_LINK.search, texts)):
+        yield "its links lead to pages of this site; change them on the platform"
     if q.sure:
         yield "how sure a student is, is not asked there"
+    if q.start and target != "moodle":
+        yield "the beginning of the answer is not given there"
     if target == "gift":
         said = sum(bool(feedback) for _, _, feedback in q.wrong_numbers)
         if said:

@@ -31,6 +31,11 @@ def moodle_xml(title: str, questions: Iterable[Portable]) -> str:
     return _FORBIDDEN.sub("", "\n".join(lines)) + "\n"
 
 
+def literal(text: str) -> str:
+    """A short answer as typed: Moodle takes a bare star for anything."""
+    return text.replace("*", "\\*")
+
+
 def _question(q: Portable) -> list[str]:
     return [
         f'<question type="{KINDS[q.shape]}">',
@@ -56,7 +61,10 @@ def _parts(q: Portable) -> list[str]:
     if q.shape == "short":
         return [
             "<usecase>0</usecase>",
-            *(_answer(*a, form="moodle_auto_format") for a in q.answers),
+            *(
+                _answer(literal(text), percent, said, form="moodle_auto_format")
+                for text, percent, said in q.answers
+            ),
         ]
     if q.shape == "number":
         value, tolerance = q.number
@@ -71,7 +79,14 @@ def _parts(q: Portable) -> list[str]:
         pairs = [*q.pairs, *(("", other) for other in q.others)]
         return ["<shuffleanswers>true</shuffleanswers>", *(_pair(*pair) for pair in pairs)]
     rubric = "".join(f"<p>{marks}: {escape(text)}</p>" for marks, text in q.rubric.items())
-    return ["<responseformat>plain</responseformat>", _html("graderinfo", rubric)]
+    # Into a plain field a platform writes the template as it is: marks of HTML would be seen.
+    start = escape(q.start)
+    template = f'<responsetemplate format="plain_text"><text>{start}</text></responsetemplate>'
+    return [
+        "<responseformat>plain</responseformat>",
+        _html("graderinfo", rubric),
+        *([template] if q.start else []),
+    ]
 
 
 def _answer(text: str, percent: float, feedback: str, *, form: str) -> str:

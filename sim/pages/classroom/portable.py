@@ -1,9 +1,11 @@
-"""Questions of a bank in the few shapes that learning platforms have in common."""
+"""Questions of a bank or a lesson in the few shapes that learning platforms have in common."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from html import escape
+from types import MappingProxyType
 from typing import Literal
 
 from sim.lesson.kinds.arrange import Matching, Ordering
@@ -11,8 +13,10 @@ from sim.lesson.kinds.choice import Single
 from sim.lesson.kinds.number import Number
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.question import Question
+from sim.pages.language import tr
 from sim.pages.question.inside import to_html, to_inline
 
+NOWHERE: Mapping[str, str] = MappingProxyType({})
 Shape = Literal["choice", "choices", "number", "short", "essay", "pairs"]
 
 
@@ -21,7 +25,8 @@ class Portable:
     """One question; texts are HTML. `answers`: text, percent of the marks, feedback.
 
     `order`: the lines of an ordering, which are `pairs` as well, for platforms without one.
-    `sure`: the pages ask how sure a student is; no platform does.
+    `sure`: the pages ask how sure a student is; no platform does. `scene`: the one that is watched
+    before the question, in a lesson. `idea`: a first idea is shown beside it there.
     """
 
     id: str
@@ -36,15 +41,23 @@ class Portable:
     others: tuple[str, ...] = ()  # on the right, belonging to nothing
     rubric: Mapping[int, str] = field(default_factory=dict)
     explain: str = ""
+    start: str = ""  # of a longer answer, to be gone on with
     topics: tuple[str, ...] = ()
     sure: bool = False
+    scene: str = ""
+    idea: bool = False
 
 
-def portable(questions: Iterable[Question]) -> tuple[list[Portable], list[str]]:
-    """The questions that can be taken along, and a sentence for each that cannot."""
+def portable(
+    questions: Iterable[Question], about: Mapping[str, str] = NOWHERE
+) -> tuple[list[Portable], list[str]]:
+    """The questions that can be taken along, and a sentence for each that cannot.
+
+    `about`: ids of questions with the scene of their lesson that they are about.
+    """
     taken, left = [], []
     for question in questions:
-        made = _made(question)
+        made = _made(question, about.get(question.id, ""))
         if made is None:
             left.append(f"{question.id}: a question of type {question.KIND} stays here")
         else:
@@ -52,13 +65,14 @@ def portable(questions: Iterable[Question]) -> tuple[list[Portable], list[str]]:
     return taken, left
 
 
-def _made(question: Question) -> Portable | None:
+def _made(question: Question, scene: str) -> Portable | None:
     common = question.common
     ask, explain = to_html(common.ask), to_html(common.explain)
 
     def part(shape: Shape, **more: object) -> Portable:
         facts = {"id": question.id, "shape": shape, "ask": ask, "marks": common.marks,
-                 "explain": explain, "topics": common.topics, "sure": common.sure}  # fmt: skip
+                 "explain": explain, "topics": common.topics, "sure": common.sure,
+                 "scene": scene, "idea": bool(common.idea)}  # fmt: skip
         return Portable(**{**facts, **more})  # type: ignore[arg-type]
 
     if isinstance(question, Single):
@@ -74,7 +88,8 @@ def _made(question: Question) -> Portable | None:
         )
         return part("choices" if several else "choice", answers=answers)
     if isinstance(question, Number):
-        unit = f"<p>Answer in {question.unit}.</p>" if question.unit else ""
+        said = escape(tr("Answer in {unit}.", unit=question.unit))
+        unit = f"<p>{said}</p>" if question.unit else ""
         wrong = tuple((w.value, w.tolerance, to_inline(w.feedback)) for w in question.wrong)
         return part("number", number=(question.answer, question.tolerance), wrong_numbers=wrong,
                     ask=f"{ask}{unit}")  # fmt: skip
@@ -85,7 +100,7 @@ def _made(question: Question) -> Portable | None:
         right_ones = tuple((text, 100.0, "") for text in question.accept)
         return part("short", answers=(*right_ones, *known))
     if isinstance(question, Long):
-        return part("essay", rubric=question.rubric, marks=question.worth)
+        return part("essay", rubric=question.rubric, marks=question.worth, start=question.start)
     if isinstance(question, Ordering):
         lines = tuple(map(to_inline, question.order))
         pairs = tuple((f"{k}.", line) for k, line in enumerate(lines, start=1))

@@ -1,6 +1,6 @@
-"""Keys of what students can practise with: the page "Class results" brings them along.
+"""What the page "Class results" brings along: keys of what students can practise with, and words.
 
-They stand in the lessons anyway. What is for the teacher alone (rubrics, notes) and every exam
+The keys stand in the lessons anyway. What is for the teacher alone (rubrics, notes) and every exam
 stays out: a site goes to students as it is.
 """
 
@@ -11,10 +11,13 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from sim.lesson.key_file import key_file
+from sim.pages.language import LANGUAGES, words_of
 from sim.pages.question.on_page import PageItems
 
 FILE = "class-keys.js"
 FOR_TEACHERS = ("rubric", "note")
+OF_PAPERS = ("sim/classroom/", "sim/lesson/")
+"""Where the sentences of slips and sheets stand, and the beliefs in them."""
 
 
 def practice_key(site_id: str, lesson: str, items: PageItems) -> dict[str, Any] | None:
@@ -35,7 +38,16 @@ def _without(item: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def keys_script(keys: Iterable[Mapping[str, Any]]) -> bytes:
-    """The script that hands the keys to the page, each as the text of a key file."""
+    """The script that hands the keys to the page, each as the text of a key file, and the words."""
     texts = [json.dumps(key, ensure_ascii=False, separators=(",", ":")) for key in keys]
-    listed = json.dumps(texts, ensure_ascii=False).replace("<", "\\u003c")
-    return f"self.__cartsKeys = {listed};\n".encode()
+    papers = {
+        language: {"name": name, "words": words_of(language, OF_PAPERS)}
+        for language, name in LANGUAGES.items()
+    }
+    return _given("__cartsKeys", texts) + _given("__cartsPapers", papers)
+
+
+def _given(name: str, value: object) -> bytes:
+    """A value as a line of a script; no text in it looks like the end of the script."""
+    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+    return f"self.{name} = {text};\n".replace("<", "\\u003c").encode()

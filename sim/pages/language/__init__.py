@@ -14,6 +14,7 @@ from sim.pages.language.catalogue import (
     language_of,
     of_page,
     words,
+    words_of,
     words_script,
 )
 from sim.pages.language.say import mark, speaking, spoken, told, tr, tr_html
@@ -32,5 +33,6 @@ __all__ = [
     "tr",
     "tr_html",
     "words",
+    "words_of",
     "words_script",
 ]

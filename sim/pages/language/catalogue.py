@@ -63,10 +63,23 @@ def words(language: str) -> Mapping[str, str]:
     return {key: said for key, (said, _) in _entries(language).items()}
 
 
+def words_of(language: str, folders: tuple[str, ...]) -> dict[str, str]:
+    """Those of `words` that the sources in these folders say."""
+    return {
+        key: said
+        for key, (said, places) in _entries(language).items()
+        if any(place.startswith(folders) for place in places)
+    }
+
+
 @cache
 def words_script(language: str) -> str:
     """A script that gives the page its words; "" where it needs none."""
-    found = {key: said for key, (said, in_page) in _entries(language).items() if in_page}
+    found = {
+        key: said
+        for key, (said, places) in _entries(language).items()
+        if any(map(_in_page, places))
+    }
     if not found:
         return ""
     text = json.dumps(found, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
@@ -74,8 +87,8 @@ def words_script(language: str) -> str:
 
 
 @cache
-def _entries(language: str) -> Mapping[str, tuple[str, bool]]:
-    """Sentence → what is said, and whether the page's script says it."""
+def _entries(language: str) -> Mapping[str, tuple[str, tuple[str, ...]]]:
+    """Sentence → what is said, and the files that say it."""
     if language == ENGLISH:
         return {}
     from babel.messages.pofile import read_po  # only a page in another language needs it
@@ -83,7 +96,7 @@ def _entries(language: str) -> Mapping[str, tuple[str, bool]]:
     with (FOLDER / f"{language}.po").open("rb") as file:
         catalog = read_po(file, locale=language.replace("-", "_"))
     return {
-        str(entry.id): (str(entry.string), any(_in_page(name) for name, _ in entry.locations))
+        str(entry.id): (str(entry.string), tuple(name for name, _ in entry.locations))
         for entry in catalog
         if entry.id and entry.string and not entry.fuzzy
     }

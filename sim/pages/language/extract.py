@@ -29,6 +29,8 @@ SOURCES = (
     ("sim/view", "*.js", "javascript", ("tr",)),
     ("sim/effects", "*.js", "javascript", ("tr",)),
     ("sim/web/src", "*.js", "javascript", ("tr",)),
+    ("sim/classroom", "*.py", "python", ("said", "template")),
+    ("sim/lesson", "*.py", "python", ("template",)),
     *((folder, "*.py", "python", INNER_CALLS) for folder in INNER),
 )
 OPTIONS: dict[str, dict[str, Any]] = {

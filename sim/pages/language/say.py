@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from markupsafe import Markup, escape
 
-from sim.scene.said import PLACE, Said
+from sim.scene.said import PLACE, in_words
 
 _words: ContextVar[Mapping[str, str]] = ContextVar("carts-words", default=MappingProxyType({}))
 
@@ -37,11 +37,7 @@ def tr_html(sentence: str, **values: object) -> Markup:
 
 def told(text: str) -> str:
     """A sentence of the inner layers (sim.scene.said), or a word of theirs, in this language."""
-    words = _words.get()
-    if not isinstance(text, Said):
-        return words.get(text, text)
-    values = {name: told(value) for name, value in text.values.items()}
-    return str(Said(words.get(text.template, text.template), values))
+    return in_words(text, _words.get())
 
 
 def mark(sentence: str) -> str:

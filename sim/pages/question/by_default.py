@@ -22,9 +22,8 @@ def watched_by_default(scene: SceneBlock) -> list[Finding]:
     lesson = LESSONS in file.split("/")[:-1]
     if "watch" in scene.places.source.plain or not (fence.predict or lesson):
         return []
-    found = scene.places.finding(Problem(("id",), CODE, ""))
     told = f"“{fence.id}” is watched before it is known; “watch: free” shows everything at once"
-    return [Finding(file, found.line, found.col, CODE, told, severity="hint")]
+    return [scene.places.finding(Problem(("id",), CODE, "")).as_hint(told)]
 
 
 def waits_by_default(question: QuestionBlock, items: PageItems) -> list[Finding]:
@@ -32,6 +31,5 @@ def waits_by_default(question: QuestionBlock, items: PageItems) -> list[Finding]
     scene = items.gate(question.question)
     if question.question.common.after or not scene:
         return []
-    found = question.places.finding(Problem(("id",), CODE, ""))
     told = f"opens when “{scene}” was watched; “after: none” opens it at once"
-    return [Finding(found.file, found.line, found.col, CODE, told, severity="hint")]
+    return [question.places.finding(Problem(("id",), CODE, "")).as_hint(told)]

@@ -9,13 +9,11 @@ from markupsafe import Markup
 
 from sim.lesson import Question
 from sim.lesson.key_file import item_key, key_file
-from sim.pages.question.block import read_question_block
 from sim.pages.question.inside import to_html, to_inline
-from sim.pages.question.quiz import read_quiz_block
+from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.render import FORM_NAMES
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.scene_block import Lesson
 from sim.pages.templates import templates
-from sim.pages.text.fence_scan import scan
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,21 +26,11 @@ class Key:
 
 def lesson_key(text: str, lesson: Lesson, name: str, site: str) -> Key | None:
     """The key of a lesson's text; None if it asks nothing. Raises `AuthorError`."""
-    ids = SiteIds()
-    blocks = list(scan(text.splitlines()))
-    own = [
-        read_question_block(block, lesson, ids, first_line=1).question
-        for block in blocks
-        if block.name == "question"
-    ]
-    forms = [
-        read_quiz_block(block, lesson, ids, first_line=1).form
-        for block in blocks
-        if block.name == "quiz"
-    ]
+    asks = lesson_asks(text, lesson)
+    own, forms = asks.own, asks.forms
     if not own and not forms:
         return None
-    parts = [("Worksheet", tuple(own))] if own else []
+    parts = [("Worksheet", own)] if own else []
     parts += [(form.title or FORM_NAMES[form.form], form.items) for form in forms]
     rows = [(title, [_row(item, k) for k, item in enumerate(part, 1)]) for title, part in parts]
     page = (

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,8 +14,11 @@ from sim.lesson.kinds.run import Drawn, Reading
 from sim.pages.findings import Finding
 from sim.pages.question.block import QuestionBlock
 from sim.pages.question.quiz import QuizBlock
+from sim.pages.text.fence_scan import Block, meant_kind
 from sim.scene import Fence, Problem
 
+NO_SCENE = "no-such-scene"
+_ID_LINE = re.compile(r"^id:[ \t]*[\"']?([a-z0-9-]+)", re.MULTILINE)
 OPEN = "none"  # after: none
 BEFORE_A_RUN = ("idea", "drawn")  # what these ask for is given before a run is seen
 
@@ -28,6 +32,8 @@ class PageItems:
     quizzes: list[QuizBlock] = field(default_factory=list)
     laws: list[tuple[str, str]] = field(default_factory=list)
     """Id and hash of each block in which a reader writes a law."""
+    broken: set[str] = field(default_factory=set)
+    """Ids of scenes with mistakes: they are known, and nothing more is said about them."""
     asking: str = ""  # the scene with a prediction that the text since the last heading is about
 
     def gate(self, question: Question) -> str:
@@ -38,6 +44,20 @@ class PageItems:
             own = next((s for s in self.scenes if s.id == question.scene), None)
             return question.scene if own and own.watched_first else ""
         return "" if question.KIND in BEFORE_A_RUN else self.asking
+
+    def give_up(self, block: Block) -> None:
+        """Remember that this block has mistakes."""
+        if meant_kind(block.name) == "scene" and (name := _ID_LINE.search(block.body)):
+            self.broken.add(name[1])
+
+    def follows(self, finding: Finding) -> bool:
+        """Whether it says no more than that a scene with mistakes is not there."""
+        return finding.code == NO_SCENE and any(f"“{name}”" in finding.message
+                                                for name in self.broken)  # fmt: skip
+
+    def first_causes(self, found: Iterable[Finding]) -> list[Finding]:
+        """These findings and those of the whole page, without those that follow from others."""
+        return [one for one in (*found, *self.findings()) if not self.follows(one)]
 
     @property
     def answers(self) -> bool:
@@ -106,7 +126,7 @@ def _item(data: dict[str, Any], form: str) -> dict[str, Any]:
 def _no_such_scene(key: str, name: str, scenes: dict[str, Fence]) -> Problem:
     known = ", ".join(scenes) or "none"
     message = f"there is no scene “{name[:40]}” on this page"
-    return Problem((key,), "no-such-scene", message, f"scenes of this page: {known}")
+    return Problem((key,), NO_SCENE, message, f"scenes of this page: {known}")
 
 
 def _misfit(question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:

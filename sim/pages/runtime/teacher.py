@@ -26,13 +26,14 @@ MODULES = (
     "effect_pages",
     "findings",
     "law_files",
+    "off_track",
     "scene_block",
     "templates",
 )
 """Of `sim/pages`."""
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
-    *("pages/question/published.py", "pages/question/key_page.py"),
+    *("pages/question/published.py", "pages/question/key_page.py", "pages/question/of_lesson.py"),
     "pages/map/png.py",
     *("pages/language/catalogues/", "pages/language/extract.py"),
 )

@@ -90,6 +90,7 @@ class Desk:
                 with speaking(site.words):
                     shown.append(self._block(block, lesson, ids, items, parts))
             except AuthorError as error:
+                items.give_up(block)
                 found += error.findings
                 shown.append(Shown("wrong"))
             except _LaterError:
@@ -98,7 +99,7 @@ class Desk:
                 if (error.name or "").split(".")[0] not in NUMERICS:
                     raise
                 shown.append(Shown("needs"))
-        found += [*items.findings(), *text_findings(text, lesson)]
+        found = [*items.first_causes(found), *text_findings(text, lesson)]
         return Preview(tuple(sorted(found)), tuple(shown), _frame(lines, parts, site))
 
     def _block(

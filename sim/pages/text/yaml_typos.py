@@ -16,6 +16,12 @@ TEXTS = ("ask", "text", "title", "feedback", "explain", "start", "note", "says")
 
 _LEAD = re.compile(r"\s*(?:- +)*")
 _KEY = re.compile(rf"\s*(?:- +)*[\w.-]*[{INVISIBLE}]|[^:#\"']*:[{INVISIBLE}]")
+_NEVER = "\u00ad\u200b\u2060\ufeff"
+"""Of these, what no language writes: a value that is no prose must not have it anywhere."""
+
+_VALUE = re.compile(rf"\s*(?:- +)*([\w.-]+):\s[^\"'\[{{]*?([{_NEVER}])[^\"'\[{{]*$")
+_WIDE = re.compile(r"\s*(?:- +)*[\w.-]+(：)")
+_TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
 _CUT = re.compile(rf"\s*(?:- +)*(?:{'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
 _BLOCK = re.compile(r":\s*[|>][+-]?\d?\s*(?:#.*)?$|^\s*-\s+[|>][+-]?\d?\s*$")
@@ -44,12 +50,24 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
         yield number, at, "a tab character", "indent with spaces, two per step"
     elif found := _KEY.match(line):
         at = found.end() - 1
-        name = f"U+{ord(line[at]):04X}"
-        message = f"a character that nobody sees ({name}) stands here"
-        yield number, at, message, "delete it and type an ordinary space"
+        yield number, at, *_unseen(line[at])
+    elif (found := _VALUE.match(line)) and found[1] not in TEXTS:
+        yield number, found.start(2), *_unseen(found[2])
+    elif found := _WIDE.match(line):
+        hint = "write “key: value”, with an ordinary colon and a space"
+        yield number, found.start(1), "a wide colon (：) stands here", hint
+    elif found := _TIGHT.match(line):
+        hint = "write a space after the hyphen: - {…}"
+        yield number, found.end() - 1, "a list entry begins with a hyphen and a space", hint
     elif found := _DASH.match(line):
         hint = "a list begins with a hyphen and a space: - "
         yield number, found.end() - 2, "a long dash begins this line", hint
     elif found := _CUT.match(line):
         hint = 'put the text in quotes: ask: "Point # 3"'
         yield number, found.start(1), "what comes after # is left out", hint
+
+
+def _unseen(character: str) -> tuple[str, str]:
+    message = f"a character that nobody sees (U+{ord(character):04X}) stands here"
+    blank = character.isspace()
+    return message, "delete it and type an ordinary space" if blank else "delete it"

@@ -402,6 +402,78 @@
     });
   }
 
+  // src/class/papers.js
+  var PRINTING = "carts-class-paper-only";
+  var languages = () => (
+    /** @type {any} */
+    globalThis.__cartsPapers ?? { en: { name: "English", words: {} } }
+  );
+  function papers({ noAnswers, ask, say: say2 }) {
+    const root = html("div", "carts-class-papers");
+    const shown = html("div", "carts-class-paper");
+    const spoken = languages();
+    const pick = (
+      /** @type {HTMLSelectElement} */
+      html("select", "carts-class-language")
+    );
+    pick.setAttribute("aria-label", "Language of the slips and of the page of the class");
+    pick.append(
+      ...Object.entries(spoken).map(([code, { name }]) => {
+        const option = (
+          /** @type {HTMLOptionElement} */
+          html("option", "", name)
+        );
+        option.value = code;
+        option.lang = code;
+        return option;
+      })
+    );
+    const own = document.documentElement.lang;
+    if (own in spoken) pick.value = own;
+    const answers = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-class-with-answers")
+    );
+    answers.type = "checkbox";
+    const label = html("label", "carts-class-choice");
+    label.append(answers, " slips with the right answers");
+    const make = (what) => async () => {
+      try {
+        say2("Making the pages …");
+        const wanted = { what, language: pick.value, words: spoken[pick.value]?.words ?? {} };
+        const header = await ask({ do: "paper", ...wanted, answers: answers.checked });
+        shown.innerHTML = header.html;
+        shown.lang = pick.value;
+        say2("");
+        print();
+      } catch (error) {
+        say2(
+          /** @type {Error} */
+          error.message
+        );
+      }
+    };
+    const row2 = html("p", "carts-class-row");
+    row2.append(
+      button("Print slips for students", make("slips"), "carts-class-slips"),
+      button("Print page of the class", make("sheet"), "carts-class-sheet"),
+      pick,
+      label
+    );
+    root.append(row2);
+    const draw = () => {
+      root.hidden = noAnswers();
+      shown.replaceChildren();
+    };
+    return { root, shown, draw };
+  }
+  function print() {
+    const { classList } = document.documentElement;
+    classList.add(PRINTING);
+    addEventListener("afterprint", () => classList.remove(PRINTING), { once: true });
+    window.print();
+  }
+
   // src/class/reader.js
   function reader(classroom, marked) {
     const root = (
@@ -750,7 +822,12 @@
           say: (text) => say(this.#status, text),
           clear: () => this.clear()
         });
-        this.#parts = [field2.draw, list.draw, tables.draw, codes.draw, doing.draw];
+        const paper = papers({
+          noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+          ask: (wanted) => this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
+          say: (text) => say(this.#status, text)
+        });
+        this.#parts = [field2.draw, list.draw, tables.draw, codes.draw, paper.draw, doing.draw];
         this.#status.setAttribute("role", "status");
         this.#bar.hidden = true;
         this.#bar.setAttribute("aria-label", "Files read");
@@ -763,9 +840,10 @@
           tables.root,
           codes.root,
           this.#reader.root,
+          paper.root,
           doing.root
         );
-        this.replaceChildren(controls, this.#report);
+        this.replaceChildren(controls, paper.shown, this.#report);
         this.#redraw();
         this.dataset.state = "ready";
       }

@@ -5,6 +5,7 @@ import { Classroom } from "./classroom.js";
 import { drops } from "./drops.js";
 import { asTable, isTable, readAll } from "./intake.js";
 import { fileList, typedCodes } from "./list.js";
+import { papers } from "./papers.js";
 import { reader } from "./reader.js";
 import { actions } from "./saves.js";
 import { tableList } from "./tables.js";
@@ -55,7 +56,13 @@ export function classElement(client) {
         say: (text) => say(this.#status, text),
         clear: () => this.clear(),
       });
-      this.#parts = [field.draw, list.draw, tables.draw, codes.draw, doing.draw];
+      const paper = papers({
+        noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+        ask: (wanted) =>
+          this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
+        say: (text) => say(this.#status, text),
+      });
+      this.#parts = [field.draw, list.draw, tables.draw, codes.draw, paper.draw, doing.draw];
       this.#status.setAttribute("role", "status");
       this.#bar.hidden = true;
       this.#bar.setAttribute("aria-label", "Files read");
@@ -68,9 +75,10 @@ export function classElement(client) {
         tables.root,
         codes.root,
         this.#reader.root,
+        paper.root,
         doing.root,
       );
-      this.replaceChildren(controls, this.#report);
+      this.replaceChildren(controls, paper.shown, this.#report);
       this.#redraw();
       this.dataset.state = "ready";
     }

@@ -1,0 +1,94 @@
+"""Slips as HTML: one for each student, two or three on a sheet of A4, to be cut and handed out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from sim.classroom.handouts.slip import FormSlip, Given, Look, Slip
+from sim.classroom.handouts.wording import FORMS, Tell, cut, lesson_name, numbers
+from sim.classroom.show.html_parts import text, who
+from sim.scene.said import said, template
+
+LOOK = template("Look at these again")
+
+
+def slips_html(found: Sequence[Slip], tell: Tell, *, answers: bool = False) -> str:
+    """All slips. `answers`: with the right answers and why; else only what helps to find them."""
+    each = "".join(_slip(slip, tell, answers=answers) for slip in found)
+    return f'<div class="carts-slips">{each}</div>'
+
+
+def _slip(slip: Slip, tell: Tell, *, answers: bool) -> str:
+    parts = "".join(_form(form, tell, answers=answers) for form in slip.forms)
+    nobody = said("no code word ({file})", file=slip.file)
+    name = who(slip.student) if slip.student else tell(nobody)
+    return (
+        f'<article class="carts-slip"><header><b>{name}</b>'
+        f"<span>{text(lesson_name(slip.lesson))}</span></header>{parts}"
+        f"<footer>{tell(template('From your teacher:'))}</footer></article>"
+    )
+
+
+def _form(form: FormSlip, tell: Tell, *, answers: bool) -> str:
+    day = form.saved[:10]
+    head = f"<h3>{tell(FORMS[form.form])} <small>{text(day)}</small></h3>"
+    return head + "".join(_lines(form, tell, answers=answers))
+
+
+def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
+    if form.marks is None:
+        yield _line(tell(template("These answers were not marked.")))
+        return
+    if form.of and not form.waiting:
+        marks = said("{marks} of {of} marks", marks=f"{form.marks}", of=f"{form.of}")
+        yield f'<p class="carts-slip-marks">{tell(marks)}</p>'
+    if form.right:
+        yield _line(tell(said("Right: {questions}", questions=numbers(form.right))))
+    if form.sure:
+        sure, right = map(str, form.sure)
+        yield _line(tell(said("You were sure of {sure} answers, and {right} of them are right.",
+                              sure=sure, right=right)))  # fmt: skip
+    if form.look:
+        looks = "".join(_look(look, tell, answers=answers) for look in form.look)
+        yield f"<h4>{tell(LOOK)}</h4><ol>{looks}</ol>"
+    if form.also:
+        yield _line(tell(said("Also look at {questions}", questions=numbers(form.also))))
+    if form.open:
+        yield _line(tell(said("Left open: {questions}", questions=numbers(form.open))))
+    if form.waiting:
+        reads = said("Your teacher still reads {questions}", questions=numbers(form.waiting))
+        yield _line(tell(reads))
+    if form.given:
+        yield f"<h4>{tell(template('Your own words'))}</h4>"
+        yield f"<ol>{''.join(_given(one, tell) for one in form.given)}</ol>"
+
+
+def _look(look: Look, tell: Tell, *, answers: bool) -> str:
+    parts = [f"{text(cut(look.ask))}"]
+    if look.answer:
+        you = said("You answered: {answer}", answer=cut(look.answer))
+        sure = f" <b>{tell(template('You were sure.'))}</b>" if look.sure else ""
+        parts.append(f'<span class="carts-slip-you">{tell(you)}{sure}</span>')
+    parts += [f"<i>{text(cut(hint))}</i>" for hint in look.hints]
+    if answers and look.right:
+        parts.append(f"<b>{tell(said('Right: {answer}', answer=cut(look.right)))}</b>")
+    if answers and look.explain:
+        parts.append(text(cut(look.explain)))
+    return f'<li value="{look.number}">{"<br>".join(parts)}</li>'
+
+
+def _given(given: Given, tell: Tell) -> str:
+    parts = [text(cut(given.ask))]
+    if given.idea:
+        first = said("Your first idea: {idea}", idea=cut(given.idea))
+        parts.append(f'<span class="carts-slip-you">{tell(first)}</span>')
+    you = tell(said("You wrote: {answer}", answer=cut(given.answer)))
+    parts.append(f'<span class="carts-slip-you">{you}</span>')
+    if given.marks is not None:
+        marks = said("{marks} of {of} marks", marks=f"{given.marks}", of=f"{given.of}")
+        parts.append(f"<b>{tell(marks)}</b>")
+    return f'<li value="{given.number}">{"<br>".join(parts)}</li>'
+
+
+def _line(html: str) -> str:
+    return f"<p>{html}</p>"

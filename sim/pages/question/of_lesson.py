@@ -1,0 +1,92 @@
+"""What a lesson asks, read from its text without building a page: for its key and for exports."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from sim.lesson import Question
+from sim.lesson.form import Form
+from sim.lesson.kinds.run import Reading
+from sim.pages.findings import AuthorError
+from sim.pages.question.block import read_question_block
+from sim.pages.question.on_page import BEFORE_A_RUN, OPEN
+from sim.pages.question.quiz import read_quiz_block
+from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
+from sim.pages.text.fence_scan import HEADING, Block, scan
+
+_TITLE = re.compile(r"^# +(.+?)(?: *\{:[^}]*\})? *$", re.MULTILINE)
+WORKSHEET = "worksheet"
+"""The form of the questions that stand in the lesson itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class LessonAsks:
+    """Questions of the lesson's own, and its forms, in their order.
+
+    `title`: its first heading, may be empty. `about`: ids of own questions, each with the id of
+    the scene that it is about. `predicted`: ids of scenes that ask for a prediction.
+    """
+
+    title: str
+    own: tuple[Question, ...]
+    forms: tuple[Form, ...]
+    about: dict[str, str]
+    predicted: tuple[str, ...]
+
+    @property
+    def parts(self) -> dict[str, tuple[Question, ...]]:
+        """Questions by form, the worksheet first; without what has none."""
+        own = {WORKSHEET: self.own} if self.own else {}
+        return own | {form.form: form.items for form in self.forms}
+
+
+def lesson_asks(text: str, lesson: Lesson) -> LessonAsks:
+    """What the lesson in `text` asks; raises `AuthorError` with the first block that is wrong."""
+    ids = SiteIds()
+    own: list[Question] = []
+    forms: list[Form] = []
+    about: dict[str, str] = {}
+    predicted: list[str] = []
+    last = ""  # the scene with a prediction that the text since the last heading is about
+    for block, new_section in _sections(text.splitlines()):
+        last = "" if new_section else last
+        if block.name == "scene" and (found := _predicting(block, lesson)):
+            predicted.append(found)
+            last = found
+        elif block.name == "question":
+            question = read_question_block(block, lesson, ids, first_line=1).question
+            own.append(question)
+            if scene := _scene_of(question, last):
+                about[question.id] = scene
+        elif block.name == "quiz":
+            forms.append(read_quiz_block(block, lesson, ids, first_line=1).form)
+    title = _TITLE.search(text)
+    return LessonAsks(title[1] if title else "", tuple(own), tuple(forms), about, tuple(predicted))
+
+
+def _sections(lines: Sequence[str]) -> Iterator[tuple[Block, bool]]:
+    """Each block, and whether a heading stands between it and the one before."""
+    done = 0
+    for block in scan(lines):
+        yield block, done == 0 or any(map(HEADING.match, lines[done : block.start]))
+        done = block.end
+
+
+def _scene_of(question: Question, last: str) -> str:
+    """The scene that is watched before a question, or that it reads from."""
+    if isinstance(question, Reading):
+        return question.scene
+    if after := question.common.after:
+        return "" if after == OPEN else after
+    return "" if question.KIND in BEFORE_A_RUN else last
+
+
+def _predicting(block: Block, lesson: Lesson) -> str:
+    """The id of a scene with a prediction; empty for others, and for one that cannot be read."""
+    try:
+        plain, _ = with_scene_file(load_block(block, lesson.file, first_line=1), lesson)
+    except AuthorError:
+        return ""  # `carts check` names what is wrong with a scene
+    return str(plain.get("id", "")) if "predict" in plain else ""

@@ -1,0 +1,73 @@
+/** Slips for each student and the page of the class: made in Python, shown, and printed alone. */
+
+import { button } from "../answers/parts.js";
+import { html } from "../shared/dom.js";
+
+/** @typedef {Record<string, {name: string, words: Record<string, string>}>} Languages */
+
+const PRINTING = "carts-class-paper-only";
+
+/** @returns {Languages} see sim/pages/classroom/practice_keys.py */
+const languages = () =>
+  /** @type {any} */ (globalThis).__cartsPapers ?? { en: { name: "English", words: {} } };
+
+/**
+ * @param {{noAnswers: () => boolean, ask: (wanted: Record<string, unknown>) => Promise<Record<string, any>>,
+ *   say: (text: string) => void}} given
+ */
+export function papers({ noAnswers, ask, say }) {
+  const root = html("div", "carts-class-papers");
+  const shown = html("div", "carts-class-paper");
+  const spoken = languages();
+  const pick = /** @type {HTMLSelectElement} */ (html("select", "carts-class-language"));
+  pick.setAttribute("aria-label", "Language of the slips and of the page of the class");
+  pick.append(
+    ...Object.entries(spoken).map(([code, { name }]) => {
+      const option = /** @type {HTMLOptionElement} */ (html("option", "", name));
+      option.value = code;
+      option.lang = code;
+      return option;
+    }),
+  );
+  const own = document.documentElement.lang;
+  if (own in spoken) pick.value = own;
+  const answers = /** @type {HTMLInputElement} */ (html("input", "carts-class-with-answers"));
+  answers.type = "checkbox";
+  const label = html("label", "carts-class-choice");
+  label.append(answers, " slips with the right answers");
+  /** @param {"slips" | "sheet"} what */
+  const make = (what) => async () => {
+    try {
+      say("Making the pages …");
+      const wanted = { what, language: pick.value, words: spoken[pick.value]?.words ?? {} };
+      const header = await ask({ do: "paper", ...wanted, answers: answers.checked });
+      shown.innerHTML = header.html; // escaped where it was made
+      shown.lang = pick.value;
+      say("");
+      print();
+    } catch (error) {
+      say(/** @type {Error} */ (error).message);
+    }
+  };
+  const row = html("p", "carts-class-row");
+  row.append(
+    button("Print slips for students", make("slips"), "carts-class-slips"),
+    button("Print page of the class", make("sheet"), "carts-class-sheet"),
+    pick,
+    label,
+  );
+  root.append(row);
+  const draw = () => {
+    root.hidden = noAnswers();
+    shown.replaceChildren(); // of other answers by now
+  };
+  return { root, shown, draw };
+}
+
+/** Prints the paper alone, without the report. */
+function print() {
+  const { classList } = document.documentElement;
+  classList.add(PRINTING);
+  addEventListener("afterprint", () => classList.remove(PRINTING), { once: true });
+  window.print();
+}
