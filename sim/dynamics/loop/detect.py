@@ -112,7 +112,7 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     noise = KNOWN * fastest * horizon
     opened = 0.0
     for probe in PROBES:
-        then = rest + room_at(gap, now, probe * horizon)
+        then = clearance(gap, now, probe * horizon, rest)
         if then < -noise:
             return opened  # 0: it has closed from the beginning
         if then > noise:
@@ -171,10 +171,26 @@ def _speeds(body: Body, now: Time, horizon: float) -> tuple[float, float]:
 
 def room_at(gap: Gap, now: Time, t: float) -> float:
     """m. The room of a gap t s after `now`: its present rate, and what the motions add to it."""
+    return gap.room + gap.rate * t + _beyond(gap, now, t)
+
+
+def clearance(gap: Gap, now: Time, t: float, rest: float) -> float:
+    """m. The room beyond the resting overlap, t s after `now`.
+
+    The two lengths, of millimetres, are subtracted first: bumpers at their resting overlap may part
+    by 1e-19 m before they are pressed again, less than the last bit of either.
+    """
+    if rest == 0.0:
+        return room_at(gap, now, t)
+    return (gap.room + rest) + (gap.rate * t + _beyond(gap, now, t))
+
+
+def _beyond(gap: Gap, now: Time, t: float) -> float:
+    """m. How much further the two move apart in t s than at their present rate."""
     left, right = gap.left.motion, gap.right.motion
     pulled = 0.0 if left is None else left.excess(gap.left, now, t)
     pushed = 0.0 if right is None else right.excess(gap.right, now, t)
-    return gap.room + gap.rate * t + (pushed - pulled)
+    return pushed - pulled
 
 
 def rate_at(gap: Gap, now: Time, t: float) -> float:
@@ -191,7 +207,7 @@ def _first_fall(
     """The first t at which sign × (room + rest) falls to zero, from a t at which it is positive."""
     begin = t
     for _ in range(SAFE_STEPS):
-        here = sign * (room_at(gap, now, t) + rest)
+        here = sign * clearance(gap, now, t, rest)
         if here <= 0.0 and t > begin:
             return t
         rate = sign * rate_at(gap, now, t)
