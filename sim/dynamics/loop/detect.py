@@ -16,6 +16,7 @@ from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, elapsed, later
+from sim.dynamics.state.flips import UNDECIDED
 from sim.laws.contact_law import ContactLaw
 
 TOUCH_ROUNDING = 1e-15
@@ -177,11 +178,11 @@ def room_at(gap: Gap, now: Time, t: float) -> float:
 def clearance(gap: Gap, now: Time, t: float, rest: float) -> float:
     """m. The room beyond the resting overlap, t s after `now`.
 
-    The two lengths, of millimetres, are subtracted first: bumpers at their resting overlap may part
-    by 1e-19 m before they are pressed again, less than the last bit of either.
+    Where the pair parts and touches at one instant the two lengths, of millimetres, are subtracted
+    first: it parts by 1e-19 m before it is pressed again, less than the last bit of either.
     """
-    if rest == 0.0:
-        return room_at(gap, now, t)
+    if rest == 0.0 or gap.flips <= UNDECIDED:
+        return room_at(gap, now, t) + rest
     return (gap.room + rest) + (gap.rate * t + _beyond(gap, now, t))
 
 

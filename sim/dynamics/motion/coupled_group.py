@@ -154,11 +154,12 @@ def coupled_group(
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
-    if (rest := _at_rest(bodies, gaps, branches, limit)) is not None:
+    row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
+    if (rest := _at_rest(bodies, gaps, branches, row, limit)) is not None:
         return group_of(rest, [], limit, now)
-    if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
+    if (swinging := _in_modes(bodies, gaps, row, now, limit)) is not None:
         return swinging
-    step = _converged(bodies, gaps, branches, limit)
+    step = _led(bodies, gaps, row, limit) or _converged(bodies, gaps, branches, row, limit)
     return group_of(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
 
 
@@ -171,26 +172,25 @@ def group_of(step: Step, ends: list[End], duration: float, now: Time) -> Coupled
 
 
 def _at_rest(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
 ) -> Step | None:
     """The step of a row at rest; None where it is not."""
     if not gaps or not _slow(gaps):
         return None
-    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
-    return at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
+    fastest = REACH / step_length(replace(row, quadratic=[0.0] * len(bodies)))
+    return at_rest(bodies, gaps, branches, fastest, limit)
 
 
 def _in_modes(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], now: Time, limit: float
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
 ) -> ModalGroup | None:
     """A sum of modes, where the series has taken some steps and all is linear."""
     if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
         return None
-    if any(body.load.quadratic for body in bodies):
+    if row.nonlinear or any(body.load.quadratic for body in bodies):
         return None
     from sim.dynamics.motion.modes.group import modal_group  # where a scene calls for it
 
-    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
     try:
         found = modal_group(bodies, gaps, row, now, limit)
     except ArithmeticError:  # numbers so far apart that their products leave the range of floats
@@ -199,6 +199,23 @@ def _in_modes(
         for gap in gaps:
             gap.plain = 0
     return found
+
+
+def _led(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | None:
+    """A longer step, where forces without linear branches lead stiff contacts that do not swing."""
+    if not row.nonlinear or not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
+        return None
+    from sim.dynamics.motion.led_row import led_step  # where a scene calls for it
+
+    found = led_step(bodies, gaps, row, limit)
+    if found is None:
+        for gap in gaps:
+            gap.plain = STEPS_FIRST - STEPS_MORE
+    return found
+
+
+STEPS_MORE = 16
+"""Steps before it is asked again whether a swing has faded, which costs as much as several."""
 
 
 STEPS_FIRST = 4
@@ -219,16 +236,20 @@ LOOK_CLOSER = 1e-9
 """Of the speed at which an overlap as great as the greatest would swing."""
 
 
-def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float) -> Step:
+def _converged(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
+) -> Step:
     """The series, and a step in which it has converged."""
-    row, series = _expanded(bodies, gaps, branches)
+    series = _expanded(row, bodies, branches)
     unsigned = [body for body in bodies if body.load.quadratic and not body.sliding]
     if unsigned:  # at rest, and nothing pushes yet: the first term of its motion tells
         for body, a in zip(bodies, series.bodies, strict=True):
             if body in unsigned:
                 first = next((c for c in [body.v, *a] if c != 0.0), 0.0)
                 body.sliding = (first > 0.0) - (first < 0.0)
-        row, series = _expanded(bodies, gaps, branches)
+        signed = [body.sliding * body.load.quadratic for body in bodies]
+        row = row_of(bodies, gaps, branches, signed)
+        series = _expanded(row, bodies, branches)
     speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
     length = min(step_length(row), limit)
     if row.nonlinear:
@@ -240,8 +261,7 @@ def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limi
     )  # fmt: skip
 
 
-def _expanded(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tuple[Row, Expansion]:
-    row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
+def _expanded(row: Row, bodies: list[Body], branches: list[Branch]) -> Expansion:
     series = expand(row)
     share(bodies, branches, row.steady, series)
-    return row, series
+    return series

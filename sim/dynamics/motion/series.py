@@ -114,8 +114,11 @@ def root(x: float, n: int) -> float:
     return math.ldexp(math.ldexp(part, rest) ** (1.0 / n), whole)
 
 
-def expand(row: Row) -> Expansion:
-    """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move)."""
+def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
+    """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move).
+
+    `led`: how overlaps of locked gaps change nevertheless, o'' of each; [] where they do not.
+    """
     branches, inverse = row.branches, row.inverse
     count = len(branches)
     runs = locked_runs(branches)
@@ -149,7 +152,7 @@ def expand(row: Row) -> Expansion:
                 from_left = pull[i - 1][n] if i > 0 else 0.0
                 outside[i] += from_left - (pull[i][n] if i < count else 0.0)
         for run in runs:
-            hold(run, force, inverse, outside, n)
+            hold(run, force, inverse, outside, n, led)
         for i, inv in enumerate(inverse):
             from_left = force[i - 1][n] if i > 0 else 0.0
             from_right = force[i][n] if i < count else 0.0
@@ -162,7 +165,9 @@ def expand(row: Row) -> Expansion:
         scale = 1.0 / ((n + 1) * (n + 2))
         for k in range(count):
             relative = bodies[k][n] - bodies[k + 1][n]
-            if branches[k].locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
+            if led is not None and led[k]:
+                relative = led[k][n]
+            elif branches[k].locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
                 relative = 0.0
             over[k].append(relative * scale)
     return Expansion(over, force, pull, bodies)
@@ -210,16 +215,26 @@ def hold_now(
     push[:] = [p[0] for p in force]
 
 
-def hold(run: range, force: list[Poly], inverse: list[float], outside: list[float], n: int) -> None:
+def hold(
+    run: range,
+    force: list[Poly],
+    inverse: list[float],
+    outside: list[float],
+    n: int,
+    led: list[Poly] | None = None,
+) -> None:
     """The n-th coefficients that keep all overlaps of a locked run: Thomas's algorithm.
 
     (1/mL + 1/mR) N_k − N_(k−1)/mL − N_(k+1)/mR = F_L/mL − F_R/mR for each k of the run, F all that
-    acts on a body besides contacts. Between two bodies that do not move nothing presses: N = 0.
+    acts on a body besides contacts, less o_k'' where that is given. Between two bodies that do not
+    move nothing presses: N = 0.
     """
     ratio: list[float] = []
     right_side: list[float] = []
     for k in run:
         known = outside[k] * inverse[k] - outside[k + 1] * inverse[k + 1]
+        if led is not None and led[k]:
+            known -= led[k][n]
         if k == run.start and k > 0:
             known += inverse[k] * force[k - 1][n]
         if k == run.stop - 1 and k + 1 < len(force):
