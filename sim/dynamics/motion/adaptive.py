@@ -96,10 +96,10 @@ class IntegratedStep(Step):
         """N. Not known from the dense output: it may always be more."""
         return math.inf
 
-    def dissipated(self, k: int, t: float) -> float:
+    def dissipated(self, k: int, t: float, end: float) -> float:
         """J. What a bumper keeps follows from its law."""
         curved_law = self.laws[k] is not None
-        return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t)
+        return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t, end)
 
 
 def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:

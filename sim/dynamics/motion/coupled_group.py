@@ -142,7 +142,7 @@ class CoupledGroup:
                 )
                 for when in (step.greatest(k, t) if peaks and step.may_peak(k, t) else ())
             )
-            kept, deepest = step.dissipated(k, t), step.deepest(k, t)
+            kept, deepest = step.dissipated(k, t, over), step.deepest(k, t, over, rate)
             found.append(Part(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
         return found
 
