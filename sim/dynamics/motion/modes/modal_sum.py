@@ -115,7 +115,7 @@ def clear_until(q: ModalSum, horizon: float, least: float, most: int) -> float:
         if here <= 0.0:
             return 0.0
         step = safe_step(here, rate, q.bound(t, 2))
-        if step < least:
+        if step < least or step * most < horizon - t:
             step = max(step, _beyond_swings(q, t, 0.0, 1.0))
         if step < least:
             return t
@@ -164,7 +164,7 @@ def maximum(q: ModalSum, t: float, least: float, most: int) -> float:
             break
         here, rate = q.both(now)
         step = safe_step(max(best - here, 0.0) + same, -rate, q.bound(now, 2))
-        if step < least:
+        if step < least or step * most < t - now:
             step = max(step, _beyond_swings(q, now, best + same, -1.0))
         if step >= least or rate <= 0.0:
             now += max(step, least)
