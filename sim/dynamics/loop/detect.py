@@ -10,13 +10,13 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import recontact
+from sim.dynamics.loop.rooms import clearance, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, elapsed, later
-from sim.dynamics.state.flips import UNDECIDED
 from sim.laws.contact_law import ContactLaw
 
 TOUCH_ROUNDING = 1e-15
@@ -47,11 +47,6 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
         return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
-
-
-def resting(gap: Gap) -> float:
-    """m. The overlap at which the pair would touch: a bumper that has not cleared remembers."""
-    return 0.0 if gap.law is None or gap.room >= 0.0 else gap.law.resting_overlap(gap.memory)
 
 
 def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False) -> float:
@@ -168,38 +163,6 @@ def _speeds(body: Body, now: Time, horizon: float) -> tuple[float, float]:
     if body.motion is None:
         return body.v, body.v
     return body.motion.speeds(body, now, horizon)
-
-
-def room_at(gap: Gap, now: Time, t: float) -> float:
-    """m. The room of a gap t s after `now`: its present rate, and what the motions add to it."""
-    return gap.room + gap.rate * t + _beyond(gap, now, t)
-
-
-def clearance(gap: Gap, now: Time, t: float, rest: float) -> float:
-    """m. The room beyond the resting overlap, t s after `now`.
-
-    Where the pair parts and touches at one instant the two lengths, of millimetres, are subtracted
-    first: it parts by 1e-19 m before it is pressed again, less than the last bit of either.
-    """
-    if rest == 0.0 or gap.flips <= UNDECIDED:
-        return room_at(gap, now, t) + rest
-    return (gap.room + rest) + (gap.rate * t + _beyond(gap, now, t))
-
-
-def _beyond(gap: Gap, now: Time, t: float) -> float:
-    """m. How much further the two move apart in t s than at their present rate."""
-    left, right = gap.left.motion, gap.right.motion
-    pulled = 0.0 if left is None else left.excess(gap.left, now, t)
-    pushed = 0.0 if right is None else right.excess(gap.right, now, t)
-    return pushed - pulled
-
-
-def rate_at(gap: Gap, now: Time, t: float) -> float:
-    """m/s. How fast the room grows t s after `now`."""
-    if t == 0.0:
-        return gap.rate
-    moment = later(now, t)
-    return velocity(gap.right, moment) - velocity(gap.left, moment)
 
 
 def _first_fall(

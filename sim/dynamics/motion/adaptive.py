@@ -22,7 +22,7 @@ from sim.dynamics.motion.curved_field import curved, dragged, field_of
 from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
-from sim.dynamics.motion.row_now import row_of
+from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step import Step, slope_of
 from sim.dynamics.motion.step_ends import first_ends, found_again

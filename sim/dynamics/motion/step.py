@@ -123,7 +123,7 @@ class Step:
         return integral_value(self.contact[k], t)
 
     def dissipated(self, k: int, t: float, end: float) -> float:
-        """J. What the contact does not give back of the work pressed in; `end` [m]: overlap at t."""
+        """J. What the contact does not give back of the work pressed in; `end` [m]: overlap."""
         branch, over, law = self.branches[k], self.over[k], self.gaps[k].law
         loss = 0.0
         if branch.gamma:

@@ -188,7 +188,8 @@ def _near_crest(q: ModalSum, t: float, least: float, most: int) -> float:
     *slower, (z, _) = sorted(q.terms, key=lambda term: abs(term[0]))
     crest = maximum(ModalSum(q.constant, tuple(slower), q.growth), t, least, most)
     part = 2.0 * math.pi / (SAMPLES * abs(z))
-    places = [crest + k * part for k in range(-SAMPLES, SAMPLES + 1) if 0.0 <= crest + k * part <= t]
+    around = [crest + k * part for k in range(-SAMPLES, SAMPLES + 1)]
+    places = [one for one in around if 0.0 <= one <= t]
     best = max(places, key=q.value)
     begin = max(best - part, 0.0)
     slope = q.slope

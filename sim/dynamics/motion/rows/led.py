@@ -98,7 +98,7 @@ def _is_clamped(row: Row, rigid: list[Branch]) -> bool:
 def _followed(
     slow: Row, row: Row, stiff: set[int], longest: float
 ) -> tuple[Expansion, list[Poly], float] | None:
-    """Series of everything, overlaps, and a step in which they converge; None: they do not agree."""
+    """All series, overlaps, and a step in which they converge; None: the rounds do not agree."""
     led: list[Poly] = [[] for _ in row.branches]
     last = math.inf
     for _ in range(ROUNDS):
