@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import recontact
-from sim.dynamics.loop.rooms import clearance, rate_at, resting, room_at
+from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
 
@@ -25,9 +24,6 @@ TOUCH_ROUNDING = 1e-15
 PROBES = tuple(10.0 ** (-0.5 * n) for n in range(12, -1, -1))
 """Of the horizon, ever later. Neighbours that touch without closing: the first sign of their room
 that is known tells whether the one is being pushed into the other, or away."""
-
-SAME_SPEED = 1e-13
-"""Relative to the velocities. Two that touch and move alike open or close by what acts on them."""
 
 KNOWN = 1e-15
 """Of the way that the faster one goes up to the horizon. Less room than that has no sign."""
@@ -91,12 +87,6 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
                 return begin
     found = _first_fall(gap, now, begin, horizon, rest, +1.0)
     return math.inf if found is None else found
-
-
-def no_approach(gap: Gap, now: Time) -> bool:
-    """Do the two move alike, but for rounding?"""
-    largest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
-    return abs(gap.rate) <= SAME_SPEED * largest
 
 
 def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:

@@ -7,6 +7,9 @@ from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, later
 from sim.dynamics.state.flips import UNDECIDED
 
+SAME_SPEED = 1e-13
+"""Relative to the velocities. Two that touch and move alike open or close by what acts on them."""
+
 
 def resting(gap: Gap) -> float:
     """m. The overlap at which the pair would touch: a bumper that has not cleared remembers."""
@@ -43,3 +46,9 @@ def rate_at(gap: Gap, now: Time, t: float) -> float:
         return gap.rate
     moment = later(now, t)
     return velocity(gap.right, moment) - velocity(gap.left, moment)
+
+
+def no_approach(gap: Gap, now: Time) -> bool:
+    """Do the two move alike, but for rounding?"""
+    largest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
+    return abs(gap.rate) <= SAME_SPEED * largest
