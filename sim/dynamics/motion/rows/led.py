@@ -56,7 +56,7 @@ def led_step(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Ste
     path = [integral(v) for v in speed]
     return Step(
         bodies, gaps, row.branches, length, over, series.force, series.pull, speed, path,
-        row.steady, short=True,
+        row.steady, short=False,
     )  # fmt: skip
 
 
