@@ -16,6 +16,7 @@ page draws it. Overlaps are series of their own, not differences of positions: a
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from operator import mul
 
@@ -134,43 +135,46 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
     nothing = [0.0] * len(inverse)
     sizes = [0.0] * len(inverse)
     loaded = dragged or any(row.steady)
+    contacts = [
+        (branch.kappa, branch.gamma, branch.rest, o, pushes)
+        for branch, o, pushes in zip(branches, over, force, strict=True)
+    ]
+    moving = list(zip(inverse, bodies, strict=True))
+    gaps = [(b.locked, o, own) for b, o, own in zip(branches, over, bodies[1:], strict=True)]
     for n in range(ORDER - 1):
-        outside = nothing if n else row.steady
-        if dragged or linked:
-            outside = list(outside)
-        for k, branch in enumerate(branches):
-            o = over[k]
-            push = branch.kappa * (o[n] - branch.rest if n == 0 else o[n])
-            if branch.gamma:
-                push += branch.gamma * (n + 1) * o[n + 1]
-            force[k].append(push)
-            if linked:
-                pull[k].append(math.fsum([term(n, o) for term in terms[k]]))
+        outside = list(nothing if n else row.steady)
+        for kappa, gamma, rest, o, pushes in contacts:
+            push = kappa * (o[n] if n else o[0] - rest)
+            if gamma:
+                push += gamma * (n + 1) * o[n + 1]
+            pushes.append(push)
         if dragged:
             add_drag(row, speed, outside, n)
         if linked:
-            for i in range(len(inverse)):
-                from_left = pull[i - 1][n] if i > 0 else 0.0
-                outside[i] += from_left - (pull[i][n] if i < count else 0.0)
+            _add_links(terms, over, pull, outside, n)
         for run in runs:
             hold(run, force, inverse, outside, n, led)
-        for i, inv in enumerate(inverse):
-            from_left = force[i - 1][n] if i > 0 else 0.0
+        from_left = 0.0
+        for i, (inv, own) in enumerate(moving):
             from_right = force[i][n] if i < count else 0.0
             a = (from_left - from_right + outside[i]) * inv
             if loaded:
                 sizes[i] = (abs(from_left) + abs(from_right) + abs(outside[i])) * inv
-            bodies[i].append(a)
+            own.append(a)
             if dragged:
                 speed[i].append(a / (n + 1))
+            from_left = from_right
         scale = 1.0 / ((n + 1) * (n + 2))
-        for k in range(count):
-            relative = bodies[k][n] - bodies[k + 1][n]
+        before = bodies[0][n]
+        for k, (locked, o, own) in enumerate(gaps):
+            after = own[n]
+            relative = before - after
             if led is not None and led[k]:
                 relative = led[k][n]
-            elif branches[k].locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
+            elif locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
                 relative = 0.0
-            over[k].append(relative * scale)
+            o.append(relative * scale)
+            before = after
     return Expansion(over, force, pull, bodies)
 
 
@@ -183,6 +187,22 @@ press them together."""
 def is_rounding(difference: float, value: float) -> bool:
     """Is that all that the difference of two accelerations like `value` amounts to?"""
     return abs(difference) <= ALIKE * abs(value)
+
+
+def _add_links(
+    terms: list[list[Callable[[int, Poly], float]]],
+    over: list[Poly],
+    pull: list[Poly],
+    outside: list[float],
+    n: int,
+) -> None:
+    """The n-th coefficients of springs and magnets across the gaps."""
+    from_left = 0.0
+    for i, (links, o, pulls) in enumerate(zip(terms, over, pull, strict=True)):
+        pulls.append(math.fsum([term(n, o) for term in links]))
+        outside[i] += from_left - pulls[n]
+        from_left = pulls[n]
+    outside[len(over)] += from_left - 0.0
 
 
 def add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
