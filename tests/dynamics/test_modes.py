@@ -176,6 +176,34 @@ def test_the_greatest_value_is_found_among_many_swings() -> None:
     assert low.value(when) >= grid - 1e-12
 
 
+RINGING = (complex(0, 2e5), 0.4 - 0.2j)
+SLOW = (complex(0, 3.0), 0.8 + 0.5j)
+
+
+def test_a_swing_that_rings_on_beside_a_slow_one_takes_no_looks_while_it_cannot_reach_nought() -> (
+    None
+):
+    """A run of ten seconds has 300,000 of its swings."""
+    assert clear_until(ModalSum(1.5, (SLOW, RINGING)), 10.0, 1e-5, 60) == 10.0
+
+
+def test_where_the_slow_one_lets_a_ringing_swing_reach_nought_the_time_that_is_clear_ends() -> None:
+    low = ModalSum(1.2, (SLOW, RINGING))
+    clear = clear_until(low, 10.0, 1e-6, 3000)
+    assert 0.0 < clear < 10.0
+    assert all(low.value(clear * k / 20_000) > 0.0 for k in range(20_001))
+    slow = ModalSum(1.2 - abs(RINGING[1]), (SLOW,))  # a swing later at most it can reach nought
+    assert slow.value(clear + 1e-4) < 1e-3
+    assert min(low.value(clear + 1e-7 * k) for k in range(20_000)) < 0.0
+
+
+def test_the_greatest_value_of_a_ringing_sum_is_found_in_few_looks() -> None:
+    q = ModalSum(0.1, (SLOW, RINGING))
+    when = maximum(q, 10.0, 1e-5, 3000)
+    most = 0.1 + abs(SLOW[1]) + abs(RINGING[1])
+    assert most - 1e-6 < q.value(when) <= most
+
+
 def test_integrals_of_a_sum_and_of_its_square_are_those_of_quadrature() -> None:
     with mpmath.workdps(30):
         places = [mpmath.mpf(k) / 4 for k in range(13)]

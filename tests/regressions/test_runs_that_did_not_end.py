@@ -12,6 +12,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
+from tests.fuzz.kinds import scene_of
 from tests.reference.effects import integrate
 
 
@@ -214,3 +215,26 @@ def test_a_bumper_that_begins_to_be_pressed_further_is_not_at_its_deepest_then()
     causes = [[e.cause for e in part.solver.ends] for part in steps if part.begin == part.end]
     assert not [found for found in causes if "turn" in found or "climb" in found]
     assert done.ledger.imbalance() < 1e-13
+
+
+MANY_SHORT_STEPS = {
+    ("dead bumpers", 81): 900,  # a stiff line that rings on beside soft ones: 6,400 steps
+    ("long runs", 24): 150,  # ten minutes of drag on two that a damper holds: 22,000
+    ("releases", 64): 120,  # the same, much stiffer, for two seconds: 2,400
+    ("magnets", 62): 600,  # a row that a magnet pushes on: 2,000
+}
+
+
+@pytest.mark.parametrize(("kind", "seed"), MANY_SHORT_STEPS)
+def test_a_swing_that_changes_nothing_any_more_takes_no_steps(kind: str, seed: int) -> None:
+    done = run(read_scene(scene_of(kind, seed)), max_steps=MANY_SHORT_STEPS[kind, seed])
+    assert done.stopped is None
+    assert done.ledger.imbalance() < 1e-14
+
+
+def test_bumpers_that_part_by_less_than_the_last_bit_of_their_overlap_have_parted() -> None:
+    """Friction and a ringing contact accelerate the two alike: they part for 2e-7 s, by 7e-19 m."""
+    plain = scene_of("dead bumpers", 70)
+    done = run(read_scene(plain | {"until": 0.08178}), max_events=2_000)
+    assert done.stopped is None
+    assert done.ledger.imbalance() < 1e-14

@@ -32,7 +32,7 @@ centre of mass at once, so that no two of them can differ by rounding and begin 
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 from dataclasses import dataclass, field
 
 from sim.dynamics.result.ledger import Ledger
@@ -70,7 +70,8 @@ class Hits:
     time: Time = NEVER
     gaps: list[int] = field(default_factory=list)
     speeds: list[float] = field(default_factory=list)
-    blows: Counter[int] = field(default_factory=Counter)  # in the whole run, by gap
+    blows: defaultdict[int, int] = field(default_factory=lambda: defaultdict(int))
+    """In the whole run, by gap."""
 
     def often(self, gap: Gap) -> bool:
         """One blow more in this gap: are there so many that rounding may have the say?"""

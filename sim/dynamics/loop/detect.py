@@ -10,11 +10,11 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import recontact
+from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
 
@@ -24,9 +24,6 @@ TOUCH_ROUNDING = 1e-15
 PROBES = tuple(10.0 ** (-0.5 * n) for n in range(12, -1, -1))
 """Of the horizon, ever later. Neighbours that touch without closing: the first sign of their room
 that is known tells whether the one is being pushed into the other, or away."""
-
-SAME_SPEED = 1e-13
-"""Relative to the velocities. Two that touch and move alike open or close by what acts on them."""
 
 KNOWN = 1e-15
 """Of the way that the faster one goes up to the horizon. Less room than that has no sign."""
@@ -46,11 +43,6 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
         return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
-
-
-def resting(gap: Gap) -> float:
-    """m. The overlap at which the pair would touch: a bumper that has not cleared remembers."""
-    return 0.0 if gap.law is None or gap.room >= 0.0 else gap.law.resting_overlap(gap.memory)
 
 
 def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False) -> float:
@@ -97,12 +89,6 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
     return math.inf if found is None else found
 
 
-def no_approach(gap: Gap, now: Time) -> bool:
-    """Do the two move alike, but for rounding?"""
-    largest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
-    return abs(gap.rate) <= SAME_SPEED * largest
-
-
 def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     """A time at which the room of two that touch without closing is open; 0: it closes at once.
 
@@ -112,7 +98,7 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     noise = KNOWN * fastest * horizon
     opened = 0.0
     for probe in PROBES:
-        then = rest + room_at(gap, now, probe * horizon)
+        then = clearance(gap, now, probe * horizon, rest)
         if then < -noise:
             return opened  # 0: it has closed from the beginning
         if then > noise:
@@ -169,29 +155,13 @@ def _speeds(body: Body, now: Time, horizon: float) -> tuple[float, float]:
     return body.motion.speeds(body, now, horizon)
 
 
-def room_at(gap: Gap, now: Time, t: float) -> float:
-    """m. The room of a gap t s after `now`: its present rate, and what the motions add to it."""
-    left, right = gap.left.motion, gap.right.motion
-    pulled = 0.0 if left is None else left.excess(gap.left, now, t)
-    pushed = 0.0 if right is None else right.excess(gap.right, now, t)
-    return gap.room + gap.rate * t + (pushed - pulled)
-
-
-def rate_at(gap: Gap, now: Time, t: float) -> float:
-    """m/s. How fast the room grows t s after `now`."""
-    if t == 0.0:
-        return gap.rate
-    moment = later(now, t)
-    return velocity(gap.right, moment) - velocity(gap.left, moment)
-
-
 def _first_fall(
     gap: Gap, now: Time, t: float, horizon: float, rest: float, sign: float
 ) -> float | None:
     """The first t at which sign × (room + rest) falls to zero, from a t at which it is positive."""
     begin = t
     for _ in range(SAFE_STEPS):
-        here = sign * (room_at(gap, now, t) + rest)
+        here = sign * clearance(gap, now, t, rest)
         if here <= 0.0 and t > begin:
             return t
         rate = sign * rate_at(gap, now, t)

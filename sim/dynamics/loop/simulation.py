@@ -12,8 +12,8 @@ from collections import defaultdict
 
 from sim.dynamics.loop import collapse, contacts, impacts, release, synchronise, transitions
 from sim.dynamics.loop.calendar import Calendar
-from sim.dynamics.loop.detect import no_approach, resting
 from sim.dynamics.loop.predictions import Predictions
+from sim.dynamics.loop.rooms import no_approach, resting
 from sim.dynamics.loop.select_solver import select_solvers
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.ledger import Ledger

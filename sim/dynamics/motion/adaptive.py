@@ -22,7 +22,7 @@ from sim.dynamics.motion.curved_field import curved, dragged, field_of
 from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
-from sim.dynamics.motion.row_now import row_of
+from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step import Step, slope_of
 from sim.dynamics.motion.step_ends import first_ends, found_again
@@ -96,10 +96,10 @@ class IntegratedStep(Step):
         """N. Not known from the dense output: it may always be more."""
         return math.inf
 
-    def dissipated(self, k: int, t: float) -> float:
+    def dissipated(self, k: int, t: float, end: float) -> float:
         """J. What a bumper keeps follows from its law."""
         curved_law = self.laws[k] is not None
-        return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t)
+        return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t, end)
 
 
 def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:

@@ -8,28 +8,18 @@ slips. Then what still belongs together forms anew, by the cheapest solver that 
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from sim.dynamics.motion import stick_slip
-from sim.dynamics.motion.friction_shares import share
-from sim.dynamics.motion.guards import branch_of, refuse_too_near
-from sim.dynamics.motion.polynomial import integral, size
-from sim.dynamics.motion.rest import at_rest
-from sim.dynamics.motion.row_now import row_of
-from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
 from sim.dynamics.motion.step import Step
-from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.motion.work_accounting import book_step
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
-from sim.laws.branch import Branch
 from sim.laws.damped_oscillation import Rate
 
 if TYPE_CHECKING:
-    from sim.dynamics.motion.modes.group import ModalGroup
+    pass
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,24 +132,9 @@ class CoupledGroup:
                 )
                 for when in (step.greatest(k, t) if peaks and step.may_peak(k, t) else ())
             )
-            kept, deepest = step.dissipated(k, t), step.deepest(k, t)
+            kept, deepest = step.dissipated(k, t, over), step.deepest(k, t, over, rate)
             found.append(Part(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
         return found
-
-
-def coupled_group(
-    bodies: list[Body], gaps: list[Gap], now: Time, limit: float
-) -> CoupledGroup | ModalGroup:
-    """The group of these bodies, settled at `now`, for at most `limit` s."""
-    refuse_too_near(gaps, now)
-    branches = [branch_of(gap) for gap in gaps]
-    stick_slip.decide(bodies, gaps, branches)
-    if (rest := _at_rest(bodies, gaps, branches, limit)) is not None:
-        return group_of(rest, [], limit, now)
-    if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
-        return swinging
-    step = _converged(bodies, gaps, branches, limit)
-    return group_of(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
 
 
 def group_of(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
@@ -168,80 +143,3 @@ def group_of(step: Step, ends: list[End], duration: float, now: Time) -> Coupled
     touched = [gap.touching is not None for gap in gaps]
     loads, linked = [body.load for body in bodies], [kinds_of(gap) for gap in gaps]
     return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, linked)
-
-
-def _at_rest(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float
-) -> Step | None:
-    """The step of a row at rest; None where it is not."""
-    if not gaps or not _slow(gaps):
-        return None
-    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
-    return at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
-
-
-def _in_modes(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], now: Time, limit: float
-) -> ModalGroup | None:
-    """A sum of modes, where the series has taken some steps and all is linear."""
-    if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
-        return None
-    if any(body.load.quadratic for body in bodies):
-        return None
-    from sim.dynamics.motion.modes.group import modal_group  # where a scene calls for it
-
-    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
-    try:
-        found = modal_group(bodies, gaps, row, now, limit)
-    except ArithmeticError:  # numbers so far apart that their products leave the range of floats
-        found = None
-    if found is None:
-        for gap in gaps:
-            gap.plain = 0
-    return found
-
-
-STEPS_FIRST = 4
-"""Steps without an event before a row is looked at as a sum of modes, which costs three of them."""
-
-
-def _slow(gaps: list[Gap]) -> bool:
-    """Do all overlaps change so little that it pays to ask whether the row is at rest?"""
-    if any(gap.touching is None for gap in gaps):
-        return False
-    stiff = max((gap.law.steepest / gap.mu for gap in gaps if gap.law is not None), default=0.0)
-    deepest = max(abs(gap.room) for gap in gaps)
-    swing = LOOK_CLOSER * math.sqrt(stiff) * deepest
-    return all(abs(gap.rate) <= swing for gap in gaps)
-
-
-LOOK_CLOSER = 1e-9
-"""Of the speed at which an overlap as great as the greatest would swing."""
-
-
-def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float) -> Step:
-    """The series, and a step in which it has converged."""
-    row, series = _expanded(bodies, gaps, branches)
-    unsigned = [body for body in bodies if body.load.quadratic and not body.sliding]
-    if unsigned:  # at rest, and nothing pushes yet: the first term of its motion tells
-        for body, a in zip(bodies, series.bodies, strict=True):
-            if body in unsigned:
-                first = next((c for c in [body.v, *a] if c != 0.0), 0.0)
-                body.sliding = (first > 0.0) - (first < 0.0)
-        row, series = _expanded(bodies, gaps, branches)
-    speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
-    length = min(step_length(row), limit)
-    if row.nonlinear:
-        length = converged_step(row, series, speed, length)
-    path = [integral(v) for v in speed]
-    return Step(
-        bodies, gaps, branches, length, series.over, series.force, series.pull, speed, path,
-        row.steady, row.nonlinear,
-    )  # fmt: skip
-
-
-def _expanded(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tuple[Row, Expansion]:
-    row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
-    series = expand(row)
-    share(bodies, branches, row.steady, series)
-    return row, series

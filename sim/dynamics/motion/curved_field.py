@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from sim.dynamics.motion.series import Row, hold_now
+from sim.dynamics.motion.locked import hold_now
+from sim.dynamics.motion.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.contact_law import ContactLaw
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sim.dynamics.motion.threshold import first_fall_to
 from sim.laws.damped_oscillation import Rate, first_turn, solve
@@ -32,13 +32,22 @@ class Oscillation:
     centre: float  # m
     o0: float
     u: float
+    _last: dict[float, tuple[float, float, float, float]] = field(
+        init=False, repr=False, compare=False, default_factory=dict
+    )
+    """The last value: overlap, force, impulse and both bodies ask for one instant in turn."""
 
     def at(self, t: float) -> tuple[float, float, float, float]:
         """o, o', o'', o''' at t."""
+        if (known := self._last.get(t)) is not None:
+            return known
         y, v = solve(self.rate, self.o0 - self.centre, self.u, t)
         twice, square = 2.0 * self.rate.beta, self.rate.w0 * self.rate.w0
         a = -twice * v - square * y
-        return y + self.centre, v, a, -twice * a - square * v
+        found = y + self.centre, v, a, -twice * a - square * v
+        self._last.clear()
+        self._last[t] = found
+        return found
 
     def over(self, t: float) -> tuple[float, float]:
         """Overlap and its rate; the bits of the start are kept at t = 0."""

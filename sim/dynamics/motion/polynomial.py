@@ -111,10 +111,12 @@ def first_fall(p: Poly, h: float) -> float | None:
     0 where p is negative just after 0. A zero of p at 0 itself is divided out, however many-fold.
     Found by steps that cannot jump over a zero: |p''| is bounded by its coefficients.
     """
-    low = next((n for n, c in enumerate(p) if c != 0.0), None)
-    if low is None:
-        return None
-    q = p[low:]
+    q = p
+    if not p or p[0] == 0.0:
+        low = next((n for n, c in enumerate(p) if c != 0.0), None)
+        if low is None:
+            return None
+        q = p[low:]
     if q[0] < 0.0:
         return 0.0
     if h <= 0.0:

@@ -26,6 +26,9 @@ from sim.laws.branch import Branch
 QUIET = 3e-13
 """Of the speed o W that the overlaps o under the load would swing with, W the fastest rate."""
 
+NEARLY = 2.0
+"""Of what counts as quiet. More than that moves, whatever the places of rest."""
+
 PRESSES = 1e-9
 """Of the greatest contact force in the row. A contact that carries less may be about to part."""
 
@@ -50,6 +53,9 @@ def at_rest(
     """
     if not _may_rest(bodies, gaps) or not 0.0 < fastest < math.inf:
         return None
+    deepest = max(abs(gap.room) for gap in gaps)
+    if max(abs(gap.rate) for gap in gaps) > NEARLY * QUIET * fastest * deepest:
+        return None  # overlaps at rest are those of now, as near as it takes
     balance, common = _balance(bodies, gaps, branches)
     strained = strains(balance)
     if strained is None:

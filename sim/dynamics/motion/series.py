@@ -16,9 +16,11 @@ page draws it. Overlaps are series of their own, not differences of positions: a
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from operator import mul
 
+from sim.dynamics.motion.locked import hold, locked_runs
 from sim.dynamics.motion.polynomial import Poly
 from sim.effects.forces import PairForce
 from sim.laws.branch import Branch
@@ -114,8 +116,11 @@ def root(x: float, n: int) -> float:
     return math.ldexp(math.ldexp(part, rest) ** (1.0 / n), whole)
 
 
-def expand(row: Row) -> Expansion:
-    """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move)."""
+def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
+    """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move).
+
+    `led`: how overlaps of locked gaps change nevertheless, o'' of each; [] where they do not.
+    """
     branches, inverse = row.branches, row.inverse
     count = len(branches)
     runs = locked_runs(branches)
@@ -130,41 +135,46 @@ def expand(row: Row) -> Expansion:
     nothing = [0.0] * len(inverse)
     sizes = [0.0] * len(inverse)
     loaded = dragged or any(row.steady)
+    contacts = [
+        (branch.kappa, branch.gamma, branch.rest, o, pushes)
+        for branch, o, pushes in zip(branches, over, force, strict=True)
+    ]
+    moving = list(zip(inverse, bodies, strict=True))
+    gaps = [(b.locked, o, own) for b, o, own in zip(branches, over, bodies[1:], strict=True)]
     for n in range(ORDER - 1):
-        outside = nothing if n else row.steady
-        if dragged or linked:
-            outside = list(outside)
-        for k, branch in enumerate(branches):
-            o = over[k]
-            push = branch.kappa * (o[n] - branch.rest if n == 0 else o[n])
-            if branch.gamma:
-                push += branch.gamma * (n + 1) * o[n + 1]
-            force[k].append(push)
-            if linked:
-                pull[k].append(math.fsum([term(n, o) for term in terms[k]]))
+        outside = list(nothing if n else row.steady)
+        for kappa, gamma, rest, o, pushes in contacts:
+            push = kappa * (o[n] if n else o[0] - rest)
+            if gamma:
+                push += gamma * (n + 1) * o[n + 1]
+            pushes.append(push)
         if dragged:
             add_drag(row, speed, outside, n)
         if linked:
-            for i in range(len(inverse)):
-                from_left = pull[i - 1][n] if i > 0 else 0.0
-                outside[i] += from_left - (pull[i][n] if i < count else 0.0)
+            _add_links(terms, over, pull, outside, n)
         for run in runs:
-            hold(run, force, inverse, outside, n)
-        for i, inv in enumerate(inverse):
-            from_left = force[i - 1][n] if i > 0 else 0.0
+            hold(run, force, inverse, outside, n, led)
+        from_left = 0.0
+        for i, (inv, own) in enumerate(moving):
             from_right = force[i][n] if i < count else 0.0
             a = (from_left - from_right + outside[i]) * inv
             if loaded:
                 sizes[i] = (abs(from_left) + abs(from_right) + abs(outside[i])) * inv
-            bodies[i].append(a)
+            own.append(a)
             if dragged:
                 speed[i].append(a / (n + 1))
+            from_left = from_right
         scale = 1.0 / ((n + 1) * (n + 2))
-        for k in range(count):
-            relative = bodies[k][n] - bodies[k + 1][n]
-            if branches[k].locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
+        before = bodies[0][n]
+        for k, (locked, o, own) in enumerate(gaps):
+            after = own[n]
+            relative = before - after
+            if led is not None and led[k]:
+                relative = led[k][n]
+            elif locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
                 relative = 0.0
-            over[k].append(relative * scale)
+            o.append(relative * scale)
+            before = after
     return Expansion(over, force, pull, bodies)
 
 
@@ -179,6 +189,22 @@ def is_rounding(difference: float, value: float) -> bool:
     return abs(difference) <= ALIKE * abs(value)
 
 
+def _add_links(
+    terms: list[list[Callable[[int, Poly], float]]],
+    over: list[Poly],
+    pull: list[Poly],
+    outside: list[float],
+    n: int,
+) -> None:
+    """The n-th coefficients of springs and magnets across the gaps."""
+    from_left = 0.0
+    for i, (links, o, pulls) in enumerate(zip(terms, over, pull, strict=True)):
+        pulls.append(math.fsum([term(n, o) for term in links]))
+        outside[i] += from_left - pulls[n]
+        from_left = pulls[n]
+    outside[len(over)] += from_left - 0.0
+
+
 def add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
     """The n-th coefficients of −linear v − quadratic v²."""
     for i, v in enumerate(speed):
@@ -186,53 +212,3 @@ def add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
         if row.quadratic[i]:
             drag += row.quadratic[i] * sum(map(mul, v, v[n::-1]))
         outside[i] -= drag
-
-
-def locked_runs(branches: list[Branch]) -> list[range]:
-    """Neighbouring locked gaps, grouped."""
-    runs: list[range] = []
-    for k, branch in enumerate(branches):
-        if branch.locked:
-            if runs and runs[-1].stop == k:
-                runs[-1] = range(runs[-1].start, k + 1)
-            else:
-                runs.append(range(k, k + 1))
-    return runs
-
-
-def hold_now(
-    branches: list[Branch], push: list[float], inverse: list[float], outside: list[float]
-) -> None:
-    """Fill in the forces of locked gaps among the others, at one instant."""
-    force = [[p] for p in push]
-    for run in locked_runs(branches):
-        hold(run, force, inverse, outside, 0)
-    push[:] = [p[0] for p in force]
-
-
-def hold(run: range, force: list[Poly], inverse: list[float], outside: list[float], n: int) -> None:
-    """The n-th coefficients that keep all overlaps of a locked run: Thomas's algorithm.
-
-    (1/mL + 1/mR) N_k − N_(k−1)/mL − N_(k+1)/mR = F_L/mL − F_R/mR for each k of the run, F all that
-    acts on a body besides contacts. Between two bodies that do not move nothing presses: N = 0.
-    """
-    ratio: list[float] = []
-    right_side: list[float] = []
-    for k in run:
-        known = outside[k] * inverse[k] - outside[k + 1] * inverse[k + 1]
-        if k == run.start and k > 0:
-            known += inverse[k] * force[k - 1][n]
-        if k == run.stop - 1 and k + 1 < len(force):
-            known += inverse[k + 1] * force[k + 1][n]
-        below = inverse[k] if k > run.start else 0.0
-        pivot = inverse[k] + inverse[k + 1] - below * (ratio[-1] if ratio else 0.0)
-        if pivot <= 0.0:
-            ratio.append(0.0)
-            right_side.append(0.0)
-            continue
-        ratio.append(inverse[k + 1] / pivot)
-        right_side.append((known + below * (right_side[-1] if right_side else 0.0)) / pivot)
-    later = 0.0
-    for j in range(len(run) - 1, -1, -1):
-        later = right_side[j] + (ratio[j] * later if j < len(run) - 1 else 0.0)
-        force[run[j]][n] = later

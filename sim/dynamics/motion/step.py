@@ -122,13 +122,13 @@ class Step:
             return 0.0
         return integral_value(self.contact[k], t)
 
-    def dissipated(self, k: int, t: float) -> float:
-        """J. What the contact does not give back of the work pressed in."""
+    def dissipated(self, k: int, t: float, end: float) -> float:
+        """J. What the contact does not give back of the work pressed in; `end` [m]: overlap."""
         branch, over, law = self.branches[k], self.over[k], self.gaps[k].law
         loss = 0.0
         if branch.gamma:
             loss += branch.gamma * self.rate_square(k, t)
-        return loss + (law.kept(branch, over[0], value(over, t)) if law is not None else 0.0)
+        return loss + (law.kept(branch, over[0], end) if law is not None else 0.0)
 
     def marks(self, end: float) -> list[float]:
         """Times up to `end` between which it is drawn."""
@@ -151,10 +151,9 @@ class Step:
         """m²/s. Integral of o'² dt in gap k."""
         return square_integral(slope_of(self.over[k]), t)
 
-    def deepest(self, k: int, t: float) -> float:
-        """m. Greatest overlap."""
+    def deepest(self, k: int, t: float, over: float, rate: float) -> float:
+        """m. Greatest overlap up to t; `over` and `rate` are those at t."""
         series = self.over[k]
-        over, rate = value_and_slope(series, t)
         best = max(series[0], over)
         # A step that the end of the run leaves no time has no series beyond its start.
         rising = len(series) > 1 and series[1] > 0.0

@@ -22,13 +22,18 @@ def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
 
     `bodies` and `gaps` run from left to right; walls among the bodies are left alone.
     """
-    pushes = [push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
+    pushes: list[float] = []
     group: list[int] = []
-    for i in range(len(bodies)):
+    for i, body in enumerate(bodies):
         group.append(i)
         if i < len(gaps) and branches[i].locked:
             continue
-        _judge(bodies, group, pushes)
+        if len(group) == 1 and body.v != 0.0:  # the common case, whatever pushes it
+            body.slips, body.held, body.sliding = 0, False, 1 if body.v > 0.0 else -1
+        else:
+            if not pushes:
+                pushes = [push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
+            _judge(bodies, group, pushes)
         group = []
 
 

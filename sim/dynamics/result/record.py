@@ -74,6 +74,10 @@ class Record:
         if not self.keep_motion:
             return
         side = 0.0 if body.motion is None else body.motion.side(body)
+        if len(body.carts) == 1:
+            piece = Piece(body.time, body.x, body.v, body.motion, side, body.sliding)
+            self.pieces[body.carts[0]].append(piece)
+            return
         for cart, offset in zip(body.carts, self.offsets(body), strict=True):
             self.pieces[cart].append(
                 Piece(body.time, body.x + offset, body.v, body.motion, side, body.sliding)

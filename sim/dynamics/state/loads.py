@@ -101,7 +101,11 @@ class Forces:
 
     def count(self, load: Load, links: tuple[PairForce, ...], times: int) -> None:
         """Book that the formulas of these effects were evaluated so many times."""
-        for kind in dict.fromkeys([*(f.kind for f in load.forces), *(link.kind for link in links)]):
-            self.used[kind] += times
+        if len(load.forces) == 1 and not links:
+            self.used[load.forces[0].kind] += times
+        else:
+            kinds = [*(f.kind for f in load.forces), *(link.kind for link in links)]
+            for kind in dict.fromkeys(kinds):
+                self.used[kind] += times
         if load.grips:
             self.used[FRICTION] += times

@@ -19,7 +19,7 @@ from sim.dynamics.motion.curved.series import OfRoot, RowSeries
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
 from sim.dynamics.motion.polynomial import value
-from sim.dynamics.motion.row_now import row_of
+from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.state.body import Body, Gap

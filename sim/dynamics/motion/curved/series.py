@@ -24,15 +24,14 @@ from sim.dynamics.motion.curved.force_series import (
 from sim.dynamics.motion.curved.own_time import OwnTime
 from sim.dynamics.motion.curved.step import CurvedStep
 from sim.dynamics.motion.curved_field import curved
+from sim.dynamics.motion.locked import hold, locked_runs
 from sim.dynamics.motion.polynomial import Poly, value
 from sim.dynamics.motion.series import (
     CONVERGED,
     ORDER,
     Row,
     add_drag,
-    hold,
     is_rounding,
-    locked_runs,
     root,
 )
 from sim.dynamics.state.body import Body, Gap

@@ -148,7 +148,7 @@ class CurvedStep(Step):
         """m²/s."""
         return value(self.rate_squares[k], self.own.of(t))
 
-    def dissipated(self, k: int, t: float) -> float:
+    def dissipated(self, k: int, t: float, end: float) -> float:
         """J. What a bumper keeps follows from its law."""
         gap, branch = self.gaps[k], self.branches[k]
         if curved(gap) is not None:
@@ -156,13 +156,13 @@ class CurvedStep(Step):
         loss = branch.gamma * self.rate_square(k, t) if branch.gamma else 0.0
         if gap.law is None:
             return loss
-        return loss + gap.law.kept(branch, self._over(k, 0.0), self.overlap(k, t)[0])
+        return loss + gap.law.kept(branch, self._over(k, 0.0), end)
 
-    def deepest(self, k: int, t: float) -> float:
-        """m. Greatest overlap."""
-        s, rate = self.own.of(t), self.rates[k]
-        best = max(self._over(k, 0.0), self._over(k, s))
-        if rate[0] > 0.0 and value(rate, s) < 0.0 and (turn := first_fall(rate, s)) is not None:
+    def deepest(self, k: int, t: float, over: float, rate: float) -> float:
+        """m. Greatest overlap up to t."""
+        s, rates = self.own.of(t), self.rates[k]
+        best = max(self._over(k, 0.0), over)
+        if rates[0] > 0.0 and rate < 0.0 and (turn := first_fall(rates, s)) is not None:
             best = max(best, self._over(k, turn))
         return best
 

@@ -5,6 +5,10 @@
 |q''| from t on is at most sum |a_j| |lambda_j|² e^(Re lambda_j t), so that steps that cannot jump
 over a zero (`safe_step`) are as long as what still swings allows: a stiff contact that has come to
 rest costs nothing beside a soft spring, however long the run.
+
+One that rings on without end would make them as short as its own swings. But as long as all slower
+terms together exceed its amplitude, it cannot bring q to nought by itself: any number of the
+fastest terms may be taken at their worst, −|a| e^(Re lambda t), and the steps be those of the rest.
 """
 
 from __future__ import annotations
@@ -111,12 +115,28 @@ def clear_until(q: ModalSum, horizon: float, least: float, most: int) -> float:
         if here <= 0.0:
             return 0.0
         step = safe_step(here, rate, q.bound(t, 2))
+        if step < least or step * most < horizon - t:
+            step = max(step, _beyond_swings(q, t, 0.0, 1.0))
         if step < least:
             return t
         t += step
         if t >= horizon:
             return horizon
     return t
+
+
+def _beyond_swings(q: ModalSum, t: float, level: float, sign: float) -> float:
+    """s. A time from t on in which level + sign q stays positive, whatever its fastest terms do."""
+    longest, swings = 0.0, 0.0
+    slower = sorted(q.terms, key=lambda term: abs(term[0]))
+    while slower:
+        z, a = slower.pop()
+        swings += abs(a) * math.exp(z.real * t)
+        rest = ModalSum(q.constant, tuple(slower), q.growth)
+        here, rate = rest.both(t)
+        if (least := level + sign * here - swings) > 0.0:
+            longest = max(longest, safe_step(least, sign * rate, rest.bound(t, 2)))
+    return longest
 
 
 AS_GREAT = 1e-13
@@ -134,12 +154,18 @@ def maximum(q: ModalSum, t: float, least: float, most: int) -> float:
     if end > best:
         best, when = end, t
     same = AS_GREAT * q.size
+    if t > most * least and len(q.terms) > 1:
+        near = _near_crest(q, t, least, most)
+        if (found := q.value(near)) > best + same:
+            best, when = found, near
     now = 0.0
     for _ in range(most):
         if now >= t:
             break
         here, rate = q.both(now)
         step = safe_step(max(best - here, 0.0) + same, -rate, q.bound(now, 2))
+        if step < least or step * most < t - now:
+            step = max(step, _beyond_swings(q, now, best + same, -1.0))
         if step >= least or rate <= 0.0:
             now += max(step, least)
             continue
@@ -148,6 +174,26 @@ def maximum(q: ModalSum, t: float, least: float, most: int) -> float:
         if (found := q.value(top)) > best + same:
             best, when = found, top
     return when
+
+
+SAMPLES = 16
+"""Of a swing, to find its greatest value."""
+
+
+def _near_crest(q: ModalSum, t: float, least: float, most: int) -> float:
+    """Where the fastest swing is highest beside the greatest value of all the slower ones.
+
+    Few other places can be higher: `maximum` passes over the rest of a long time at once.
+    """
+    *slower, (z, _) = sorted(q.terms, key=lambda term: abs(term[0]))
+    crest = maximum(ModalSum(q.constant, tuple(slower), q.growth), t, least, most)
+    part = 2.0 * math.pi / (SAMPLES * abs(z))
+    around = [crest + k * part for k in range(-SAMPLES, SAMPLES + 1)]
+    places = [one for one in around if 0.0 <= one <= t]
+    best = max(places, key=q.value)
+    begin = max(best - part, 0.0)
+    slope = q.slope
+    return _top(slope, begin, min(best + part, t), least) if slope.value(begin) > 0.0 else best
 
 
 def _top(slope: ModalSum, begin: float, end: float, least: float) -> float:

@@ -1,0 +1,142 @@
+"""How a row of bodies moves from now on: what is cheapest of all that is exact.
+
+at rest         one step as long as its load stays (`rest`)
+a sum of modes  where all is linear and the series has taken some steps (`modes`)
+led             where forces without linear branches lead contacts that do not swing (`led`)
+else            one step of the power series
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from sim.dynamics.motion import stick_slip
+from sim.dynamics.motion.coupled_group import CoupledGroup, group_of
+from sim.dynamics.motion.friction_shares import share
+from sim.dynamics.motion.guards import branch_of, refuse_too_near
+from sim.dynamics.motion.polynomial import integral, size
+from sim.dynamics.motion.rest import at_rest
+from sim.dynamics.motion.rows.now import row_of
+from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
+from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.step_ends import first_ends
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time
+from sim.laws.branch import Branch
+
+if TYPE_CHECKING:
+    from sim.dynamics.motion.modes.group import ModalGroup
+
+
+def coupled_group(
+    bodies: list[Body], gaps: list[Gap], now: Time, limit: float
+) -> CoupledGroup | ModalGroup:
+    """The group of these bodies, settled at `now`, for at most `limit` s."""
+    refuse_too_near(gaps, now)
+    branches = [branch_of(gap) for gap in gaps]
+    stick_slip.decide(bodies, gaps, branches)
+    row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
+    if (rest := _at_rest(bodies, gaps, branches, row, limit)) is not None:
+        return group_of(rest, [], limit, now)
+    if (swinging := _in_modes(bodies, gaps, row, now, limit)) is not None:
+        return swinging
+    step = _led(bodies, gaps, row, limit) or _converged(bodies, gaps, branches, row, limit)
+    return group_of(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
+
+
+def _at_rest(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
+) -> Step | None:
+    """The step of a row at rest; None where it is not."""
+    if not gaps or not _slow(gaps):
+        return None
+    fastest = REACH / step_length(replace(row, quadratic=[0.0] * len(bodies)))
+    return at_rest(bodies, gaps, branches, fastest, limit)
+
+
+def _in_modes(
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+) -> ModalGroup | None:
+    """A sum of modes, where the series has taken some steps and all is linear."""
+    if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
+        return None
+    if row.nonlinear or any(body.load.quadratic for body in bodies):
+        return None
+    from sim.dynamics.motion.modes.group import modal_group  # where a scene calls for it
+
+    try:
+        found = modal_group(bodies, gaps, row, now, limit)
+    except ArithmeticError:  # numbers so far apart that their products leave the range of floats
+        found = None
+    if found is None:
+        for gap in gaps:
+            gap.plain = 0
+    return found
+
+
+def _led(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | None:
+    """A longer step, where forces without linear branches lead stiff contacts that do not swing."""
+    if not row.nonlinear or not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
+        return None
+    from sim.dynamics.motion.rows.led import led_step  # where a scene calls for it
+
+    found = led_step(bodies, gaps, row, limit)
+    if found is None:
+        for gap in gaps:
+            gap.plain = STEPS_FIRST - STEPS_MORE
+    return found
+
+
+STEPS_MORE = 16
+"""Steps before it is asked again whether a swing has faded, which costs as much as several."""
+
+
+STEPS_FIRST = 4
+"""Steps without an event before a row is looked at as a sum of modes, which costs three of them."""
+
+
+def _slow(gaps: list[Gap]) -> bool:
+    """Do all overlaps change so little that it pays to ask whether the row is at rest?"""
+    if any(gap.touching is None for gap in gaps):
+        return False
+    stiff = max((gap.law.steepest / gap.mu for gap in gaps if gap.law is not None), default=0.0)
+    deepest = max(abs(gap.room) for gap in gaps)
+    swing = LOOK_CLOSER * math.sqrt(stiff) * deepest
+    return all(abs(gap.rate) <= swing for gap in gaps)
+
+
+LOOK_CLOSER = 1e-9
+"""Of the speed at which an overlap as great as the greatest would swing."""
+
+
+def _converged(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
+) -> Step:
+    """The series, and a step in which it has converged."""
+    series = _expanded(row, bodies, branches)
+    unsigned = [body for body in bodies if body.load.quadratic and not body.sliding]
+    if unsigned:  # at rest, and nothing pushes yet: the first term of its motion tells
+        for body, a in zip(bodies, series.bodies, strict=True):
+            if body in unsigned:
+                first = next((c for c in [body.v, *a] if c != 0.0), 0.0)
+                body.sliding = (first > 0.0) - (first < 0.0)
+        signed = [body.sliding * body.load.quadratic for body in bodies]
+        row = row_of(bodies, gaps, branches, signed)
+        series = _expanded(row, bodies, branches)
+    speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
+    length = min(step_length(row), limit)
+    if row.nonlinear:
+        length = converged_step(row, series, speed, length)
+    path = [integral(v) for v in speed]
+    return Step(
+        bodies, gaps, branches, length, series.over, series.force, series.pull, speed, path,
+        row.steady, row.nonlinear,
+    )  # fmt: skip
+
+
+def _expanded(row: Row, bodies: list[Body], branches: list[Branch]) -> Expansion:
+    series = expand(row)
+    share(bodies, branches, row.steady, series)
+    return series
