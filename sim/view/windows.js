@@ -3,7 +3,7 @@
 import { rowAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
-/** @typedef {{pair: string, bodies: string[], start: number, end: number, loose?: boolean, near?: boolean}} Touch `loose`: by a spring; `near`: by a force that acts across the room between them */
+/** @typedef {{pair: string, bodies: string[], start: number, end: number, loose?: boolean, near?: boolean, lasts?: boolean}} Touch `loose`: by a spring; `near`: by a force that acts across the room between them; `lasts`: the bodies never part */
 
 /**
  * Contacts that last, in order of their start. One that does not end lasts until its peak.
@@ -37,7 +37,7 @@ export function touches(events, until) {
   }
   for (const { touch } of open.values()) {
     const peak = touch.loose ? until : (peaks.get(touch.pair) ?? until);
-    found.push({ ...touch, end: peak > touch.start ? peak : until });
+    found.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
   }
   return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
 }

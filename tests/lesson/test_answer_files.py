@@ -11,8 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.lesson.answer_file import AnswerFileError, read_answer_file
+from sim.lesson.answer_file import PREDICTIONS, AnswerFileError, read_answer_file
 from sim.lesson.csv_text import csv_cell
+from sim.lesson.read import KINDS
 from tests.web.widget_site import in_node
 
 CELLS = json.loads((Path(__file__).parent / "csv_cells.json").read_text(encoding="utf-8"))
@@ -95,6 +96,17 @@ def test_the_page_refuses_the_same_files_and_reads_the_good_one() -> None:
         assert "problem" in found, what
     assert read[-1]["student"] == "BLUE-FOX-27"
     assert read[-1]["entries"][0][0] == "worksheets/kinds#why"
+
+
+@pytest.mark.parametrize("kind", sorted({*KINDS, *PREDICTIONS, "found-force", "law", "drawn"}))
+def test_whatever_a_page_keeps_can_be_read_again_by_both(kind: str) -> None:
+    found = [['["A","B"]', "mean force on A by B: −2.4 N"]]
+    text = json.dumps({**GOOD, "items": [{**ITEM, "hash": "", "type": kind, "found": found}]})
+    assert read_answer_file(text).latest()["why"].type == kind
+    script = """const { readFile } = await import(source + "/answers/file.js");
+    give(readFile(data, "tests"));"""
+    (_, entry) = in_node(script, text)["entries"][0]
+    assert (entry["type"], entry["found"]) == (kind, found)
 
 
 def test_a_byte_changed_anywhere_gives_answers_or_a_message_and_nothing_else() -> None:

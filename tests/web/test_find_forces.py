@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.web.answering import saved_file
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import MEETING, live, lock, on_scene, widget_site, write_page
 
@@ -69,6 +71,39 @@ def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_si
     page.reload()
     live(page, "hidden")
     expect(page.locator("#hidden .carts-found")).to_be_visible()
+
+
+@pytest.mark.one_browser
+def test_a_file_with_found_forces_is_read_by_the_teacher_and_brought_back(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site)
+    name = "third-light-into-heavy"
+    live(page, name)
+    page.locator(f"#{name} .carts-options input").first.check()
+    page.locator(f"#{name} .carts-certainty input").first.check()
+    page.locator(f"#{name} .carts-lock").click()
+    page.locator(f"#{name} .carts-talk-run:visible").or_(
+        page.locator(f"#{name} .carts-end:enabled")
+    ).first.click()
+    page.locator(f"#{name} .carts-end:enabled").click()
+    page.locator(f"#{name} .carts-find input").wait_for(state="attached")
+    find(page, "-2.41", name, "A, while it touches B")
+    find(page, "2.41", name, "B, while it touches A")
+    told = page.locator(f"#{name} .carts-found")
+    expect(told).to_contain_text("mean force on A by B: −2.4")  # what was found stays on the page
+    content = saved_file(page)  # read there by what Class results reads it with
+    assert "found-force" in {item["type"] for item in content["items"]}
+    page.evaluate(
+        "indexedDB.databases().then((all) => all.map((d) => indexedDB.deleteDatabase(d.name)))"
+    )
+    page.reload()
+    page.locator(".carts-bar-open").click()
+    page.locator(".carts-answers input[type=file]").set_input_files(
+        {"name": "a.json", "mimeType": "application/json", "buffer": json.dumps(content).encode()}
+    )
+    expect(page.locator(".carts-answers")).not_to_contain_text("damaged")
+    expect(told).to_be_visible()
 
 
 @pytest.mark.one_browser

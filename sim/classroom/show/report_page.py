@@ -9,12 +9,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.report import sentences as say
-from sim.classroom.report.sentences import files_read, number, signed, unmarked
+from sim.classroom.report.sentences import files_read, many, number, signed, unmarked
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import listed, table, text, who
 from sim.classroom.show.questions import TITLES, form_html
 
 Row = Mapping[str, Any]
+MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
 
 
 def report_html(report: Row) -> str:
@@ -30,6 +31,10 @@ def _count(files: Row) -> str:
     if not files["read"]:
         counted = f"No {files_read(files, one=True)} was found."
     made = f'<p class="carts-class-count">{counted}</p>'
+    if lost := len(files["refused"]) + files["refused_more"]:
+        names = ", ".join(text(row["name"]) for row in files["refused"][:MOST_LOST])
+        more = " …" if lost > MOST_LOST else ""
+        made += f'<p class="carts-class-lost">{many(lost, "file")} could not be read: {names}{more}</p>'
     if files["set_aside"]:
         made += f"<p>Set aside: {', '.join(map(who, files['set_aside']))}.</p>"
     return made

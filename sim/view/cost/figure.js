@@ -39,12 +39,12 @@ export function errorOf(row) {
   return row.error_v ?? (row.method === "exact" ? 0 : null);
 }
 
-/** @param {CostRow[]} rows @param {string} method @returns {Line} */
-export function lineOf(rows, method) {
+/** An error of nought stands where doubles end: nothing is known to be better. @param {CostRow[]} rows @param {string} method @param {number} [floor] m/s @returns {Line} */
+export function lineOf(rows, method, floor = 0) {
   /** @type {[string, string][]} */
   const points = rows
     .filter((row) => row.method === method && errorOf(row) !== null)
-    .map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
+    .map((row) => [px(xAt(row.time_ratio)), px(yAt(Math.max(floor, Number(errorOf(row)))))]);
   return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
 }
 
@@ -75,7 +75,7 @@ function power(exponent) {
 /** The figure as an SVG file, with its legend. @param {{title: string, rows: CostRow[], floor?: number, digits?: Record<string, number>}} values @returns {import("../markup.js").Markup} */
 export function standalone({ title, rows, floor, digits = {} }) {
   const lines = Object.entries(METHODS)
-    .map(([name, method]) => ({ ...method, ...lineOf(rows, name), digit: digits[name] }))
+    .map(([name, method]) => ({ ...method, ...lineOf(rows, name, floor), digit: digits[name] }))
     .filter(({ points }) => points.length);
   const height = HEIGHT + LEGEND * Math.ceil(lines.length / 2) + 8;
   const { x, y } = grid();

@@ -25,9 +25,10 @@ export function guess() {
   const methods = stepping().map(
     (name) => html`<option value=${name}>${METHODS[name]?.label}</option>`,
   );
+  const none = html`<option value="">choose</option>`;
   return html`<div class="carts-cost-guess" role="group" aria-label="your guess" hidden>
 <p>Say first how right you want it. <label>Velocities wrong by at most <select class="carts-cost-error">${errors}</select></label>
-<label>Which method gets there in the least time? <select class="carts-cost-bet">${methods}</select></label>
+<label>Which method gets there in the least time? <select class="carts-cost-bet">${none}${methods}</select></label>
 <label>How many times as long as the exact outcome? <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
 <p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">Show</button> <button type="button" class="carts-button carts-cost-skip">Show without a guess</button> <span class="carts-cost-verdict" role="status"></span></p>
 </div>`;
@@ -49,12 +50,13 @@ export function verdict(rows, { error, bet, times }) {
   if (!best) return `No method that steps was measured to be right to ${errorText(error)}.`;
   const first = `For ${errorText(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
   const own = cheapest(rows, bet, error);
-  const second =
-    bet === best.method
+  const second = !bet
+    ? ""
+    : bet === best.method
       ? "As you said."
       : own
         ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.`
         : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
   const third = Number.isFinite(times) ? ` You said ${short(times)} times.` : "";
-  return `${first} ${second}${third}`;
+  return `${first} ${second}${third}`.trim();
 }

@@ -90,7 +90,7 @@ function figure(rows, floor, digits) {
   const { x, y } = grid();
   const methods = Object.entries(METHODS);
   const series = methods.map(([name, { mark }]) => {
-    const { line, points } = lineOf(rows, name);
+    const { line, points } = lineOf(rows, name, floor);
     const marks = points.map(
       ([across, down]) =>
         html`<path class="carts-cost-point" transform="translate(${across} ${down})" d=${mark}/>`,

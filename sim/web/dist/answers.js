@@ -142,7 +142,9 @@
       this.book = book2;
       this.root = html("aside", "carts carts-bar");
       this.root.setAttribute("aria-label", tr("My answers"));
-      this.who = html("span", "carts-bar-who");
+      this.who = html("button", "carts-bar-who");
+      this.who.setAttribute("type", "button");
+      this.who.addEventListener("click", openPanel);
       this.meter = document.createElement("progress");
       this.meter.setAttribute("aria-label", tr("questions answered on this page"));
       this.count = html("span", "carts-bar-count");
@@ -765,7 +767,7 @@
         tries
       }
     );
-    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why"]) {
+    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why", "found"]) {
       const more = entry[name];
       if (more !== void 0 && more !== null && more !== "") made2[name] = more;
     }
@@ -823,7 +825,7 @@
   function clean(row) {
     if (typeof row !== "object" || row === null) return null;
     const { id, hash: hash2, type, value, first, last, tries } = row;
-    const good = typeof id === "string" && ID.test(id) && (hash2 === "" || HASH.test(String(hash2))) && typeof type === "string" && /^[a-z]{3,12}$/.test(type) && [first, last].every((time) => time === null || TIME.test(String(time))) && Number.isInteger(tries) && tries >= 0 && isPlain(value, 0);
+    const good = typeof id === "string" && ID.test(id) && (hash2 === "" || HASH.test(String(hash2))) && typeof type === "string" && /^[a-z][a-z-]{2,23}$/.test(type) && [first, last].every((time) => time === null || TIME.test(String(time))) && Number.isInteger(tries) && tries >= 0 && isPlain(value, 0);
     if (!good) return null;
     const entry = (
       /** @type {Record<string, unknown>} */
@@ -842,6 +844,7 @@
     }
     if (Number.isFinite(row.own)) entry.own = row.own;
     if (isPlain(row.set, 1) && row.set) entry.set = row.set;
+    if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
     return entry;
   }
   function isPlain(value, depth) {
@@ -1092,11 +1095,35 @@
     document.dispatchEvent(new Event(OPEN_ALL));
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var OURS = "carts";
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function forgetTab() {
+    try {
+      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
+    } catch {
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/answers/panel-leave.js
   function leavePart(book2) {
     const root = part("leave", tr("Before you leave this computer"));
     const forget = async (everybody) => {
       await book2.forget(everybody);
+      forgetTab();
       location.reload();
     };
     root.append(
@@ -1549,6 +1576,7 @@
     }
     async function become(code, carry) {
       await book2.become(code, carry);
+      if (!carry) forgetTab();
       location.reload();
     }
     return root;
@@ -2865,22 +2893,6 @@
         place2.hidden = !problem;
       }
     };
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
   }
 
   // src/teach/door.js

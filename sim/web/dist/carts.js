@@ -570,8 +570,8 @@
       this.#part("value").addEventListener("change", () => this.#tell());
       this.#part("step").addEventListener("change", () => this.#tell());
       this.#part("run").addEventListener("click", () => {
-        const { scene, method, parts: parts2 } = this.#chosen;
-        run(scene, method, parts2);
+        const { point, scene, method, parts: parts2 } = this.#chosen;
+        run({ scene, method, parts: parts2, told: found(this.breaks, this.#map, method, point) });
       });
       const picture2 = need(root, ".carts-breaks-picture");
       picture2.addEventListener("click", (event) => {
@@ -666,8 +666,8 @@
   function errorOf(row) {
     return row.error_v ?? (row.method === "exact" ? 0 : null);
   }
-  function lineOf(rows, method) {
-    const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
+  function lineOf(rows, method, floor = 0) {
+    const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Math.max(floor, Number(errorOf(row)))))]);
     return { line: points.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join(""), points };
   }
   function levelAt(floor) {
@@ -683,12 +683,13 @@
     constructor(root) {
       this.root = root;
       this.ring = need(root, ".carts-cost-ring");
+      this.floor = void 0;
     }
     /** @param {CostRow[]} rows */
     show(rows) {
       for (const group2 of this.root.querySelectorAll("[data-method]")) {
         const method = group2.getAttribute("data-method") ?? "";
-        const { line: line2, points } = lineOf(rows, method);
+        const { line: line2, points } = lineOf(rows, method, this.floor);
         const d2 = METHODS[method]?.mark ?? "";
         group2.replaceChildren(
           svg("path", { class: "carts-cost-line", d: line2 }),
@@ -700,6 +701,7 @@
     }
     /** @param {number | undefined} floor m/s @param {Record<string, number>} digits by method, as far as they are known */
     tell(floor, digits) {
+      this.floor = floor;
       put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
       say(need(this.root, ".carts-cost-floor-name"), floor ? "rounding of a double" : "");
       for (const place4 of this.root.querySelectorAll(".carts-cost-digit")) {
@@ -729,9 +731,9 @@
     if (!best) return `No method that steps was measured to be right to ${errorText(error)}.`;
     const first = `For ${errorText(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
     const own = cheapest(rows, bet, error);
-    const second = bet === best.method ? "As you said." : own ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.` : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
+    const second = !bet ? "" : bet === best.method ? "As you said." : own ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.` : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
     const third = Number.isFinite(times2) ? ` You said ${short(times2)} times.` : "";
-    return `${first} ${second}${third}`;
+    return `${first} ${second}${third}`.trim();
   }
 
   // src/cost/guess.js
@@ -771,6 +773,7 @@
   }
 
   // src/cost/measuring.js
+  var ADAPTIVE = ["rk45", "adaptive"];
   var PACKAGES = ["numpy", "scipy"];
   async function measureAll(client2, root, scene, { going, rows, tell: tell2 }) {
     const ask = async (what) => {
@@ -1006,7 +1009,6 @@
   }
 
   // src/cost/element.js
-  var ADAPTIVE = ["rk45", "adaptive"];
   function costElement(client2) {
     return class CartsCost extends HTMLElement {
       /** @type {CostFacts | null} */
@@ -1035,14 +1037,16 @@
         for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
           need(this, `.carts-cost-${part}`).disabled = false;
         }
-        this.rows = facts.measured[this.#select("scene").value]?.rows ?? [];
+        const known2 = facts.measured[this.#select("scene").value];
+        this.rows = known2?.rows ?? [];
+        this.#figure.floor = known2?.floor;
         this.#show(facts.run);
         this.#mark();
         guessFirst(this, () => this.rows);
         if (facts.breaks) {
-          new BreaksFigure(this, facts.breaks, (scene, method, parts2) => {
-            void this.compute({ scene, method, parts: parts2 });
-            this.scrollIntoView({ block: "start" });
+          new BreaksFigure(this, facts.breaks, (point) => {
+            this.scrollIntoView();
+            void this.compute(point);
           });
         }
         this.#select("scene").addEventListener("change", () => this.#newScene());
@@ -1077,7 +1081,7 @@
       }
       /**
        * Runs the chosen scene with the chosen method, or a point of the map; resolves when it is drawn.
-       * @param {{scene: object, method: string, parts: number}} [point]
+       * @param {{scene: object, method: string, parts: number, told: string}} [point]
        */
       async compute(point) {
         this.#generation += 1;
@@ -1103,7 +1107,9 @@
           if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
-          this.#note(point ? "This is the point of the map below. Choose a scene to go back." : "");
+          this.#note(
+            point ? `From the map below: ${point.told} Change anything here to go back.` : ""
+          );
           this.#show({ header: (
             /** @type {any} */
             header
@@ -1117,7 +1123,6 @@
           );
         }
       }
-      /** Measures every method in this browser, row by row. */
       measure() {
         this.complete = this.#measure();
         return this.complete;
@@ -1161,8 +1166,8 @@
       #newScene() {
         this.stop();
         const known2 = this.#facts?.measured[this.#select("scene").value];
-        this.#rows(known2?.rows ?? []);
         this.#figure?.tell(known2?.floor, known2?.digits ?? {});
+        this.#rows(known2?.rows ?? []);
         const said = known2?.measured ? `Measured ${known2.measured}.` : "Not measured yet.";
         say(need(this, ".carts-cost-say"), said);
         void this.compute();
@@ -3621,7 +3626,7 @@
     }
     for (const { touch } of open2.values()) {
       const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
-      found3.push({ ...touch, end: peak > touch.start ? peak : until });
+      found3.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
     }
     return found3.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
   }
@@ -3940,7 +3945,7 @@
     #tries = 0;
     /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
     #found = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
+    /** @param {HTMLElement} root @param {string} id of the scene @param {(said: string[]) => void} found what to do then, with the sentences on what was found */
     constructor(root, id, found3) {
       this.id = `${id}-forces`;
       this.found = found3;
@@ -3978,7 +3983,7 @@
       const store = await openStore(site);
       const kept = await store.get(`${page2}#${this.id}`).catch(() => null);
       if (kept?.type !== TYPE) return;
-      if (!Array.isArray(kept.found)) return this.found();
+      if (!Array.isArray(kept.found)) return this.found([]);
       this.#found = new Map(kept.found);
       if (this.#run) this.#tell();
     }
@@ -3989,7 +3994,7 @@
         const [cart2 = "", other2 = ""] = JSON.parse(key);
         return isWall(other2) || this.#found.has(JSON.stringify([other2, cart2]));
       });
-      if (whole) return this.found();
+      if (whole) return this.found([...this.#found.values()]);
       const [cart = "", other = ""] = JSON.parse(keys.at(-1) ?? "[]");
       const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
         other
@@ -4093,7 +4098,7 @@
       }
     }
   };
-  function showForces(element) {
+  function showForces(element, said) {
     const template = (
       /** @type {HTMLTemplateElement} */
       need(element, "template.carts-shown")
@@ -4110,6 +4115,7 @@
     note2.replaceChildren(
       html("b", "", tr("You found the forces.")),
       " ",
+      said.map((sentence) => `${sentence}. `).join(""),
       tr(
         "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time."
       )
@@ -5879,6 +5885,33 @@
     return item;
   }
 
+  // src/scene/presets.js
+  var Presets = class {
+    /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings) => void} choose */
+    constructor(root, presets, choose) {
+      this.presets = presets;
+      this.buttons = root.querySelectorAll(".carts-preset");
+      for (const button of this.buttons) {
+        button.addEventListener("click", () => choose(this.#of(button)));
+      }
+    }
+    /** @param {HTMLElement} button @returns {Settings} */
+    #of(button) {
+      return this.presets[button.dataset.preset ?? ""] ?? {};
+    }
+    /** @param {Settings} settings those of the run on screen @param {import("../../../view/types.js").Header} header */
+    show(settings, header) {
+      for (const button of this.buttons) {
+        const values = Object.entries(this.#of(button));
+        const asked3 = values.every(([target, value]) => settings[target] === value);
+        const same = values.every(
+          ([target, value]) => valueIn(header, target) === Number.parseFloat(String(value))
+        );
+        put(button, "aria-pressed", String(values.length > 0 && (asked3 || same)));
+      }
+    }
+  };
+
   // src/scene/projector.js
   var MOST_HANDS = 999;
   var listening = /* @__PURE__ */ new WeakSet();
@@ -6758,13 +6791,8 @@ ${lines4.join("\n")}
   function wireInside(element, baked, view, client2, acts) {
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
-    for (const button of element.querySelectorAll(".carts-preset")) {
-      const name2 = (
-        /** @type {HTMLElement} */
-        button.dataset.preset ?? ""
-      );
-      button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
-    }
+    const presets = new Presets(element, baked.fence.presets, acts.preset);
+    presets.show({}, baked.run.header);
     const { scene, controls, switches } = baked.fence;
     const sliders = new Controls(element, controls, acts, switches);
     view.draggable({
@@ -6816,7 +6844,11 @@ ${lines4.join("\n")}
       ladder.follow(run);
       return how.follow(run);
     };
-    return { controls: sliders, find, how, follow };
+    const show = (settings, header) => {
+      sliders.show(settings, header);
+      presets.show(settings, header);
+    };
+    return { controls: sliders, show, find, how, follow };
   }
   function askFirst(element, baked, view, { locked, forgotten }) {
     const ask = element.querySelector(".carts-predict");
@@ -7186,12 +7218,16 @@ ${lines4.join("\n")}
   var Announcer = class {
     /** @param {HTMLElement} root */
     constructor(root) {
+      this.world = need(root, ".carts-world");
       this.region = need(root, ".carts-announcer");
     }
-    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+    /** After a lock its button is gone: the next thing to do is there, and the run begins in sight. @param {HTMLElement} next @param {string} sentence */
     leadTo(next, sentence) {
       const focused = document.activeElement;
-      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+      if (!focused || focused === document.body || focused.matches(".carts-lock")) {
+        next.focus({ preventScroll: true });
+      }
+      this.world.scrollIntoView({ block: "nearest" });
       this.tell([sentence]);
     }
     /** @param {string[]} sentences */
@@ -7642,6 +7678,9 @@ ${lines4.join("\n")}
       });
       const pushed = touch.loose && t3 >= touch.start && t3 <= touch.end;
       const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
+      const wall = [left, right].find(({ name: name2 }) => isWall(name2));
+      const was = wall && overlap > 0 ? `M${px(at3(wall.face))} 14V${TRACK}` : "";
+      put(need(this.root, '[data-part="was"]'), "d", was);
       const wire = coil(at3(left.face), at3(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
       const pair = listed(touch.bodies.map(body));
@@ -7672,7 +7711,8 @@ ${lines4.join("\n")}
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge3, end2] = [at3(side.edge), at3(face)];
+      const end2 = at3(face);
+      const edge3 = index < 0 ? end2 : at3(side.edge);
       const rect = need(group2, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH5 : edge3));
       const bent = need(group2, '[data-part="spring"]');
@@ -7983,7 +8023,9 @@ ${lines4.join("\n")}
     }
     /** @param {import("../../../../view/types.js").Run} run */
     show({ header }) {
-      this.windows = touches(header.events, header.until);
+      this.windows = touches(header.events, header.until).map(
+        (touch) => touch.lasts ? { ...touch, end: header.until } : touch
+      );
     }
     /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
     at(run, plane, t3, signed) {
@@ -10072,7 +10114,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
             view.player.seek(0);
             this.#runs.preset(changes2);
           },
-          found: () => void this.#showForces(),
+          found: (said) => void this.#showForces(said),
           settings: () => this.#values.good,
           stops: (target) => this.#runs.stops(target),
           told: () => this.#free,
@@ -10107,10 +10149,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         need(this, ".carts-predict :is(input, textarea):enabled").focus();
       }
       /** A force was found: now they are all shown, at the same values and the same instant. */
-      async #showForces() {
+      async #showForces(said) {
         const [t3, values] = [this.time, { ...this.#values.good }];
         this.#view?.player.pause();
-        showForces(this);
+        showForces(this, said);
         if (this.#asBaked) this.#asBaked = this.innerHTML;
         this.#adopt();
         await this.#restored;
@@ -10160,7 +10202,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
         const shown3 = this.#inside?.follow(run);
-        this.#inside?.controls.show(this.#values.good, run.header);
+        this.#inside?.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
         offerUndo(this, this.#told && this.#values.canUndo);
         return shown3;

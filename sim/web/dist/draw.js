@@ -10399,8 +10399,8 @@
   function errorOf(row2) {
     return row2.error_v ?? (row2.method === "exact" ? 0 : null);
   }
-  function lineOf(rows, method) {
-    const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(Number(errorOf(row2))))]);
+  function lineOf(rows, method, floor = 0) {
+    const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(Math.max(floor, Number(errorOf(row2)))))]);
     return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
   }
   function levelAt(floor) {
@@ -10420,7 +10420,7 @@
     return `10${superscript(exponent2)}`;
   }
   function standalone({ title, rows, floor, digits = {} }) {
-    const lines3 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name), digit: digits[name] })).filter(({ points }) => points.length);
+    const lines3 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name, floor), digit: digits[name] })).filter(({ points }) => points.length);
     const height = HEIGHT + LEGEND * Math.ceil(lines3.length / 2) + 8;
     const { x, y } = grid();
     const series = lines3.map(({ line, points, mark, colour, label, digit }, k) => {
@@ -10532,9 +10532,10 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
     const methods = stepping().map(
       (name) => html`<option value=${name}>${METHODS[name]?.label}</option>`
     );
+    const none = html`<option value="">choose</option>`;
     return html`<div class="carts-cost-guess" role="group" aria-label="your guess" hidden>
 <p>Say first how right you want it. <label>Velocities wrong by at most <select class="carts-cost-error">${errors}</select></label>
-<label>Which method gets there in the least time? <select class="carts-cost-bet">${methods}</select></label>
+<label>Which method gets there in the least time? <select class="carts-cost-bet">${none}${methods}</select></label>
 <label>How many times as long as the exact outcome? <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
 <p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">Show</button> <button type="button" class="carts-button carts-cost-skip">Show without a guess</button> <span class="carts-cost-verdict" role="status"></span></p>
 </div>`;
@@ -10647,7 +10648,7 @@ ${breaks && breaksPart(breaks)}
     const { x, y } = grid();
     const methods = Object.entries(METHODS);
     const series = methods.map(([name, { mark }]) => {
-      const { line, points } = lineOf(rows, name);
+      const { line, points } = lineOf(rows, name, floor);
       const marks3 = points.map(
         ([across3, down]) => html`<path class="carts-cost-point" transform="translate(${across3} ${down})" d=${mark}/>`
       );
@@ -12076,7 +12077,7 @@ ${lines3}</tbody></table></div>
     );
     return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-lens-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -12880,7 +12881,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     for (const { touch } of open.values()) {
       const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
-      found.push({ ...touch, end: peak > touch.start ? peak : until });
+      found.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
     }
     return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
   }
@@ -13670,6 +13671,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
       const pushed = touch.loose && t >= touch.start && t <= touch.end;
       const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
+      const wall = [left, right].find(({ name }) => isWall(name));
+      const was = wall && overlap > 0 ? `M${px(at(wall.face))} 14V${TRACK}` : "";
+      put(need(this.root, '[data-part="was"]'), "d", was);
       const wire = coil(at(left.face), at(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
       const pair = listed(touch.bodies.map(body));
@@ -13700,7 +13704,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side2.name) ?? -1;
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge3, end2] = [at(side2.edge), at(face)];
+      const end2 = at(face);
+      const edge3 = index2 < 0 ? end2 : at(side2.edge);
       const rect = need(group, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH7 : edge3));
       const bent = need(group, '[data-part="spring"]');
@@ -13872,7 +13877,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** @param {import("../../../../view/types.js").Run} run */
     show({ header }) {
-      this.windows = touches(header.events, header.until);
+      this.windows = touches(header.events, header.until).map(
+        (touch) => touch.lasts ? { ...touch, end: header.until } : touch
+      );
     }
     /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
     at(run, plane, t, signed) {

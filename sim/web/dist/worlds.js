@@ -1068,7 +1068,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     for (const { touch } of open2.values()) {
       const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
-      found2.push({ ...touch, end: peak > touch.start ? peak : until });
+      found2.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
     }
     return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
   }

@@ -28,7 +28,9 @@ export class Bar {
     this.book = book;
     this.root = html("aside", "carts carts-bar");
     this.root.setAttribute("aria-label", tr("My answers"));
-    this.who = html("span", "carts-bar-who");
+    this.who = html("button", "carts-bar-who");
+    this.who.setAttribute("type", "button");
+    this.who.addEventListener("click", openPanel);
     this.meter = document.createElement("progress");
     this.meter.setAttribute("aria-label", tr("questions answered on this page"));
     this.count = html("span", "carts-bar-count");

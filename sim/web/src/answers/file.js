@@ -85,7 +85,7 @@ function item(entry) {
     last,
     tries,
   });
-  for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why"]) {
+  for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why", "found"]) {
     const more = entry[name];
     if (more !== undefined && more !== null && more !== "") made[name] = more;
   }
@@ -162,7 +162,7 @@ function clean(row) {
     ID.test(id) &&
     (hash === "" || HASH.test(String(hash))) &&
     typeof type === "string" &&
-    /^[a-z]{3,12}$/.test(type) &&
+    /^[a-z][a-z-]{2,23}$/.test(type) &&
     [first, last].every((time) => time === null || TIME.test(String(time))) &&
     Number.isInteger(tries) &&
     tries >= 0 &&
@@ -182,6 +182,7 @@ function clean(row) {
   }
   if (Number.isFinite(row.own)) entry.own = row.own;
   if (isPlain(row.set, 1) && row.set) entry.set = row.set;
+  if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
   return entry;
 }
 

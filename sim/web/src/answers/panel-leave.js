@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { anyWaits, openAll } from "../question/gate.js";
 import { html } from "../shared/dom.js";
+import { forgetTab } from "../shared/tab.js";
 import { askingButton, part } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
@@ -10,6 +11,7 @@ export function leavePart(book) {
   const root = part("leave", tr("Before you leave this computer"));
   const forget = async (/** @type {boolean} */ everybody) => {
     await book.forget(everybody);
+    forgetTab();
     location.reload();
   };
   root.append(

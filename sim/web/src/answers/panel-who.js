@@ -2,6 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
+import { forgetTab } from "../shared/tab.js";
 import { readCode } from "./codes.js";
 import { button, codeBox, part, status } from "./parts.js";
 
@@ -54,6 +55,7 @@ export function whoPart(book) {
   /** @param {string} code @param {boolean} carry */
   async function become(code, carry) {
     await book.become(code, carry);
+    if (!carry) forgetTab();
     location.reload();
   }
   return root;

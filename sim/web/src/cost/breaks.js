@@ -16,7 +16,7 @@ import { px } from "../../../view/numbers.js";
 import { html, need, put, say, svg } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/cost/breaks.js").Breaks} Breaks */
-/** @typedef {(scene: object, method: string, parts: number) => void} Run */
+/** @typedef {(point: {scene: object, method: string, parts: number, told: string}) => void} Run */
 
 const PARTS = ["method", "map", "value", "step", "run"];
 
@@ -31,8 +31,8 @@ export class BreaksFigure {
     this.#part("value").addEventListener("change", () => this.#tell());
     this.#part("step").addEventListener("change", () => this.#tell());
     this.#part("run").addEventListener("click", () => {
-      const { scene, method, parts } = this.#chosen;
-      run(scene, method, parts);
+      const { point, scene, method, parts } = this.#chosen;
+      run({ scene, method, parts, told: found(this.breaks, this.#map, method, point) });
     });
     const picture = need(root, ".carts-breaks-picture");
     picture.addEventListener("click", (event) => {

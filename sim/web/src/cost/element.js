@@ -8,7 +8,7 @@ import { refusal } from "../shared/waiting.js";
 import { BreaksFigure } from "./breaks.js";
 import { CostFigure } from "./figure.js";
 import { guessFirst } from "./guess.js";
-import { measureAll, PACKAGES } from "./measuring.js";
+import { ADAPTIVE, measureAll, PACKAGES } from "./measuring.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
 import { showWorking } from "./working.js";
@@ -20,8 +20,6 @@ import { showWorking } from "./working.js";
  * @typedef {{rows: CostRow[], floor?: number, digits?: Record<string, number>, measured?: string}} Measured
  * @typedef {{breaks?: import("../../../view/cost/breaks.js").Breaks, scenes: Record<string, object>, measured: Record<string, Measured>, run: CostRun}} CostFacts
  */
-
-const ADAPTIVE = ["rk45", "adaptive"]; // they have a tolerance in place of a step
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function costElement(client) {
@@ -54,14 +52,16 @@ export function costElement(client) {
       for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
         /** @type {HTMLInputElement} */ (need(this, `.carts-cost-${part}`)).disabled = false;
       }
-      this.rows = facts.measured[this.#select("scene").value]?.rows ?? [];
+      const known = facts.measured[this.#select("scene").value];
+      this.rows = known?.rows ?? [];
+      this.#figure.floor = known?.floor;
       this.#show(facts.run);
       this.#mark();
       guessFirst(this, () => this.rows);
       if (facts.breaks) {
-        new BreaksFigure(this, facts.breaks, (scene, method, parts) => {
-          void this.compute({ scene, method, parts });
-          this.scrollIntoView({ block: "start" });
+        new BreaksFigure(this, facts.breaks, (point) => {
+          this.scrollIntoView();
+          void this.compute(point);
         });
       }
       this.#select("scene").addEventListener("change", () => this.#newScene());
@@ -94,7 +94,7 @@ export function costElement(client) {
 
     /**
      * Runs the chosen scene with the chosen method, or a point of the map; resolves when it is drawn.
-     * @param {{scene: object, method: string, parts: number}} [point]
+     * @param {{scene: object, method: string, parts: number, told: string}} [point]
      */
     async compute(point) {
       this.#generation += 1;
@@ -122,7 +122,9 @@ export function costElement(client) {
         if (generation !== this.#generation) return;
         if (!header.ok) throw refusal(header.problems ?? []);
         this.#live();
-        this.#note(point ? "This is the point of the map below. Choose a scene to go back." : "");
+        this.#note(
+          point ? `From the map below: ${point.told} Change anything here to go back.` : "",
+        );
         this.#show({ header: /** @type {any} */ (header), numbers });
         if (!point) this.#mark();
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
@@ -131,7 +133,6 @@ export function costElement(client) {
       }
     }
 
-    /** Measures every method in this browser, row by row. */
     measure() {
       this.complete = this.#measure();
       return this.complete;
@@ -175,8 +176,8 @@ export function costElement(client) {
     #newScene() {
       this.stop();
       const known = this.#facts?.measured[this.#select("scene").value];
-      this.#rows(known?.rows ?? []);
       this.#figure?.tell(known?.floor, known?.digits ?? {});
+      this.#rows(known?.rows ?? []);
       const said = known?.measured ? `Measured ${known.measured}.` : "Not measured yet.";
       say(need(this, ".carts-cost-say"), said);
       void this.compute();

@@ -12,13 +12,15 @@ export class CostFigure {
   constructor(root) {
     this.root = root;
     this.ring = need(root, ".carts-cost-ring");
+    /** @type {number | undefined} m/s, half a step of a double */
+    this.floor = undefined;
   }
 
   /** @param {CostRow[]} rows */
   show(rows) {
     for (const group of this.root.querySelectorAll("[data-method]")) {
       const method = group.getAttribute("data-method") ?? "";
-      const { line, points } = lineOf(rows, method);
+      const { line, points } = lineOf(rows, method, this.floor);
       const d = METHODS[method]?.mark ?? "";
       group.replaceChildren(
         svg("path", { class: "carts-cost-line", d: line }),
@@ -31,6 +33,7 @@ export class CostFigure {
 
   /** @param {number | undefined} floor m/s @param {Record<string, number>} digits by method, as far as they are known */
   tell(floor, digits) {
+    this.floor = floor;
     put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
     say(need(this.root, ".carts-cost-floor-name"), floor ? "rounding of a double" : "");
     for (const place of this.root.querySelectorAll(".carts-cost-digit")) {

@@ -9,6 +9,7 @@ import { refusal } from "../shared/waiting.js";
  *   tell: (floor: number, digits: Record<string, number>) => void}} Watching
  */
 
+export const ADAPTIVE = ["rk45", "adaptive"]; // they have a tolerance in place of a step
 export const PACKAGES = ["numpy", "scipy"]; // for the methods that choose their steps
 
 /**

@@ -29,7 +29,7 @@ export class FindForces {
   /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
   #found = new Map();
 
-  /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
+  /** @param {HTMLElement} root @param {string} id of the scene @param {(said: string[]) => void} found what to do then, with the sentences on what was found */
   constructor(root, id, found) {
     this.id = `${id}-forces`;
     this.found = found;
@@ -66,7 +66,7 @@ export class FindForces {
     const store = await openStore(site);
     const kept = await store.get(`${page}#${this.id}`).catch(() => null);
     if (kept?.type !== TYPE) return;
-    if (!Array.isArray(kept.found)) return this.found(); // kept when one force was enough
+    if (!Array.isArray(kept.found)) return this.found([]); // kept when one force was enough
     this.#found = new Map(kept.found);
     if (this.#run) this.#tell();
   }
@@ -78,7 +78,7 @@ export class FindForces {
       const [cart = "", other = ""] = JSON.parse(key);
       return isWall(other) || this.#found.has(JSON.stringify([other, cart]));
     });
-    if (whole) return this.found();
+    if (whole) return this.found([...this.#found.values()]);
     const [cart = "", other = ""] = JSON.parse(keys.at(-1) ?? "[]");
     const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
       other,
@@ -171,8 +171,8 @@ export class FindForces {
   }
 }
 
-/** The inside that shows the forces takes the place of the one that hides them. @param {HTMLElement} element */
-export function showForces(element) {
+/** The inside that shows the forces takes the place of the one that hides them. @param {HTMLElement} element @param {string[]} said what the reader found */
+export function showForces(element, said) {
   const template = /** @type {HTMLTemplateElement} */ (need(element, "template.carts-shown"));
   const script = need(element, "script.carts-baked");
   const baked = JSON.parse(script.textContent ?? "");
@@ -186,6 +186,7 @@ export function showForces(element) {
   note.replaceChildren(
     html("b", "", tr("You found the forces.")),
     " ",
+    said.map((sentence) => `${sentence}. `).join(""),
     tr(
       "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time.",
     ),

@@ -7,13 +7,17 @@ const MOST = 3; // sentences at once; more would never be heard to the end
 export class Announcer {
   /** @param {HTMLElement} root */
   constructor(root) {
+    this.world = need(root, ".carts-world");
     this.region = need(root, ".carts-announcer");
   }
 
-  /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+  /** After a lock its button is gone: the next thing to do is there, and the run begins in sight. @param {HTMLElement} next @param {string} sentence */
   leadTo(next, sentence) {
     const focused = document.activeElement;
-    if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+    if (!focused || focused === document.body || focused.matches(".carts-lock")) {
+      next.focus({ preventScroll: true });
+    }
+    this.world.scrollIntoView({ block: "nearest" });
     this.tell([sentence]);
   }
 

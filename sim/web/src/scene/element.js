@@ -81,7 +81,7 @@ export function sceneElement(client, folder) {
           view.player.seek(0);
           this.#runs.preset(changes);
         },
-        found: () => void this.#showForces(),
+        found: (said) => void this.#showForces(said),
         settings: () => this.#values.good,
         stops: (target) => this.#runs.stops(target),
         told: () => this.#free,
@@ -119,10 +119,10 @@ export function sceneElement(client, folder) {
     }
 
     /** A force was found: now they are all shown, at the same values and the same instant. */
-    async #showForces() {
+    async #showForces(/** @type {string[]} */ said) {
       const [t, values] = [this.time, { ...this.#values.good }];
       this.#view?.player.pause();
-      showForces(this);
+      showForces(this, said);
       if (this.#asBaked) this.#asBaked = this.innerHTML;
       this.#adopt();
       await this.#restored;
@@ -181,7 +181,7 @@ export function sceneElement(client, folder) {
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
       const shown = this.#inside?.follow(run);
-      this.#inside?.controls.show(this.#values.good, run.header);
+      this.#inside?.show(this.#values.good, run.header);
       this.#inside?.find?.show(run);
       words.offerUndo(this, this.#told && this.#values.canUndo);
       return shown;

@@ -9,13 +9,14 @@ import { refusal } from "../shared/waiting.js";
 import { Controls, valueIn } from "./controls.js";
 import { How } from "./how/how.js";
 import { Ladder } from "./ladder.js";
+import { Presets } from "./presets.js";
 import { offerProjector } from "./projector.js";
 import { TakeAlong } from "./take-along/take-along.js";
 
 /** @typedef {import("./values.js").Settings} Settings */
 /**
  * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings) => void,
- *   found: () => void, settings: () => Settings, told: () => boolean, change: import("./controls.js").Change,
+ *   found: (said: string[]) => void, settings: () => Settings, told: () => boolean, change: import("./controls.js").Change,
  *   stops: import("./controls.js").Stops}} Acts
  *   `told`: no prediction is waited for
  */
@@ -28,10 +29,8 @@ import { TakeAlong } from "./take-along/take-along.js";
 export function wireInside(element, baked, view, client, acts) {
   element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
   element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
-  for (const button of element.querySelectorAll(".carts-preset")) {
-    const name = /** @type {HTMLElement} */ (button).dataset.preset ?? "";
-    button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
-  }
+  const presets = new Presets(element, baked.fence.presets, acts.preset);
+  presets.show({}, baked.run.header);
   const { scene, controls, switches } = baked.fence;
   const sliders = new Controls(element, controls, acts, switches);
   view.draggable({
@@ -78,7 +77,12 @@ export function wireInside(element, baked, view, client, acts) {
     ladder.follow(run);
     return how.follow(run);
   };
-  return { controls: sliders, find, how, follow };
+  /** @param {import("./values.js").Settings} settings @param {import("../../../view/types.js").Header} header */
+  const show = (settings, header) => {
+    sliders.show(settings, header);
+    presets.show(settings, header);
+  };
+  return { controls: sliders, show, find, how, follow };
 }
 
 /**

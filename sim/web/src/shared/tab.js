@@ -7,6 +7,7 @@
 
 /** @type {Where} */
 const TAB = () => sessionStorage;
+const OURS = "carts";
 /** @type {Where} */
 export const BROWSER = () => localStorage;
 
@@ -16,6 +17,15 @@ export function recall(key, where = TAB) {
     return JSON.parse(where().getItem(key) ?? "null");
   } catch {
     return null;
+  }
+}
+
+/** Somebody else works in this tab from now on: what the one before has watched and tried is gone. */
+export function forgetTab() {
+  try {
+    for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
+  } catch {
+    // as above
   }
 }
 

@@ -4,7 +4,7 @@
  * that comes next, else at the last.
  */
 
-import { body, listed } from "../../../../view/bodies.js";
+import { body, isWall, listed } from "../../../../view/bodies.js";
 import { contactForce } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, px, short } from "../../../../view/numbers.js";
@@ -92,6 +92,9 @@ export class Lens {
     });
     const pushed = touch.loose && t >= touch.start && t <= touch.end;
     const at = (/** @type {number} */ x) => WIDTH / 2 + (x - middle) * this.#perMetre;
+    const wall = [left, right].find(({ name }) => isWall(name));
+    const was = wall && overlap > 0 ? `M${px(at(wall.face))} 14V${TRACK}` : "";
+    put(need(this.root, '[data-part="was"]'), "d", was); // where its surface is when nothing pushes it
     const wire = coil(at(left.face), at(right.face), TRACK - 14, undefined, 6);
     put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
     const pair = listed(touch.bodies.map(body));
@@ -127,7 +130,8 @@ export class Lens {
     const index = this.#run?.header.bodies.findIndex(({ name }) => name === side.name) ?? -1;
     put(group, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
     const way = k === 0 ? 1 : -1;
-    const [edge, end] = [at(side.edge), at(face)];
+    const end = at(face);
+    const edge = index < 0 ? end : at(side.edge); // a wall gives way where it is touched
     const rect = need(group, '[data-part="body"]');
     put(rect, "x", px(k === 0 ? edge - 2 * WIDTH : edge));
     const bent = need(group, '[data-part="spring"]');

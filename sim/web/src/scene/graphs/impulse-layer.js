@@ -23,7 +23,10 @@ export class ImpulseLayer {
 
   /** @param {import("../../../../view/types.js").Run} run */
   show({ header }) {
-    this.windows = touches(header.events, header.until);
+    // Carts that never part push each other to the end, far beyond the greatest force of their hit.
+    this.windows = touches(header.events, header.until).map((touch) =>
+      touch.lasts ? { ...touch, end: header.until } : touch,
+    );
   }
 
   /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
