@@ -19,6 +19,9 @@ __all__ = ["widget_site"]  # a fixture
 HIDDEN = {**MEETING, "id": "hidden", "forces": "hidden", "show": ["v"]}
 ASKING = {**HIDDEN, "id": "asking", "predict": {"choice": ["It stops", "It turns back"]}}
 
+FORGET = """indexedDB.databases()
+  .then((all) => all.map(({ name }) => indexedDB.deleteDatabase(name)))"""
+
 MEAN_ON_B = """const { header } = await (async () => {
     const script = JSON.parse(el.querySelector("script.carts-baked").textContent);
     return { header: script };
