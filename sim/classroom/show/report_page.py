@@ -34,7 +34,8 @@ def _count(files: Row) -> str:
     if lost := len(files["refused"]) + files["refused_more"]:
         names = ", ".join(text(row["name"]) for row in files["refused"][:MOST_LOST])
         more = " …" if lost > MOST_LOST else ""
-        made += f'<p class="carts-class-lost">{many(lost, "file")} could not be read: {names}{more}</p>'
+        unread = f"{many(lost, 'file')} could not be read: {names}{more}"
+        made += f'<p class="carts-class-lost">{unread}</p>'
     if files["set_aside"]:
         made += f"<p>Set aside: {', '.join(map(who, files['set_aside']))}.</p>"
     return made
