@@ -219,6 +219,9 @@ def test_typed_codes_stand_beside_files() -> None:
     assert [row["total"] for row in rows] == [9, 9]
     assert [row["open"] for row in rows] == [["item-8"], ["item-8"]]
     assert len(refused) == 2
+    # What is lost stands with the numbers, not further down.
+    first = report_html(report).partition("</p><")[2]
+    assert first.startswith('p class="carts-class-lost">2 files could not be read: ')
 
 
 def test_a_code_that_fits_two_forms_asks_which() -> None:
