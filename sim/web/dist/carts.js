@@ -8928,7 +8928,8 @@ ${lines4.join("\n")}
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y2, way * length));
         });
         const touching = this.#windows.some(
-          (w2) => w2.pair === push.pair && !w2.loose && !w2.near && t3 >= w2.start && t3 <= w2.end
+          ({ pair, loose, near, start, end: end2, lasts }) => pair === push.pair && !(loose || near) && t3 >= start && (t3 <= end2 || Boolean(lasts && size > 0))
+          // carts that never part go on pushing
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {

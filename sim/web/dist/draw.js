@@ -14724,7 +14724,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side2]), y, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push2.pair && !w.loose && !w.near && t >= w.start && t <= w.end
+          ({ pair, loose, near: near2, start, end: end2, lasts }) => pair === push2.pair && !(loose || near2) && t >= start && (t <= end2 || Boolean(lasts && size > 0))
+          // carts that never part go on pushing
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {

@@ -1392,7 +1392,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends3[side]), y, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push.pair && !w.loose && !w.near && t >= w.start && t <= w.end
+          ({ pair, loose, near, start, end: end2, lasts }) => pair === push.pair && !(loose || near) && t >= start && (t <= end2 || Boolean(lasts && size > 0))
+          // carts that never part go on pushing
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {

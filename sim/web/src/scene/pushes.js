@@ -81,7 +81,11 @@ export class Pushes {
         put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
       });
       const touching = this.#windows.some(
-        (w) => w.pair === push.pair && !w.loose && !w.near && t >= w.start && t <= w.end,
+        ({ pair, loose, near, start, end, lasts }) =>
+          pair === push.pair &&
+          !(loose || near) &&
+          t >= start &&
+          (t <= end || Boolean(lasts && size > 0)), // carts that never part go on pushing
       );
       const link = touching ? "" : linkOf(run.header, push.pair);
       if (touching || (link && size > 0)) {
