@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
@@ -39,3 +40,15 @@ def test_a_core_sheet_leaves_out_what_is_optional_and_what_a_run_shows(printed: 
         expect(printed.locator(kept).locator("visible=true").first).to_be_visible()
     expect(printed.locator(".carts-model").first).to_be_hidden()
     assert printed.locator(".carts-q-waits").locator("visible=true").count() == 0
+
+
+OUTLINE = "() => JSON.parse(document.getElementById('carts-lesson').textContent).items"
+
+
+def test_what_is_optional_is_not_counted_as_missing(printed: Page) -> None:
+    text = (ROOT / "worksheets" / "newtons-third-law.md").read_text(encoding="utf-8")
+    core = text.partition("The lesson is whole without what follows.")[0]
+    ids = set(re.findall(r"^id: ([\w-]+)$", core, re.MULTILINE))
+    asked = [one for one in printed.evaluate(OUTLINE) if one["id"] in ids]
+    assert 0 < len(asked) < len(printed.evaluate(OUTLINE))
+    expect(printed.locator(".carts-bar-count")).to_have_text(f"0 of {len(asked)}")

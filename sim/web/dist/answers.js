@@ -463,6 +463,19 @@
     };
   }
 
+  // src/answers/optional.js
+  var OPTIONAL = "carts-optional";
+  function markOptional() {
+    let optional = false;
+    for (const one of document.querySelector(".md-content__inner")?.children ?? []) {
+      if (/^H[12]$/.test(one.tagName)) optional = one.classList.contains("more");
+      one.classList.toggle(OPTIONAL, optional);
+    }
+  }
+  function isOptional(id) {
+    return Boolean(document.getElementById(id)?.closest(`.${OPTIONAL}`));
+  }
+
   // src/answers/book.js
   var Book = class extends EventTarget {
     student = "";
@@ -566,8 +579,9 @@
     }
     /** How much of this page is answered. @returns {{done: number, of: number}} */
     progress() {
+      markOptional();
       const items2 = (outline()?.items ?? []).filter(
-        (item2) => item2.form === "worksheet" && item2.level !== "stretch" && item2.type !== "drawn"
+        ({ id, form, level, type }) => form === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id)
       );
       const done = items2.filter((item2) => {
         const entry = this.get(item2.form, item2.id);
@@ -1462,7 +1476,6 @@
   }
 
   // src/answers/print.js
-  var OPTIONAL = "carts-optional";
   function print(empty) {
     const { classList } = document.documentElement;
     classList.toggle("carts-print-empty", empty);
@@ -1470,13 +1483,6 @@
     for (const dialog of document.querySelectorAll("dialog")) dialog.close();
     markOptional();
     window.print();
-  }
-  function markOptional() {
-    let optional = false;
-    for (const one of document.querySelector(".md-content__inner")?.children ?? []) {
-      if (/^H[12]$/.test(one.tagName)) optional = one.classList.contains("more");
-      one.classList.toggle(OPTIONAL, optional);
-    }
   }
 
   // src/answers/panel-list.js

@@ -9,6 +9,7 @@ import {
   writeStudent,
 } from "../shared/storage.js";
 import { isEmpty, keepEarlier, merged } from "./entry.js";
+import { isOptional, markOptional } from "./optional.js";
 import { isCurrent, outline } from "./outline.js";
 
 /** @typedef {import("./entry.js").Entry} Entry */
@@ -128,8 +129,10 @@ export class Book extends EventTarget {
 
   /** How much of this page is answered. @returns {{done: number, of: number}} */
   progress() {
+    markOptional();
     const items = (outline()?.items ?? []).filter(
-      (item) => item.form === "worksheet" && item.level !== "stretch" && item.type !== "drawn",
+      ({ id, form, level, type }) =>
+        form === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id),
     );
     const done = items.filter((item) => {
       const entry = this.get(item.form, item.id);

@@ -1,6 +1,6 @@
 /** The page on paper: with the answers, or empty, to be filled in by hand. */
 
-const OPTIONAL = "carts-optional";
+import { markOptional } from "./optional.js";
 
 /** @param {boolean} empty without the answers, and without what the lesson marks as for who has time */
 export function print(empty) {
@@ -10,13 +10,4 @@ export function print(empty) {
   for (const dialog of document.querySelectorAll("dialog")) dialog.close();
   markOptional();
   window.print();
-}
-
-/** Marks what stands below a heading of an optional part, up to the next heading of its kind. */
-function markOptional() {
-  let optional = false;
-  for (const one of document.querySelector(".md-content__inner")?.children ?? []) {
-    if (/^H[12]$/.test(one.tagName)) optional = one.classList.contains("more");
-    one.classList.toggle(OPTIONAL, optional);
-  }
 }
