@@ -70,6 +70,7 @@ export class Bar {
     this.meter.value = done;
     say(this.count, of ? tr("{part} of {all}", { part: done, all: of }) : "");
     say(this.who, this.book.student || (outline() ? tr("no code word yet") : ""));
+    this.who.hidden = !this.who.textContent;
     const code = this.book.student;
     say(this.onPaper, tr("Code word: {code}", { code: code || "____________________" }));
     const warning = this.#warning();
