@@ -17,6 +17,7 @@ import { METHODS } from "./methods.js";
 
 export const [WIDTH, HEIGHT] = [520, 372];
 export const [LEFT, TOP, RIGHT, BOTTOM] = [62, 10, 510, 322];
+export const TICKS_Y = BOTTOM + 16; // of the numbers across
 const MADE = "energy was made";
 const DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8];
 const UNITS = /** @type {Record<string, string>} */ ({ stiffness: "N/m", mass: "kg" });
@@ -138,17 +139,24 @@ export function breaksPart(breaks) {
 <svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="right digits of the velocities for each step and each value; the lists below reach every point">
 <g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind, d]) => html`<path class="carts-breaks-${kind}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
-${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text]) => html`<text class="carts-tick-x" x=${px(x)} y=${BOTTOM + 16}>${text}</text>`)}</g>
+${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text]) => html`<text class="carts-tick-x" x=${px(x)} y=${TICKS_Y}>${text}</text>`)}</g>
 <text class="carts-unit carts-breaks-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">${unitText(first)}</text>
 <text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">step in s</text>
 <rect class="carts-breaks-ring" visibility="hidden"/>
 </svg>
-<ul class="carts-cost-key">${DIGITS.map((k) => html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${k}" d="M0 0H16V16H0Z"/></svg> ${k}${k === 8 && " right digits"}</li>`)}<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-x" d="M0 0H16V16H0Z"/></svg> ${MADE}</li><li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-contact" d="M0 8H16"/></svg> a step as long as the contact</li><li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-limit" d="M0 8H16"/></svg> limit of stability</li></ul>
+<ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? "8 right digits" : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, "a step as long as the contact")}${sample("limit", DASH, "limit of stability")}</ul>
 <div class="carts-cost-choice"><label>value <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
 <label>steps in 1 s <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>Run it above</button></div>
 <p class="carts-breaks-found" role="status"></p>
 <pre class="carts-breaks-command" hidden></pre>
 </div>`;
+}
+
+const [SQUARE, DASH] = ["M0 0H16V16H0Z", "M0 8H16"];
+
+/** An entry of the key. @param {string} kind of point or line @param {string} d @param {string} text */
+function sample(kind, d, text) {
+  return html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${kind}" d=${d}/></svg> ${text}</li>`;
 }
 
 /** @param {BreaksMap} map */

@@ -580,7 +580,6 @@
     }
     /** How much of this page is answered. @returns {{done: number, of: number}} */
     progress() {
-      markOptional();
       const items2 = (outline()?.items ?? []).filter(
         ({ id, form, level, type }) => form === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id)
       );
@@ -592,6 +591,7 @@
       return { done: done.length, of: items2.length };
     }
     async #open() {
+      markOptional();
       this.all = await openAll(this.site);
       this.student = await readStudent(this.all);
       this.store = forStudent(this.all, this.student);

@@ -481,6 +481,7 @@
 
   // ../view/cost/breaks.js
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 10, 510, 322];
+  var TICKS_Y = BOTTOM + 16;
   var MADE = "energy was made";
   var UNITS = (
     /** @type {Record<string, string>} */
@@ -621,9 +622,8 @@
       put(need(this.root, ".carts-breaks-picture > .carts-breaks-contact"), "d", contact);
       put(need(this.root, ".carts-breaks-picture > .carts-breaks-limit"), "d", limit);
       if (values) {
-        const y2 = this.root.querySelector(".carts-breaks-unit")?.getAttribute("y");
         const texts = ticks(map).map(([x2, text]) => {
-          const made3 = svg("text", { class: "carts-tick-x", x: px(x2), y: Number(y2) - 20 });
+          const made3 = svg("text", { class: "carts-tick-x", x: px(x2), y: TICKS_Y });
           made3.textContent = text;
           return made3;
         });

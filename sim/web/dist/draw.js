@@ -10441,6 +10441,7 @@
   // ../view/cost/breaks.js
   var [WIDTH2, HEIGHT2] = [520, 372];
   var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [62, 10, 510, 322];
+  var TICKS_Y = BOTTOM2 + 16;
   var MADE = "energy was made";
   var DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8];
   var UNITS = (
@@ -10504,17 +10505,21 @@
 <svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} role="img" aria-label="right digits of the velocities for each step and each value; the lists below reach every point">
 <g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind, d]) => html`<path class="carts-breaks-${kind}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
-${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<text class="carts-tick-x" x=${px(x)} y=${BOTTOM2 + 16}>${text3}</text>`)}</g>
+${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<text class="carts-tick-x" x=${px(x)} y=${TICKS_Y}>${text3}</text>`)}</g>
 <text class="carts-unit carts-breaks-unit" x=${RIGHT2} y=${BOTTOM2 + 36} text-anchor="end">${unitText(first)}</text>
 <text class="carts-unit" transform="translate(14 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">step in s</text>
 <rect class="carts-breaks-ring" visibility="hidden"/>
 </svg>
-<ul class="carts-cost-key">${DIGITS.map((k) => html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${k}" d="M0 0H16V16H0Z"/></svg> ${k}${k === 8 && " right digits"}</li>`)}<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-x" d="M0 0H16V16H0Z"/></svg> ${MADE}</li><li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-contact" d="M0 8H16"/></svg> a step as long as the contact</li><li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-limit" d="M0 8H16"/></svg> limit of stability</li></ul>
+<ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? "8 right digits" : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, "a step as long as the contact")}${sample("limit", DASH, "limit of stability")}</ul>
 <div class="carts-cost-choice"><label>value <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
 <label>steps in 1 s <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>Run it above</button></div>
 <p class="carts-breaks-found" role="status"></p>
 <pre class="carts-breaks-command" hidden></pre>
 </div>`;
+  }
+  var [SQUARE, DASH] = ["M0 0H16V16H0Z", "M0 8H16"];
+  function sample(kind, d, text3) {
+    return html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${kind}" d=${d}/></svg> ${text3}</li>`;
   }
   function unitText(map) {
     const unit = UNITS[map.path.at(-1) ?? ""];
@@ -13944,11 +13949,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function entry({ style, over: over2, label }) {
     const made = html2("span", `carts-${style}`);
     const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
-    const sample = svg("svg", size);
+    const sample2 = svg("svg", size);
     const line = { class: `carts-curve carts-${style}${over2 ? " carts-over" : ""}`, d: "M0 5H26" };
     const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
-    sample.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
-    made.append(sample, label);
+    sample2.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
+    made.append(sample2, label);
     return made;
   }
 

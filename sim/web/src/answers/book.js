@@ -129,7 +129,6 @@ export class Book extends EventTarget {
 
   /** How much of this page is answered. @returns {{done: number, of: number}} */
   progress() {
-    markOptional();
     const items = (outline()?.items ?? []).filter(
       ({ id, form, level, type }) =>
         form === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id),
@@ -143,6 +142,7 @@ export class Book extends EventTarget {
   }
 
   async #open() {
+    markOptional(); // once: what is done is counted with every answer
     this.all = await openAll(this.site);
     this.student = await readStudent(this.all);
     this.store = forStudent(this.all, this.student);

@@ -7,6 +7,7 @@ import {
   ring,
   sceneOf,
   squares,
+  TICKS_Y,
   theory,
   ticks,
   unitText,
@@ -77,9 +78,8 @@ export class BreaksFigure {
     put(need(this.root, ".carts-breaks-picture > .carts-breaks-contact"), "d", contact);
     put(need(this.root, ".carts-breaks-picture > .carts-breaks-limit"), "d", limit);
     if (values) {
-      const y = this.root.querySelector(".carts-breaks-unit")?.getAttribute("y");
       const texts = ticks(map).map(([x, text]) => {
-        const made = svg("text", { class: "carts-tick-x", x: px(x), y: Number(y) - 20 });
+        const made = svg("text", { class: "carts-tick-x", x: px(x), y: TICKS_Y });
         made.textContent = text;
         return made;
       });
