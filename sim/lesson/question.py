@@ -130,6 +130,11 @@ class Question(ABC):
         return {"texts": self.texts(), **self.asked()}
 
     @property
+    def free(self) -> bool:
+        """Whether the answer is the student's own words, which a person reads."""
+        return False
+
+    @property
     def id(self) -> str:
         """The question's id, as it is written by the author."""
         return self.common.id

@@ -53,6 +53,13 @@ export function linkedPairs({ effects }) {
   return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
 }
 
+/** @param {Header} header @returns {string[][]} pairs that push each other across the room between them */
+export function pairsApart({ effects }) {
+  return effects.flatMap(({ kind, active, between }) =>
+    active && between && viewOf(kind).apart ? [between] : [],
+  );
+}
+
 /** @param {Header} header @param {string} pair @returns {string} what acts between the two now, as a label names it; "" where nothing does */
 export function linkOf({ effects }, pair) {
   const link = effects.find(

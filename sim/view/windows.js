@@ -1,5 +1,6 @@
 /** When bodies touch, or push each other by a spring that is let go. */
 
+import { pairsApart } from "./effects.js";
 import { rowAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
@@ -47,6 +48,7 @@ function begunWith(before, one) {
   return Object.entries(one?.before ?? {}).every(([name, v]) => before[name] === v);
 }
 
+const ROUNDED = 1 + 1e-9; // times a force; two rows of one instant differ by less
 const FELT = 0.1; // of the greatest force; less is not what one wants to see slowly
 
 /**
@@ -70,7 +72,27 @@ export function windowsOf({ header, trajectory }) {
     const window = { start: Number(t[first]), end: Number(t[last]) };
     found.push({ pair, bodies: event.bodies, ...window, near: true });
   }
+  for (const bodies of pairsApart(header)) {
+    const pair = bodies.join("-");
+    const end = letGo(t, F[pair] ?? []);
+    const within = found.some((touch) => touch.pair === pair && touch.start <= 0);
+    if (end && !within) found.push({ pair, bodies, start: 0, end, near: true });
+  }
   return found.sort((a, b) => a.start - b.start);
+}
+
+/**
+ * Until when carts that were let go beside each other are felt; 0 where their push does not fade.
+ * @param {ArrayLike<number>} t in s @param {ArrayLike<number>} force in N, at those times
+ */
+function letGo(t, force) {
+  const first = Number(force[0]);
+  for (let row = 1; row < force.length; row += 1) {
+    const now = Number(force[row]);
+    if (now > first * ROUNDED) return 0; // they come nearer: that has its peak
+    if (now < FELT * first) return Number(t[row]);
+  }
+  return 0;
 }
 
 /** @param {Touch[]} windows @param {number} t in s @returns {Touch | undefined} the touch that began last, up to t */

@@ -1,7 +1,7 @@
 /** Sentences for readers: what happens, and what is in the model. */
 
 import { body, isWall, listed } from "./bodies.js";
-import { viewOf } from "./effects.js";
+import { pairsApart } from "./effects.js";
 import { tr } from "./language.js";
 import { figures, fixed, NOISE, speedUnit } from "./numbers.js";
 
@@ -35,11 +35,9 @@ export function motion(velocity, decimals, scale) {
 }
 
 /** @param {Header} header @returns {Laws} */
-export function lawsOf({ contacts, effects }) {
-  const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-  for (const { active, kind, between } of effects) {
-    if (active && between && viewOf(kind).apart) laws[between.join("-")] = APART;
-  }
+export function lawsOf(header) {
+  const laws = Object.fromEntries(header.contacts.map(({ pair, law }) => [pair, law]));
+  for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
   return laws;
 }
 

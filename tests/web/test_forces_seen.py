@@ -61,6 +61,21 @@ def test_magnets_are_watched_while_they_push_most() -> None:
     assert 0.9 < window["start"] < 1.189 < window["end"] < 1.5
 
 
+def test_magnets_that_are_let_go_are_watched_from_the_start_until_they_are_hardly_felt() -> None:
+    """From rest at d0 the push strength/d³ is a tenth at d0 ∛10: when is that, by small steps?"""
+    strength, apart, m = 3e-3, 0.1, 0.5 * 1.5 / 2.0
+    d, v, t, dt = apart, 0.0, 0.0, 1e-5
+    while d < apart * 10 ** (1 / 3):
+        v += dt * strength / d**3 / m
+        d, t = d + dt * v, t + dt
+    carts = {"A": {"mass": 0.5, "position": 1.05, "length": 0.3},
+             "B": {"mass": 1.5, "position": 1.45, "length": 0.3}}  # fmt: skip
+    effects = [{"magnets": {"between": ["A", "B"], "strength": strength}}]
+    (window,) = windows({**MEET, "carts": carts, "effects": effects, "until": 1.4})
+    assert (window["near"], window["start"]) == (True, 0)
+    assert t <= window["end"] < 1.15 * t  # the next row of the table
+
+
 @pytest.mark.parametrize("predict", [None, {"choice": ["It stops", "It turns back"]}])
 @pytest.mark.parametrize(
     ("plain", "peak"), [(MEET, 1.6794), (SPRING, 2.191)], ids=["magnets", "spring"]

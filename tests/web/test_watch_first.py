@@ -19,6 +19,15 @@ __all__ = ["widget_site"]  # a fixture
 WATCHED = {**MEETING, "id": "watched", "watch": "first"}
 ASKED = {**CHOICE, "id": "asked"}
 KNOWN = {**CHOICE, "id": "known", "watch": "free"}
+PRESETS = {
+    **CHOICE,
+    "id": "presets",
+    "presets": {
+        "as it is": {"A.mass": "0.5 kg"},
+        "elastic": {"contact.restitution": 1},
+        "heavy": {"A.mass": "4 kg"},
+    },
+}
 
 SEEN = """const copy = el.cloneNode(true);
     for (const script of copy.querySelectorAll("script, template")) script.remove();
@@ -145,3 +154,33 @@ def test_a_changed_run_is_watched_anew_until_one_was_seen_to_its_end(watched: Pa
     watched.locator("#watched .carts-end").click()
     on_scene(watched, 'el.time = 0; await el.set({ "A.mass": 3 })', name="watched")
     assert told(watched)["events"] != 0
+
+
+@pytest.mark.one_browser
+def test_of_ready_made_settings_each_is_watched_before_all_of_them_are_known(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(put(widget_site, "presets", PRESETS)), "presets")
+    scene, left = page.locator("#presets"), page.locator("#presets .carts-presets-left")
+    scene.locator("input[type=radio]").first.check()
+    scene.locator(".carts-lock").click()
+    scene.locator(".carts-end").click()
+    expect(left).to_have_text("Still to watch: elastic, heavy")
+    expect(scene.locator(".carts-slider").first).to_be_enabled()
+    scene.locator("[data-preset=elastic]").click()
+    expect(scene.locator(".carts-transport")).to_have_class(re.compile("carts-is-playing"))
+    assert told(page, "presets")["events"] == 0
+    scene.locator(".carts-end").click()
+    expect(left).to_have_text("Still to watch: heavy")
+    expect(scene.locator(".carts-compared")).to_be_hidden()
+    assert scene.get_attribute("data-watched") is None
+    scene.locator("[data-preset=elastic]").click()  # seen before: it stands there whole
+    expect(scene.locator(".carts-clock")).to_have_text(re.compile(r"^0\.000?$"))
+    assert told(page, "presets")["events"] != 0
+    scene.locator("[data-preset=heavy]").click()
+    scene.locator(".carts-end").click()
+    expect(left).to_have_text("All watched.")
+    assert scene.get_attribute("data-watched") == ""
+    expect(scene.locator(".carts-compared")).to_be_visible()
+    scene.locator(".carts-end").click()  # it leads to the comparison now
+    expect(scene.locator(".carts-compared")).to_be_focused()

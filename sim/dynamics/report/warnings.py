@@ -47,9 +47,9 @@ class Remark:
 def warnings(run: Run) -> tuple[Remark, ...]:
     """Bumpers squeezed beyond their length, deepest first.
 
-    Between two carts there are two bumpers, at a wall there is one. In every linear law the
-    greatest overlap grows with u / sqrt(k), in hertz with (u²/k)^(2/5): from that come the
-    stiffness or speed that would do.
+    Between two carts there are two bumpers, at a wall there is one, or the wall itself gives
+    way. In every linear law the greatest overlap grows with u / sqrt(k), in hertz with
+    (u²/k)^(2/5): from that come the stiffness or speed that would do.
     """
     found = []
     scene = run.scene
@@ -57,8 +57,8 @@ def warnings(run: Run) -> tuple[Remark, ...]:
         names = scene.names_at(gap)
         bumpers = [cart.bumper_length for cart in scene.carts if cart.name in names]
         room = sum(bumpers)
-        if deepest <= room:
-            continue
+        if deepest <= room or (len(bumpers) == 1 and room == 0.0):
+            continue  # at a wall, a cart without a bumper asks the wall to give way
         one, other = (said("the wall") if name in ("left", "right") else name for name in names)
         squeezed, advised = ALONE if len(bumpers) == 1 else BOTH
         told = {"one": one, "other": other, "depth": f"{100 * deepest:.3g} cm"}

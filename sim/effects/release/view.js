@@ -20,7 +20,7 @@ const ABOVE = 28; // units above the track
 /** @type {EffectView} */
 export default {
   name: tr("a release between the carts"),
-  leftOut: tr("exploders"),
+  leftOut: tr("springs that are let go"),
   link: tr("spring"),
   lasts: ({ numbers }) => numbers.stiffness !== undefined, // else an impulse: no force to be drawn
   stored: tr("in the squeezed spring"),

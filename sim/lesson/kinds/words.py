@@ -60,6 +60,11 @@ class Long(Question):
         )
 
     @property
+    def free(self) -> bool:
+        """A person has to read it."""
+        return True
+
+    @property
     def worth(self) -> int:
         """The most marks that the rubric gives."""
         return max(self.rubric, default=self.common.marks)
@@ -119,6 +124,11 @@ class Short(Long):
             accept=accept,
             wrong=_wrong(table, path, problems),
         )
+
+    @property
+    def free(self) -> bool:
+        """Without accepted texts a person has to read it."""
+        return not self.accept
 
     def key(self) -> dict[str, Any]:
         """Plain forms of what is right and of what is known to be wrong."""

@@ -20,6 +20,7 @@ from sim.pages.templates import script_json, templates
 LINES = {"short": 1, "long": 5, "number": 1, "reading": 1}
 LEVELS = {"core": "", "support": mark("a bit of help"), "stretch": mark("for more")}
 FORM_NAMES = {"pre": mark("Before"), "post": mark("After"), "delayed": mark("Some time later")}
+UNMARKED = ("confidence", "drawn", "idea")  # kinds that nothing is said to
 SURE = {"guess": mark("a guess"), "think": mark("I think so"), "sure": mark("I am sure")}
 
 
@@ -56,7 +57,10 @@ def render_question(
         "lines": LINES.get(question.KIND, 0),
         "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
         "feedback": _feedback(question) if key else {},
-        "checks": key and question.KIND not in ("confidence", "drawn", "idea"),
+        "checks": key
+        and question.KIND not in UNMARKED
+        and not (question.free and not common.explain),  # nothing to compare with
+        "free": question.free,
         "certainty": [(word, tr(SURE[word])) for word in CERTAINTY],
         "sure": common.sure and question.KIND != "confidence",
     }

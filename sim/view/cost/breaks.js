@@ -1,6 +1,6 @@
 /**
  * Where methods break: one square for each run, the number of the scene across, the step upwards.
- * The stronger the blue, the more right digits.
+ * The darker, the more right digits.
  */
 
 import { html } from "../markup.js";

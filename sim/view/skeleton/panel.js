@@ -14,15 +14,20 @@ import { decimalsOf, fixed, speedUnit } from "../numbers.js";
 
 /** @param {Baked} baked */
 export function panel(baked) {
-  const { controls, switches, presets } = baked.fence;
+  const { fence } = baked;
+  const { controls, switches, presets } = fence;
   const names = Object.keys(presets);
   const buttons = names.map(
     (name) =>
       html`<button type="button" class="carts-button carts-preset" data-preset=${name} disabled>${name}</button>`,
   );
+  const all = fence.watch === "first" && names.length > 1;
+  const left =
+    all &&
+    html` <span class="carts-presets-left" role="status">${tr("Watch each of them once.")}</span>`;
   const back = controls.length || switches.length || names.length;
   return html`<div class="carts-side">
-${names.length > 0 && html`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}</p>`}
+${names.length > 0 && html`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}${left}</p>`}
 <div class="carts-panel">
 ${cartCards(baked)}
 ${otherCards(baked)}

@@ -60,8 +60,8 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
-</div>
 ${asksForForces(baked) && find()}
+</div>
 ${found && html`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
@@ -79,7 +79,7 @@ function find() {
   const [before, after] = tr(
     "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”.",
   ).split("{formula}");
-  return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+  return html`<details class="carts-more carts-find" open><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
 }
 
 /** The start of every cart as a sentence. @param {Baked} baked */

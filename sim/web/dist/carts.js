@@ -1933,7 +1933,7 @@
   var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
-    leftOut: tr("exploders"),
+    leftOut: tr("springs that are let go"),
     link: tr("spring"),
     lasts: ({ numbers }) => numbers.stiffness !== void 0,
     // else an impulse: no force to be drawn
@@ -2044,6 +2044,11 @@
   function isLink(effect) {
     const { link, lasts } = viewOf(effect.kind);
     return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
+  }
+  function pairsApart({ effects }) {
+    return effects.flatMap(
+      ({ kind, active, between: between2 }) => active && between2 && viewOf(kind).apart ? [between2] : []
+    );
   }
   function linkOf({ effects }, pair) {
     const link = effects.find(
@@ -3633,6 +3638,7 @@
   function begunWith(before, one) {
     return Object.entries(one?.before ?? {}).every(([name2, v2]) => before[name2] === v2);
   }
+  var ROUNDED = 1 + 1e-9;
   var FELT = 0.1;
   function windowsOf({ header, trajectory }) {
     const found3 = touches(header.events, header.until);
@@ -3651,7 +3657,22 @@
       const window = { start: Number(t3[first]), end: Number(t3[last]) };
       found3.push({ pair, bodies: event.bodies, ...window, near: true });
     }
+    for (const bodies of pairsApart(header)) {
+      const pair = bodies.join("-");
+      const end2 = letGo(t3, F2[pair] ?? []);
+      const within = found3.some((touch) => touch.pair === pair && touch.start <= 0);
+      if (end2 && !within) found3.push({ pair, bodies, start: 0, end: end2, near: true });
+    }
     return found3.sort((a2, b2) => a2.start - b2.start);
+  }
+  function letGo(t3, force2) {
+    const first = Number(force2[0]);
+    for (let row = 1; row < force2.length; row += 1) {
+      const now = Number(force2[row]);
+      if (now > first * ROUNDED) return 0;
+      if (now < FELT * first) return Number(t3[row]);
+    }
+    return 0;
   }
   function latestTouch(windows, t3) {
     return windows.findLast((touch) => touch.start <= t3);
@@ -5887,13 +5908,29 @@
 
   // src/scene/presets.js
   var Presets = class {
-    /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings) => void} choose */
+    /** @type {Set<string>} those whose run was seen to its end */
+    #seen = /* @__PURE__ */ new Set();
+    /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings, name: string) => void} choose */
     constructor(root, presets, choose) {
       this.presets = presets;
       this.buttons = root.querySelectorAll(".carts-preset");
+      this.line = root.querySelector(".carts-presets-left");
       for (const button of this.buttons) {
-        button.addEventListener("click", () => choose(this.#of(button)));
+        button.addEventListener("click", () => {
+          choose(this.#of(button), button.dataset.preset ?? "");
+        });
       }
+    }
+    get names() {
+      return Object.keys(this.presets);
+    }
+    /** @returns {string[]} those whose values the run on the page has */
+    get pressed() {
+      return [...this.buttons].filter((button) => button.getAttribute("aria-pressed") === "true").map((button) => button.dataset.preset ?? "");
+    }
+    /** @returns {string[]} those that were not watched yet */
+    get left() {
+      return this.names.filter((name2) => !this.#seen.has(name2));
     }
     /** @param {HTMLElement} button @returns {Settings} */
     #of(button) {
@@ -5909,6 +5946,17 @@
         );
         put(button, "aria-pressed", String(values.length > 0 && (asked3 || same)));
       }
+    }
+    /** @param {string[]} names whose runs were seen to their end */
+    seen(names) {
+      for (const name2 of names) this.#seen.add(name2);
+      if (!this.line) return;
+      for (const button of this.buttons) {
+        button.toggleAttribute("data-seen", this.#seen.has(button.dataset.preset ?? ""));
+      }
+      if (!this.#seen.size) return;
+      const left = this.left.join(", ");
+      say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
     }
   };
 
@@ -6196,11 +6244,9 @@
     const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
     return velocity3 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
-  function lawsOf({ contacts, effects }) {
-    const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-    for (const { active, kind, between: between2 } of effects) {
-      if (active && between2 && viewOf(kind).apart) laws[between2.join("-")] = APART;
-    }
+  function lawsOf(header) {
+    const laws = Object.fromEntries(header.contacts.map(({ pair, law }) => [pair, law]));
+    for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
     return laws;
   }
   function isRest(velocity3, scale) {
@@ -6848,7 +6894,7 @@ ${lines4.join("\n")}
       sliders.show(settings, header);
       presets.show(settings, header);
     };
-    return { controls: sliders, show, find, how, follow };
+    return { controls: sliders, presets, show, find, how, follow };
   }
   function askFirst(element, baked, view, { locked, forgotten }) {
     const ask = element.querySelector(".carts-predict");
@@ -7128,10 +7174,16 @@ ${lines4.join("\n")}
       this.values.undo();
       this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
     }
-    /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
+    /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
     preset(changes2) {
       this.values.replace(changes2);
-      this.compute(changes2, performance.now()).catch((error) => this.acts.say(error.message));
+      return this.compute(changes2, performance.now()).then(
+        () => true,
+        (error) => {
+          this.acts.say(error.message);
+          return false;
+        }
+      );
     }
     /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
     async ask(changes2 = {}) {
@@ -10003,51 +10055,107 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var WATCHED = "carts-watched";
   var Watch = class {
     over = false;
+    // a run was seen to its end: values may be changed
+    whole = false;
+    // and so was that of each ready-made setting
     /**
      * @param {HTMLElement} element of the scene @param {import("../../../../view/types.js").Baked} baked
-     * @param {import("./player.js").Player} player @param {() => void} ended once, when all was seen
+     * @param {import("./player.js").Player} player @param {import("../presets.js").Presets} presets
+     * @param {{first: () => void, all: () => void}} acts what to do once, when a run was seen and when all was
      */
-    constructor(element, baked, player, ended2) {
+    constructor(element, baked, player, presets, acts) {
       this.element = element;
       this.player = player;
-      this.ended = ended2;
+      this.presets = presets;
+      this.acts = acts;
       this.first = baked.fence.watch === "first";
       this.asked = baked.fence.predict !== null;
       this.button = /** @type {HTMLButtonElement | null} */
       element.querySelector(".carts-end");
       this.button?.addEventListener("click", () => {
+        if (this.whole) return compared(element).focus();
         player.pause();
         player.show(player.until);
       });
       if (this.first) player.seen = 0;
       player.ended = () => this.finish();
-      if (!this.asked && remembered().includes(this.#name)) this.#open();
+      const before = this.first ? remembered() : [];
+      presets.seen(presets.names.filter((name2) => !this.first || before.includes(this.#of(name2))));
+      if (!this.asked && before.includes(this.#name)) this.#end();
     }
-    /** All of the run is there from now on. */
-    finish() {
-      if (this.over) return;
-      this.#open();
-      this.player.seek(this.player.time);
-      this.ended();
-    }
-    #open() {
+    /** The run on the page was seen. @param {boolean} all as if those of all ready-made settings were too */
+    finish(all = false) {
+      const begun2 = this.over;
+      const here = all ? this.presets.names : this.presets.pressed;
       this.over = true;
       this.player.seen = Infinity;
-      if (this.button) this.button.style.visibility = "hidden";
-      if (!this.asked) remember(this.#name);
+      if (!this.whole) {
+        this.presets.seen(here);
+        remember(here.map((name2) => this.#of(name2)));
+        this.#offer(false);
+      }
+      const done = !this.whole && this.presets.left.length === 0;
+      if (done) this.#end();
+      if (!begun2 || done) this.player.seek(this.player.time);
+      if (!begun2) this.acts.first();
+      if (done) {
+        this.acts.all();
+        this.#lead();
+      }
+    }
+    /** A ready-made setting was pressed: if its run was never watched, it plays by itself now. @param {string} name @param {() => Promise<boolean>} draw resolves to whether its run is on the page */
+    preset(name2, draw) {
+      const { player } = this;
+      const waits = this.first && this.presets.left.includes(name2);
+      const before = player.seen;
+      player.pause();
+      if (waits) player.seen = 0;
+      player.seek(0);
+      void draw().then((drawn2) => {
+        if (!waits) return;
+        if (!drawn2) {
+          player.seen = before;
+          return player.seek(0);
+        }
+        this.#offer(true);
+        player.play();
+      });
+    }
+    #end() {
+      this.over = true;
+      this.whole = true;
+      this.player.seen = Infinity;
+      this.presets.seen(this.presets.names);
+      this.#offer(false);
+      if (!this.asked) remember([this.#name]);
       this.element.dataset.watched = "";
       this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
+    }
+    /** What was predicted stands below what one plays with: the button leads there. */
+    #lead() {
+      if (!this.button || !this.asked || compared(this.element).hidden) return;
+      say(this.button, tr("My prediction ↓"));
+      this.#offer(true);
+    }
+    /** The button keeps its place where it is not needed: nothing moves. @param {boolean} on */
+    #offer(on) {
+      if (this.button) this.button.style.visibility = on ? "" : "hidden";
     }
     get #name() {
       return `${location.pathname}#${this.element.id}`;
     }
+    /** @param {string} preset */
+    #of(preset) {
+      return `${this.#name}/${preset}`;
+    }
   };
+  var compared = (element) => need(element, ".carts-compared");
   var KEY2 = "carts-watched";
   function remembered() {
     return recall(KEY2) ?? [];
   }
-  function remember(name2) {
-    retain(KEY2, [.../* @__PURE__ */ new Set([...remembered(), name2])]);
+  function remember(names) {
+    if (names.length) retain(KEY2, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
   }
 
   // src/scene/element.js
@@ -10110,11 +10218,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const inside = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#runs.undo(),
-          preset: (changes2) => {
-            view.player.pause();
-            view.player.seek(0);
-            this.#runs.preset(changes2);
-          },
+          preset: (changes2, name2) => this.#watch?.preset(name2, () => this.#runs.preset(changes2)),
           found: (said) => void this.#showForces(said),
           settings: () => this.#values.good,
           stops: (target) => this.#runs.stops(target),
@@ -10126,7 +10230,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           locked: (now) => void this.#reveal(now),
           forgotten: () => void this.#startAgain()
         });
-        this.#watch = new Watch(this, baked, view.player, () => this.#watched());
+        this.#watch = new Watch(this, baked, view.player, inside.presets, {
+          first: () => this.#told && inside.controls.enable(true),
+          all: () => this.#watched()
+        });
         if (!this.#predict) this.#lesson = baked.run;
         if (this.#lesson) inside.find?.show(baked.run);
         void inside.find?.restore();
@@ -10222,7 +10329,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** All of a run that may be told, at once: for a whole class. */
       complete() {
-        if (this.#told) this.#watch?.finish();
+        if (this.#told) this.#watch?.finish(true);
       }
       /** The run without a prediction, for a whole class: nothing is kept. */
       async reveal() {
@@ -10240,7 +10347,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           this.#draw(run);
           this.#view?.enable(true);
           if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
-          if (!own || this.#predict?.watched) this.#watch?.finish();
+          if (!own || this.#predict?.watched) this.#watch?.finish(true);
           else if (this.#watch?.first) this.#view?.player.play();
           else this.#watched();
         } catch (error) {
@@ -10251,7 +10358,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           this.#predict?.complain(`${message} ${PREDICTION_KEPT}`);
         }
       }
-      /** The run was seen: now it stands beside the prediction, and values may be changed. */
+      /** All was seen: now it stands beside the prediction. */
       #watched() {
         if (!this.#predict || !this.#lesson) return;
         this.#inside?.controls.enable(true);

@@ -11688,7 +11688,7 @@ ${table3(facts)}
   var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
-    leftOut: tr("exploders"),
+    leftOut: tr("springs that are let go"),
     link: tr("spring"),
     lasts: ({ numbers }) => numbers.stiffness !== void 0,
     // else an impulse: no force to be drawn
@@ -11803,6 +11803,11 @@ ${table3(facts)}
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
   }
+  function pairsApart({ effects }) {
+    return effects.flatMap(
+      ({ kind, active, between: between2 }) => active && between2 && viewOf(kind).apart ? [between2] : []
+    );
+  }
   function linkOf({ effects }, pair) {
     const link = effects.find(
       (effect) => effect.active && isLink(effect) && effect.between?.join("-") === pair
@@ -11835,11 +11840,9 @@ ${table3(facts)}
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
     return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
-  function lawsOf({ contacts, effects }) {
-    const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-    for (const { active, kind, between: between2 } of effects) {
-      if (active && between2 && viewOf(kind).apart) laws[between2.join("-")] = APART;
-    }
+  function lawsOf(header) {
+    const laws = Object.fromEntries(header.contacts.map(({ pair, law }) => [pair, law]));
+    for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
     return laws;
   }
   function isRest(velocity2, scale) {
@@ -12271,14 +12274,17 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 
   // ../view/skeleton/panel.js
   function panel(baked) {
-    const { controls, switches, presets } = baked.fence;
+    const { fence } = baked;
+    const { controls, switches, presets } = fence;
     const names = Object.keys(presets);
     const buttons = names.map(
       (name) => html`<button type="button" class="carts-button carts-preset" data-preset=${name} disabled>${name}</button>`
     );
+    const all = fence.watch === "first" && names.length > 1;
+    const left = all && html` <span class="carts-presets-left" role="status">${tr("Watch each of them once.")}</span>`;
     const back = controls.length || switches.length || names.length;
     return html`<div class="carts-side">
-${names.length > 0 && html`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}</p>`}
+${names.length > 0 && html`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}${left}</p>`}
 <div class="carts-panel">
 ${cartCards(baked)}
 ${otherCards(baked)}
@@ -12426,7 +12432,7 @@ ${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
-<div class="carts-compared" hidden></div>
+<div class="carts-compared" tabindex="-1" hidden></div>
 <label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off"></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
 <p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
@@ -12824,8 +12830,8 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
-</div>
 ${asksForForces(baked) && find2()}
+</div>
 ${found && html`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
@@ -12839,7 +12845,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const [before2, after2] = tr(
       "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”."
     ).split("{formula}");
-    return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before2}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after2}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+    return html`<details class="carts-more carts-find" open><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before2}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after2}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
@@ -12893,6 +12899,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function begunWith(before2, one) {
     return Object.entries(one?.before ?? {}).every(([name, v]) => before2[name] === v);
   }
+  var ROUNDED = 1 + 1e-9;
   var FELT = 0.1;
   function windowsOf({ header, trajectory }) {
     const found = touches(header.events, header.until);
@@ -12911,7 +12918,22 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const window2 = { start: Number(t[first]), end: Number(t[last]) };
       found.push({ pair, bodies: event.bodies, ...window2, near: true });
     }
+    for (const bodies of pairsApart(header)) {
+      const pair = bodies.join("-");
+      const end2 = letGo(t, F[pair] ?? []);
+      const within = found.some((touch) => touch.pair === pair && touch.start <= 0);
+      if (end2 && !within) found.push({ pair, bodies, start: 0, end: end2, near: true });
+    }
     return found.sort((a, b) => a.start - b.start);
+  }
+  function letGo(t, force) {
+    const first = Number(force[0]);
+    for (let row2 = 1; row2 < force.length; row2 += 1) {
+      const now = Number(force[row2]);
+      if (now > first * ROUNDED) return 0;
+      if (now < FELT * first) return Number(t[row2]);
+    }
+    return 0;
   }
   function latestTouch(windows, t) {
     return windows.findLast((touch) => touch.start <= t);

@@ -1848,7 +1848,7 @@ ${table2(facts)}
   var ABOVE = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
-    leftOut: tr("exploders"),
+    leftOut: tr("springs that are let go"),
     link: tr("spring"),
     lasts: ({ numbers }) => numbers.stiffness !== void 0,
     // else an impulse: no force to be drawn
@@ -2155,14 +2155,17 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 
   // ../view/skeleton/panel.js
   function panel(baked) {
-    const { controls, switches, presets } = baked.fence;
+    const { fence } = baked;
+    const { controls, switches, presets } = fence;
     const names = Object.keys(presets);
     const buttons = names.map(
       (name) => html2`<button type="button" class="carts-button carts-preset" data-preset=${name} disabled>${name}</button>`
     );
+    const all = fence.watch === "first" && names.length > 1;
+    const left = all && html2` <span class="carts-presets-left" role="status">${tr("Watch each of them once.")}</span>`;
     const back = controls.length || switches.length || names.length;
     return html2`<div class="carts-side">
-${names.length > 0 && html2`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}</p>`}
+${names.length > 0 && html2`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}${left}</p>`}
 <div class="carts-panel">
 ${cartCards(baked)}
 ${otherCards(baked)}
@@ -2310,7 +2313,7 @@ ${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
-<div class="carts-compared" hidden></div>
+<div class="carts-compared" tabindex="-1" hidden></div>
 <label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off"></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
 <p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
@@ -2708,8 +2711,8 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
-</div>
 ${asksForForces(baked) && find()}
+</div>
 ${found && html2`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
@@ -2723,7 +2726,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     const [before, after] = tr(
       "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”."
     ).split("{formula}");
-    return html2`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+    return html2`<details class="carts-more carts-find" open><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {

@@ -630,7 +630,7 @@
   var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
-    leftOut: tr("exploders"),
+    leftOut: tr("springs that are let go"),
     link: tr("spring"),
     lasts: ({ numbers }) => numbers.stiffness !== void 0,
     // else an impulse: no force to be drawn
@@ -744,6 +744,11 @@
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
+  }
+  function pairsApart({ effects }) {
+    return effects.flatMap(
+      ({ kind, active, between }) => active && between && viewOf(kind).apart ? [between] : []
+    );
   }
   function linkOf({ effects }, pair) {
     const link = effects.find(
@@ -1075,6 +1080,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   function begunWith(before, one) {
     return Object.entries(one?.before ?? {}).every(([name, v]) => before[name] === v);
   }
+  var ROUNDED = 1 + 1e-9;
   var FELT = 0.1;
   function windowsOf({ header, trajectory }) {
     const found2 = touches(header.events, header.until);
@@ -1093,7 +1099,22 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const window = { start: Number(t[first]), end: Number(t[last2]) };
       found2.push({ pair, bodies: event.bodies, ...window, near: true });
     }
+    for (const bodies of pairsApart(header)) {
+      const pair = bodies.join("-");
+      const end2 = letGo(t, F[pair] ?? []);
+      const within = found2.some((touch) => touch.pair === pair && touch.start <= 0);
+      if (end2 && !within) found2.push({ pair, bodies, start: 0, end: end2, near: true });
+    }
     return found2.sort((a, b) => a.start - b.start);
+  }
+  function letGo(t, force) {
+    const first = Number(force[0]);
+    for (let row = 1; row < force.length; row += 1) {
+      const now = Number(force[row]);
+      if (now > first * ROUNDED) return 0;
+      if (now < FELT * first) return Number(t[row]);
+    }
+    return 0;
   }
 
   // src/shared/follow.js

@@ -76,11 +76,7 @@ export function sceneElement(client, folder) {
       const inside = wireInside(this, baked, view, client, {
         reset: () => this.#reset(),
         undo: () => this.#runs.undo(),
-        preset: (changes) => {
-          view.player.pause();
-          view.player.seek(0);
-          this.#runs.preset(changes);
-        },
+        preset: (changes, name) => this.#watch?.preset(name, () => this.#runs.preset(changes)),
         found: (said) => void this.#showForces(said),
         settings: () => this.#values.good,
         stops: (target) => this.#runs.stops(target),
@@ -93,7 +89,10 @@ export function sceneElement(client, folder) {
         locked: (now) => void this.#reveal(now),
         forgotten: () => void this.#startAgain(),
       });
-      this.#watch = new Watch(this, baked, view.player, () => this.#watched());
+      this.#watch = new Watch(this, baked, view.player, inside.presets, {
+        first: () => this.#told && inside.controls.enable(true),
+        all: () => this.#watched(),
+      });
       if (!this.#predict) this.#lesson = baked.run;
       if (this.#lesson) inside.find?.show(baked.run);
       void inside.find?.restore();
@@ -203,7 +202,7 @@ export function sceneElement(client, folder) {
 
     /** All of a run that may be told, at once: for a whole class. */
     complete() {
-      if (this.#told) this.#watch?.finish();
+      if (this.#told) this.#watch?.finish(true);
     }
 
     /** The run without a prediction, for a whole class: nothing is kept. */
@@ -223,7 +222,7 @@ export function sceneElement(client, folder) {
         this.#draw(run);
         this.#view?.enable(true);
         if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
-        if (!own || this.#predict?.watched) this.#watch?.finish();
+        if (!own || this.#predict?.watched) this.#watch?.finish(true);
         else if (this.#watch?.first) this.#view?.player.play();
         else this.#watched();
       } catch (error) {
@@ -232,7 +231,7 @@ export function sceneElement(client, folder) {
       }
     }
 
-    /** The run was seen: now it stands beside the prediction, and values may be changed. */
+    /** All was seen: now it stands beside the prediction. */
     #watched() {
       if (!this.#predict || !this.#lesson) return;
       this.#inside?.controls.enable(true);

@@ -15,7 +15,7 @@ import { TakeAlong } from "./take-along/take-along.js";
 
 /** @typedef {import("./values.js").Settings} Settings */
 /**
- * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings) => void,
+ * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings, name: string) => void,
  *   found: (said: string[]) => void, settings: () => Settings, told: () => boolean, change: import("./controls.js").Change,
  *   stops: import("./controls.js").Stops}} Acts
  *   `told`: no prediction is waited for
@@ -82,7 +82,7 @@ export function wireInside(element, baked, view, client, acts) {
     sliders.show(settings, header);
     presets.show(settings, header);
   };
-  return { controls: sliders, show, find, how, follow };
+  return { controls: sliders, presets, show, find, how, follow };
 }
 
 /**

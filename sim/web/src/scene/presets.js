@@ -1,19 +1,42 @@
-/** Ready-made settings: which of them is on screen. A reader who pressed four shall see which this is. */
+/** Ready-made settings: which of them is on screen, which were watched. A reader who pressed four shall see both. */
 
-import { put } from "../shared/dom.js";
+import { tr } from "../../../view/language.js";
+import { put, say } from "../shared/dom.js";
 import { valueIn } from "./controls.js";
 
 /** @typedef {import("./values.js").Settings} Settings */
 
 export class Presets {
-  /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings) => void} choose */
+  /** @type {Set<string>} those whose run was seen to its end */
+  #seen = new Set();
+
+  /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings, name: string) => void} choose */
   constructor(root, presets, choose) {
     this.presets = presets;
     /** @type {NodeListOf<HTMLElement>} */
     this.buttons = root.querySelectorAll(".carts-preset");
+    this.line = root.querySelector(".carts-presets-left");
     for (const button of this.buttons) {
-      button.addEventListener("click", () => choose(this.#of(button)));
+      button.addEventListener("click", () => {
+        choose(this.#of(button), button.dataset.preset ?? "");
+      });
     }
+  }
+
+  get names() {
+    return Object.keys(this.presets);
+  }
+
+  /** @returns {string[]} those whose values the run on the page has */
+  get pressed() {
+    return [...this.buttons]
+      .filter((button) => button.getAttribute("aria-pressed") === "true")
+      .map((button) => button.dataset.preset ?? "");
+  }
+
+  /** @returns {string[]} those that were not watched yet */
+  get left() {
+    return this.names.filter((name) => !this.#seen.has(name));
   }
 
   /** @param {HTMLElement} button @returns {Settings} */
@@ -32,5 +55,17 @@ export class Presets {
       );
       put(button, "aria-pressed", String(values.length > 0 && (asked || same)));
     }
+  }
+
+  /** @param {string[]} names whose runs were seen to their end */
+  seen(names) {
+    for (const name of names) this.#seen.add(name);
+    if (!this.line) return; // nothing of this scene waits
+    for (const button of this.buttons) {
+      button.toggleAttribute("data-seen", this.#seen.has(button.dataset.preset ?? ""));
+    }
+    if (!this.#seen.size) return;
+    const left = this.left.join(", ");
+    say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
   }
 }

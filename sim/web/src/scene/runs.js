@@ -54,10 +54,16 @@ export class Runs {
     this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
   }
 
-  /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
+  /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
   preset(changes) {
     this.values.replace(changes);
-    this.compute(changes, performance.now()).catch((error) => this.acts.say(error.message));
+    return this.compute(changes, performance.now()).then(
+      () => true,
+      (error) => {
+        this.acts.say(error.message);
+        return false;
+      },
+    );
   }
 
   /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
