@@ -10,6 +10,7 @@ import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 from sim.lesson.opening import FORMS
@@ -29,7 +30,12 @@ _NAME = re.compile(r"[\w.+-]{1,64}", re.ASCII)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f#@]")
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
 TEXTS = ("unit", "said", "asked", "sure", "locked", "why")
+FOUND_FORCE, CHALLENGE = "found-force", "challenge"  # types of what was done with a run
 PREDICTIONS = ("arrows", "curve", "choice", "text")  # types of what was said before a run
+NO_QUESTIONS = (*PREDICTIONS, FOUND_FORCE, CHALLENGE)  # types of answers that no key knows
+NOTHING_SET: Mapping[str, Any] = MappingProxyType(
+    {}
+)  # one for millions of answers
 
 
 class AnswerFileError(ValueError):
@@ -48,6 +54,7 @@ class Item:
     last: str | None
     tries: int
     own: float | None = None
+    set: Mapping[str, Any] = NOTHING_SET  # what was changed in the run it was read off
     more: Mapping[str, str]
 
 
@@ -136,12 +143,19 @@ def _item(row: object) -> Item:
         last=row["last"],
         tries=row["tries"],
         own=float(own) if isinstance(own, (int, float)) and abs(own) < LARGEST else None,
+        set=_settings(row.get("set")),
         more={
             name: row[name]
             for name in TEXTS
             if isinstance(row.get(name), str) and len(row[name]) <= LONGEST
         },
     )
+
+
+def _settings(value: object) -> Mapping[str, Any]:
+    if not value or not isinstance(value, dict) or not is_plain(value, 1):
+        return NOTHING_SET
+    return {name: part for name, part in value.items() if isinstance(part, (str, int, float))}
 
 
 def _is_good(row: Mapping[str, Any]) -> bool:

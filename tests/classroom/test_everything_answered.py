@@ -138,3 +138,36 @@ def test_who_left_a_question_open_is_not_among_those_who_answered_it() -> None:
     row = next(csv.DictReader(io.StringIO(items_csv(report).removeprefix("\ufeff"))))
     assert (row["answered by"], row["open"]) == ("5", "1")
     assert "partly" in row and "partly" in report_as_text(report)
+
+
+def challenge(student: str, runs: int, found: int, values: str = "") -> dict[str, Any]:
+    row = prediction("x", {"runs": runs, "found": found, "values": values}, "")
+    return worksheet(student, [row | {"id": "break", "type": "challenge", "asked": "Twice?"}])
+
+
+def test_what_students_tried_with_runs_of_their_own_is_told() -> None:
+    reading = prediction("x", -0.26, "-0.26 m/s", asked="Which velocity?") | {
+        "id": "read", "type": "reading", "own": -0.264, "set": {"A.mass": 2, "A.skin": ["no"]},
+    }  # fmt: skip
+    force = prediction("x", "2.4", "mean force on A by B: −2.4 N", asked="Find a force")
+    files = [
+        challenge("FOX-1", 12, 0),
+        challenge("FOX-2", 1, 0),
+        challenge("FOX-3", 4, 3, "mass of A 1 kg"),
+        worksheet("OWL-1", [reading, force | {"id": "two-forces", "type": "found-force"}]),
+        worksheet("OWL-2", [{**reading, "set": {}}]),
+    ]
+    report = report_of(files)
+    (form,) = report["lessons"][0]["forms"]
+    rows = {row["kind"]: row for row in form["own_runs"]}
+    tried = rows["challenge"]
+    assert (tried["n"], tried["runs"], tried["found"]) == (3, 17, 1)
+    assert tried["said"] == [{"said": "mass of A 1 kg", "count": 1}]
+    assert rows["reading"]["said"] == [{"said": "A.mass 2", "count": 1}]  # who changed nothing: not
+    assert rows["found-force"]["said"][0]["said"].startswith("mean force on A")
+    assert [item["id"] for item in form["items"]] == ["read"]  # the others are no questions
+    html, text = report_html(report), report_as_text(report)
+    assert "3 students tried 17 runs; 1 found one." in html
+    assert "3 students tried 17 runs; 1 found one." in text
+    nobody = report_html(report_of(files[:2]))
+    assert "2 students tried 13 runs; nobody found one." in nobody

@@ -98,7 +98,9 @@ def test_the_page_refuses_the_same_files_and_reads_the_good_one() -> None:
     assert read[-1]["entries"][0][0] == "worksheets/kinds#why"
 
 
-@pytest.mark.parametrize("kind", sorted({*KINDS, *PREDICTIONS, "found-force", "law", "drawn"}))
+@pytest.mark.parametrize(
+    "kind", sorted({*KINDS, *PREDICTIONS, "found-force", "challenge", "law", "drawn"})
+)
 def test_whatever_a_page_keeps_can_be_read_again_by_both(kind: str) -> None:
     found = [['["A","B"]', "mean force on A by B: −2.4 N"]]
     text = json.dumps({**GOOD, "items": [{**ITEM, "hash": "", "type": kind, "found": found}]})

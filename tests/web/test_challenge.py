@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from sim.pages.findings import AuthorError
+from tests.web.answering import saved_file
 from tests.web.conftest import OpenPage
 from tests.web.question_site import questions_page
 
@@ -70,3 +71,23 @@ def test_runs_are_counted_once_and_the_first_that_reaches_the_goal_is_told(
     put("{'A.mass': 1, 'contact.restitution': 1}")
     page.wait_for_timeout(1500)
     expect(tries).to_have_text("Found in run 3 of 4.")
+
+
+@pytest.mark.one_browser
+def test_what_was_tried_in_a_lesson_is_kept_with_the_answers(
+    site: Path, open_page: OpenPage
+) -> None:
+    lesson = site / "worksheets" / "newtons-third-law.html"
+    page = open_page(lesson, folder=site)
+    tries = page.locator("#third-break .carts-challenge-tries")
+    page.wait_for_selector("#third-own[data-state=live]", timeout=60_000)
+    page.evaluate("document.getElementById('third-own').time = 1e9")
+    expect(tries).to_contain_text("tried: 1.")
+    page.evaluate("document.getElementById('third-own').set({'B.mass': 1})")
+    expect(tries).to_contain_text("tried: 2.")
+    (kept,) = (item for item in saved_file(page)["items"] if item["type"] == "challenge")
+    assert kept["value"] == {"runs": 2, "found": 0, "values": ""}
+    assert kept["asked"].startswith("Find a contact")
+    again = page.context.new_page()  # another tab, another day
+    again.goto(page.url)
+    expect(again.locator("#third-break .carts-challenge-tries")).to_contain_text("tried: 2.")

@@ -17,7 +17,7 @@ from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
 from sim.lesson.answer_file import (
     MOST_BYTES,
-    PREDICTIONS,
+    NO_QUESTIONS,
     AnswerFile,
     AnswerFileError,
     Item,
@@ -178,8 +178,8 @@ def _slim(answers: AnswerFile) -> AnswerFile:
 
 
 def _kept(item: Item) -> Mapping[str, str]:
-    """How sure; and of a prediction, which has no key that tells the rest, its words."""
-    if item.type in PREDICTIONS:
+    """How sure; and of what has no key that tells the rest, its words."""
+    if item.type in NO_QUESTIONS:
         return item.more
     return {"sure": intern(item.more["sure"])} if "sure" in item.more else _NOTHING
 

@@ -12,7 +12,7 @@ from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
 from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.sentences import many
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
-from sim.lesson.answer_file import PREDICTIONS
+from sim.lesson.answer_file import NO_QUESTIONS
 from sim.lesson.kinds.number import NEAR, Number, Wrong
 from sim.lesson.mark import is_empty
 from sim.scene.said import said
@@ -25,7 +25,7 @@ def item_rows(
     names = (
         list(form.items)
         if form
-        else sorted({a.id for f in files for a in f.answers.values() if a.type not in PREDICTIONS})
+        else sorted({a.id for f in files for a in f.answers.values() if a.type not in NO_QUESTIONS})
     )
     totals = [float(f.total(counted)) for f in files]
     return [

@@ -21,6 +21,7 @@ from sim.classroom.report.gain_report import comparison_table, gain_table, only_
 from sim.classroom.report.item_report import item_rows
 from sim.classroom.report.item_statistics import whole_test
 from sim.classroom.report.marked import Keys, Marked, counted_items, mark_file, worth
+from sim.classroom.report.own_runs import own_run_rows
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
 from sim.classroom.report.talk import talk_rows
@@ -134,6 +135,7 @@ def _form(
         "beliefs": belief_rows(files, key),
         "words": word_rows(files, key),
         "predictions": prediction_rows(good),
+        "own_runs": own_run_rows(good, key),
         "talk": talk_rows(items),
     }
 

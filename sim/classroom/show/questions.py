@@ -7,6 +7,7 @@ from typing import Any
 
 from sim.classroom.report.sentences import number, signed
 from sim.classroom.show.html_parts import listed, table, text, who
+from sim.classroom.show.own_runs import own_runs_html
 from sim.classroom.show.predictions import predictions_html
 from sim.classroom.show.prose import prose
 
@@ -34,6 +35,7 @@ def form_html(form: Row) -> str:
             f"<details><summary>Question by question: form {title}</summary>{each}</details>"
         )
     parts.append(predictions_html(form["predictions"]))
+    parts.append(own_runs_html(form["own_runs"]))
     parts.append(_students(form))
     return "".join(parts)
 

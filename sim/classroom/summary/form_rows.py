@@ -65,6 +65,7 @@ def form_row(
         "beliefs": [],
         "words": [],
         "predictions": [],
+        "own_runs": [],
         "talk": talk_rows(items),
     }
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sim.classroom.report.sentences import files_read, number, unmarked
+from sim.classroom.show.own_runs import own_run_sentence
 from sim.cli.tables import table
 
 
@@ -89,6 +90,7 @@ def _items(form: Mapping[str, Any]) -> str:
     talk = _lines([row["sentence"] for row in form["talk"]])
     parts = [made, whole, beliefs, f"What to talk about first:\n{talk}" if talk else ""]
     parts += [_prediction(row) for row in form["predictions"]]
+    parts += [_own_runs(row) for row in form["own_runs"]]
     return "\n".join(part for part in parts if part)
 
 
@@ -101,6 +103,13 @@ def _prediction(row: Mapping[str, Any]) -> str:
     said += [f"and {row['more']} more"] if row["more"] else []
     said += [f"{len(row['reasons'])} gave a reason (--json)"] if row["reasons"] else []
     return f"Predicted, {_safe(row['ask'] or row['id'])}\n{_lines(said)}"
+
+
+def _own_runs(row: Mapping[str, Any]) -> str:
+    """What was done with runs of their own."""
+    said = [f"{one['count']} × {_safe(one['said'])}" for one in row["said"]]
+    told = [own_run_sentence(row), *said]
+    return f"Tried, {_safe(row['ask'] or row['id'])}\n{_lines(told)}"
 
 
 def _safe(text: object) -> str:

@@ -81,27 +81,28 @@
   }
 
   // src/answers/outline.js
-  var found;
+  var found = null;
   function outline() {
-    if (found === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
-    }
-    return found ?? null;
+    const text = found ? null : document.getElementById("carts-lesson")?.textContent;
+    if (text) found = JSON.parse(text);
+    return found;
   }
   function itemOf(entry) {
     const form = entry?.form ?? "worksheet";
     return outline()?.items.find((item2) => item2.id === entry?.id && item2.form === form) ?? null;
   }
-  var sceneOf = (entry) => entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  function placeOf(entry) {
+    if (entry?.type === "challenge") return entry.id;
+    return entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  }
   function isHere(entry) {
-    const scene = sceneOf(entry);
-    return Boolean(itemOf(entry) ?? (scene && document.getElementById(scene)));
+    const place2 = placeOf(entry);
+    return Boolean(itemOf(entry) ?? (place2 && document.getElementById(place2)));
   }
   function inPageOrder(entries) {
     const places = [...document.querySelectorAll("[id]")].map(({ id }) => id);
     const place2 = (entry) => {
-      const at2 = places.indexOf(sceneOf(entry) || entry.id);
+      const at2 = places.indexOf(placeOf(entry) || entry.id);
       return at2 < 0 ? places.length : at2;
     };
     return [...entries].sort(([, one], [, other]) => place2(one) - place2(other));
@@ -112,15 +113,9 @@
   }
   function stamped(entry) {
     const page = outline();
-    const item2 = itemOf(entry);
-    if (!page || !item2) return entry;
-    return {
-      form: item2.form,
-      lesson: page.lesson,
-      lessonHash: page.hash,
-      hash: item2.hash,
-      ...entry
-    };
+    if (!page || !isHere(entry)) return entry;
+    const { form = "worksheet", hash: hash2 = "" } = itemOf(entry) ?? {};
+    return { form, lesson: page.lesson, lessonHash: page.hash, hash: hash2, ...entry };
   }
 
   // src/answers/bar.js

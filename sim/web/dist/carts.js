@@ -3679,17 +3679,23 @@
   }
 
   // src/answers/outline.js
-  var found2;
+  var found2 = null;
   function outline() {
-    if (found2 === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found2 = text ? JSON.parse(text) : null;
-    }
-    return found2 ?? null;
+    const text = found2 ? null : document.getElementById("carts-lesson")?.textContent;
+    if (text) found2 = JSON.parse(text);
+    return found2;
   }
   function itemOf(entry2) {
     const form = entry2?.form ?? "worksheet";
     return outline()?.items.find((item) => item.id === entry2?.id && item.form === form) ?? null;
+  }
+  function placeOf(entry2) {
+    if (entry2?.type === "challenge") return entry2.id;
+    return entry2?.type === "found-force" ? entry2.id.replace(/-forces$/, "") : "";
+  }
+  function isHere(entry2) {
+    const place4 = placeOf(entry2);
+    return Boolean(itemOf(entry2) ?? (place4 && document.getElementById(place4)));
   }
   function isCurrent(entry2) {
     const item = itemOf(entry2);
@@ -3697,15 +3703,9 @@
   }
   function stamped(entry2) {
     const page2 = outline();
-    const item = itemOf(entry2);
-    if (!page2 || !item) return entry2;
-    return {
-      form: item.form,
-      lesson: page2.lesson,
-      lessonHash: page2.hash,
-      hash: item.hash,
-      ...entry2
-    };
+    if (!page2 || !isHere(entry2)) return entry2;
+    const { form = "worksheet", hash = "" } = itemOf(entry2) ?? {};
+    return { form, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry2 };
   }
 
   // src/answers/entry.js

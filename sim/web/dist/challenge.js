@@ -54,11 +54,11 @@
     } else if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
-    const found = root.querySelector(selector);
-    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
     return (
       /** @type {T} */
-      found
+      found2
     );
   }
 
@@ -74,6 +74,310 @@
   function retain(key, value2, where = TAB) {
     try {
       where().setItem(key, JSON.stringify(value2));
+    } catch {
+    }
+  }
+
+  // src/answers/outline.js
+  var found = null;
+  function outline() {
+    const text = found ? null : document.getElementById("carts-lesson")?.textContent;
+    if (text) found = JSON.parse(text);
+    return found;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function placeOf(entry) {
+    if (entry?.type === "challenge") return entry.id;
+    return entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  }
+  function isHere(entry) {
+    const place2 = placeOf(entry);
+    return Boolean(itemOf(entry) ?? (place2 && document.getElementById(place2)));
+  }
+  function stamped(entry) {
+    const page = outline();
+    if (!page || !isHere(entry)) return entry;
+    const { form = "worksheet", hash = "" } = itemOf(entry) ?? {};
+    return { form, lesson: page.lesson, lessonHash: page.hash, hash, ...entry };
+  }
+
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value2) {
+    if (typeof value2 === "string") return !value2.trim();
+    if (value2 === null || value2 === void 0) return true;
+    return typeof value2 === "object" && Object.keys(value2).length === 0;
+  }
+  function keepEarlier(old, value2) {
+    if (!old || typeof old !== "object" || typeof value2 !== "object" || value2 === null) return value2;
+    const earlier = union(old.earlier, value2.earlier);
+    const other = old.hash && value2.hash && old.hash !== value2.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value2, earlier: all } : value2;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/shared/newest-first.js
+  function newestFirst(put) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value2, alone2) {
+      const now = put(key, value2, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value2, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value2, alone2);
+      if (flight.next) {
+        flight.next.value = value2;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value: value2, alone: alone2, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
+    };
+  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var SETTLE_AFTER = 400;
+  function open(name) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+    });
+  }
+  async function reopening(name) {
+    let base = await open(name);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  async function indexed(name) {
+    const begin = await reopening(name);
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: newestFirst(
+        (key, value2, alone2) => write(begin, (answers) => {
+          if (alone2) {
+            answers.put(value2, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value2), key);
+        })
+      ),
+      remove: (key) => write(begin, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write(begin, act) {
+    await transaction(begin, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
+    return new Promise((resolve, reject) => {
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+
+  // src/shared/shelter.js
+  function shelter() {
+    const page = (
+      /** @type {any} */
+      globalThis
+    );
+    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page[name] ??= /* @__PURE__ */ new Map();
+    return page[name];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value2, alone2) => {
+        try {
+          await store.put(key, value2, alone2);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value2));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
+  function memory() {
+    const kept2 = shelter();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept2.get(key),
+      put: async (key, value2) => void kept2.set(key, keepEarlier(kept2.get(key), value2)),
+      remove: async (key) => void kept2.delete(key),
+      entries: async () => [...kept2]
+    };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value2) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value2))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value2, alone2) => all.put(before + key, stamped(value2), alone2),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value2]) => [key.slice(before.length), value2])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
+    const path = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path
+    };
+  }
+
+  // src/question/challenge-kept.js
+  var TYPE = "challenge";
+  var keyOf = (id) => `${place().page}#${id}`;
+  async function triedBefore(id) {
+    const store = await openStore(place().site);
+    const entry = await store.get(keyOf(id)).catch(() => null);
+    const { runs, found: found2, values } = entry?.type === TYPE && entry.value || {};
+    if (!Number.isInteger(runs)) return null;
+    return { runs, found: Number.isInteger(found2) ? found2 : 0, values: String(values ?? "") };
+  }
+  async function keepTried(id, asked, tried, said) {
+    if (!outline()) return;
+    const now = (/* @__PURE__ */ new Date()).toISOString();
+    try {
+      const store = await openStore(place().site);
+      const before = await store.get(keyOf(id)).catch(() => null);
+      await store.put(keyOf(id), {
+        id,
+        type: TYPE,
+        value: tried,
+        first: before?.first ?? now,
+        last: now,
+        tries: tried.runs,
+        locked: null,
+        asked,
+        said
+      });
+      document.dispatchEvent(new Event("carts-kept"));
     } catch {
     }
   }
@@ -107,8 +411,8 @@
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
     const r = 1 - s;
-    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
-    return Number.isFinite(found) ? found : at(values, k);
+    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at(values, k);
   }
 
   // src/question/marking/own-run.js
@@ -146,11 +450,11 @@
     const powers = /* @__PURE__ */ new Map();
     for (let at = 0; at < text.length; at = FACTOR.lastIndex) {
       FACTOR.lastIndex = at;
-      const found = FACTOR.exec(text);
-      if (!found || at === 0 && found[1]) return null;
-      const power = number(lowered(found[3] ?? "") || found[4] || found[5] || "1");
-      const symbol = String(found[2]);
-      powers.set(symbol, (powers.get(symbol) ?? 0) + (found[1] === "/" ? -power : power));
+      const found2 = FACTOR.exec(text);
+      if (!found2 || at === 0 && found2[1]) return null;
+      const power = number(lowered(found2[3] ?? "") || found2[4] || found2[5] || "1");
+      const symbol = String(found2[2]);
+      powers.set(symbol, (powers.get(symbol) ?? 0) + (found2[1] === "/" ? -power : power));
     }
     return [...powers].map(([symbol, power]) => `${symbol}^${power}`).sort().join(" ");
   }
@@ -184,12 +488,12 @@
     const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
-    const grouped = GROUPED.exec(text);
-    if (grouped) return { problem: twoReadings(String(grouped[1])) };
-    const found = NUMBER.exec(text);
-    if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number2 = String(found[1]);
-    const unit = found[2] ?? "";
+    const grouped2 = GROUPED.exec(text);
+    if (grouped2) return { problem: twoReadings(String(grouped2[1])) };
+    const found2 = NUMBER.exec(text);
+    if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+    const number2 = String(found2[1]);
+    const unit = found2[2] ?? "";
     const known = Object.keys(units).filter(Boolean);
     const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
     const factor = unit ? own ? units[own] : void 0 : 1;
@@ -218,15 +522,15 @@
     ) ?? {};
   }
   function masses(scene) {
-    const found = {};
+    const found2 = {};
     const baked = scene?.querySelector("script.carts-baked")?.textContent;
-    for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found[body.name] = body.mass;
+    for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found2[body.name] = body.mass;
     for (const [path, value2] of Object.entries(setBy(scene))) {
       if (!path.endsWith(".mass")) continue;
       const mass = readNumber(String(value2), KILOGRAMS);
-      if ("value" in mass) found[path.slice(0, -".mass".length)] = mass.value;
+      if ("value" in mass) found2[path.slice(0, -".mass".length)] = mass.value;
     }
-    return found;
+    return found2;
   }
 
   // src/question/marking/goal.js
@@ -259,13 +563,31 @@
     return Math.max(0, ...all.map(Math.abs));
   }
 
+  // src/question/plain-text.js
+  function plainText(place2) {
+    if (!place2) return "";
+    const copy = (
+      /** @type {Element} */
+      place2.cloneNode(true)
+    );
+    for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
+    for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
+      fraction.textContent = [...fraction.children].map(grouped).join("/");
+    }
+    return (copy.textContent ?? "").replace(/\s+/g, " ").trim();
+  }
+  function grouped(side) {
+    const text = (side.textContent ?? "").trim();
+    return /[+−\-/·\s]/.test(text) ? `(${text})` : text;
+  }
+
   // src/question/challenge.js
-  var SETTLED = 800;
+  var SETTLED2 = 800;
   var ChallengeElement = class extends HTMLElement {
     /** @type {Facts} */
     #facts = JSON.parse("{}");
     /** @type {Tries} */
-    #tries = { tried: [], found: null };
+    #tries = { before: 0, tried: [], found: null };
     #leaving = new AbortController();
     #timer = 0;
     connectedCallback() {
@@ -277,16 +599,28 @@
         document.addEventListener(kind, (event) => this.#heard(event), { signal });
       }
       this.#show();
+      void this.#restore();
     }
     disconnectedCallback() {
       clearTimeout(this.#timer);
       this.#leaving.abort();
     }
+    /** What was tried in another tab, or on another day. */
+    async #restore() {
+      const earlier = await triedBefore(this.id);
+      if (!earlier || this.#runs) return;
+      this.#tries.before = earlier.runs;
+      if (earlier.found) this.#tries.found = { run: earlier.found, values: earlier.values };
+      this.#show();
+    }
+    get #runs() {
+      return this.#tries.before + this.#tries.tried.length;
+    }
     /** @param {Event} event of a scene */
     #heard({ target }) {
       if (!(target instanceof HTMLElement) || target.id !== this.#facts.scene) return;
       clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => this.#count(target), SETTLED);
+      this.#timer = setTimeout(() => this.#count(target), SETTLED2);
     }
     /** A run that stands: each setting counts once. @param {HTMLElement} scene */
     #count(scene) {
@@ -303,10 +637,13 @@
       tried.push(key);
       const { goal, near } = this.#facts;
       if (!this.#tries.found && isMet(goal, run, masses(scene), near)) {
-        this.#tries.found = { run: tried.length, values: this.#told(set) };
+        this.#tries.found = { run: this.#runs, values: this.#told(set) };
       }
       retain(this.#name, this.#tries);
-      this.#show();
+      const said = this.#show();
+      const { found: found2 } = this.#tries;
+      const told = { runs: this.#runs, found: found2?.run ?? 0, values: found2?.values ?? "" };
+      void keepTried(this.id, plainText(need(this, ".carts-q-ask")), told, said);
     }
     /** What was set, in words. @param {Record<string, unknown>} set */
     #told(set) {
@@ -317,26 +654,30 @@
       });
       return parts.length ? listed(parts) : tr("as the lesson sets it");
     }
+    /** @returns {string} what stands there now */
     #show() {
-      const { tried, found } = this.#tries;
+      const { found: found2 } = this.#tries;
+      const count = String(this.#runs);
       const tries = need(this, ".carts-challenge-tries");
-      const words = found ? tr("Found in run {run} of {count}.", {
-        run: String(found.run),
-        count: String(tried.length)
-      }) : tr("Runs you have tried: {count}. Not found yet.", { count: String(tried.length) });
-      tries.hidden = tried.length === 0;
+      const words = found2 ? tr("Found in run {run} of {count}.", { run: String(found2.run), count }) : tr("Runs you have tried: {count}. Not found yet.", { count });
+      tries.hidden = this.#runs === 0;
       say(tries, words);
-      const place = need(this, ".carts-challenge-found");
-      place.hidden = !found;
-      if (found) say(place, tr("✓ {values}", { values: found.values }));
+      const place2 = need(this, ".carts-challenge-found");
+      place2.hidden = !found2;
+      if (found2) say(place2, tr("✓ {values}", { values: found2.values }));
+      return [words, found2?.values ?? ""].join(" ").trim();
     }
     get #name() {
       return `carts-challenge ${location.pathname}#${this.id}`;
     }
   };
   function kept(name) {
-    const { tried, found } = recall(name) ?? {};
-    return { tried: Array.isArray(tried) ? tried : [], found: found ?? null };
+    const { before, tried, found: found2 } = recall(name) ?? {};
+    return {
+      before: Number.isInteger(before) ? before : 0,
+      tried: Array.isArray(tried) ? tried : [],
+      found: found2 ?? null
+    };
   }
 
   // src/challenge-main.js

@@ -2069,17 +2069,23 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   ];
 
   // src/answers/outline.js
-  var found;
+  var found = null;
   function outline() {
-    if (found === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
-    }
-    return found ?? null;
+    const text = found ? null : document.getElementById("carts-lesson")?.textContent;
+    if (text) found = JSON.parse(text);
+    return found;
   }
   function itemOf(entry) {
     const form = entry?.form ?? "worksheet";
     return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function placeOf(entry) {
+    if (entry?.type === "challenge") return entry.id;
+    return entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  }
+  function isHere(entry) {
+    const place3 = placeOf(entry);
+    return Boolean(itemOf(entry) ?? (place3 && document.getElementById(place3)));
   }
   function isCurrent(entry) {
     const item = itemOf(entry);
@@ -2087,15 +2093,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
   function stamped(entry) {
     const page2 = outline();
-    const item = itemOf(entry);
-    if (!page2 || !item) return entry;
-    return {
-      form: item.form,
-      lesson: page2.lesson,
-      lessonHash: page2.hash,
-      hash: item.hash,
-      ...entry
-    };
+    if (!page2 || !isHere(entry)) return entry;
+    const { form = "worksheet", hash = "" } = itemOf(entry) ?? {};
+    return { form, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry };
   }
 
   // src/answers/entry.js

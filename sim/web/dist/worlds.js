@@ -1966,29 +1966,29 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   };
 
   // src/answers/outline.js
-  var found;
+  var found = null;
   function outline() {
-    if (found === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
-    }
-    return found ?? null;
+    const text = found ? null : document.getElementById("carts-lesson")?.textContent;
+    if (text) found = JSON.parse(text);
+    return found;
   }
   function itemOf(entry) {
     const form = entry?.form ?? "worksheet";
     return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
   }
+  function placeOf(entry) {
+    if (entry?.type === "challenge") return entry.id;
+    return entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  }
+  function isHere(entry) {
+    const place3 = placeOf(entry);
+    return Boolean(itemOf(entry) ?? (place3 && document.getElementById(place3)));
+  }
   function stamped(entry) {
     const page = outline();
-    const item = itemOf(entry);
-    if (!page || !item) return entry;
-    return {
-      form: item.form,
-      lesson: page.lesson,
-      lessonHash: page.hash,
-      hash: item.hash,
-      ...entry
-    };
+    if (!page || !isHere(entry)) return entry;
+    const { form = "worksheet", hash = "" } = itemOf(entry) ?? {};
+    return { form, lesson: page.lesson, lessonHash: page.hash, hash, ...entry };
   }
 
   // src/answers/entry.js

@@ -2,16 +2,14 @@
 
 /** @typedef {{lesson: string, hash: string, items: {id: string, hash: string, type: string, form: string, level: string}[]}} Outline */
 
-/** @type {Outline | null | undefined} */
-let found;
+/** @type {Outline | null} */
+let found = null; // until the page was read so far
 
 /** @returns {Outline | null} */
 export function outline() {
-  if (found === undefined) {
-    const text = document.getElementById("carts-lesson")?.textContent;
-    found = text ? JSON.parse(text) : null;
-  }
-  return found ?? null;
+  const text = found ? null : document.getElementById("carts-lesson")?.textContent;
+  if (text) found = JSON.parse(text);
+  return found;
 }
 
 /** The item of this page that an answer belongs to. @param {any} entry */
@@ -20,20 +18,23 @@ export function itemOf(entry) {
   return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
 }
 
-/** The scene whose force was found; empty for answers to questions. @param {any} entry @returns {string} */
-const sceneOf = (entry) => (entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "");
+/** What of this page an answer belongs to that is no question: a scene whose force was found, a challenge; else empty. @param {any} entry @returns {string} */
+function placeOf(entry) {
+  if (entry?.type === "challenge") return entry.id;
+  return entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+}
 
 /** Whether what was answered is on this page. @param {any} entry */
 export function isHere(entry) {
-  const scene = sceneOf(entry);
-  return Boolean(itemOf(entry) ?? (scene && document.getElementById(scene)));
+  const place = placeOf(entry);
+  return Boolean(itemOf(entry) ?? (place && document.getElementById(place)));
 }
 
 /** The answers in the order of what they answer on the page; last what is not there. @param {[string, any][]} entries */
 export function inPageOrder(entries) {
   const places = [...document.querySelectorAll("[id]")].map(({ id }) => id);
   const place = (/** @type {any} */ entry) => {
-    const at = places.indexOf(sceneOf(entry) || entry.id);
+    const at = places.indexOf(placeOf(entry) || entry.id);
     return at < 0 ? places.length : at;
   };
   return [...entries].sort(([, one], [, other]) => place(one) - place(other));
@@ -45,16 +46,10 @@ export function isCurrent(entry) {
   return !item || !entry.hash || entry.hash === item.hash;
 }
 
-/** An answer with the lesson and the form of the question that it answers. @param {any} entry */
+/** An answer with the lesson and the form of what it answers. @param {any} entry */
 export function stamped(entry) {
   const page = outline();
-  const item = itemOf(entry);
-  if (!page || !item) return entry;
-  return {
-    form: item.form,
-    lesson: page.lesson,
-    lessonHash: page.hash,
-    hash: item.hash,
-    ...entry,
-  };
+  if (!page || !isHere(entry)) return entry;
+  const { form = "worksheet", hash = "" } = itemOf(entry) ?? {};
+  return { form, lesson: page.lesson, lessonHash: page.hash, hash, ...entry };
 }

@@ -8,19 +8,21 @@ import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
 import { recall, retain } from "../shared/tab.js";
+import { keepTried, triedBefore } from "./challenge-kept.js";
 import { masses, setBy } from "./forms/run.js";
 import { isMet } from "./marking/goal.js";
+import { plainText } from "./plain-text.js";
 
 const SETTLED = 800; // ms: a slider that is still being pulled makes no run that was looked at
 
 /** @typedef {{scene: string, near: number, goal: import("./marking/goal.js").Goal, labels: Record<string, {label: string, unit: string, per: number}>}} Facts */
-/** @typedef {{tried: string[], found: {run: number, values: string} | null}} Tries */
+/** @typedef {{before: number, tried: string[], found: {run: number, values: string} | null}} Tries `before`: how many at earlier visits */
 
 export class ChallengeElement extends HTMLElement {
   /** @type {Facts} */
   #facts = JSON.parse("{}");
   /** @type {Tries} */
-  #tries = { tried: [], found: null };
+  #tries = { before: 0, tried: [], found: null };
   #leaving = new AbortController();
   #timer = 0;
 
@@ -33,11 +35,25 @@ export class ChallengeElement extends HTMLElement {
       document.addEventListener(kind, (event) => this.#heard(event), { signal });
     }
     this.#show();
+    void this.#restore();
   }
 
   disconnectedCallback() {
     clearTimeout(this.#timer);
     this.#leaving.abort();
+  }
+
+  /** What was tried in another tab, or on another day. */
+  async #restore() {
+    const earlier = await triedBefore(this.id);
+    if (!earlier || this.#runs) return;
+    this.#tries.before = earlier.runs;
+    if (earlier.found) this.#tries.found = { run: earlier.found, values: earlier.values };
+    this.#show();
+  }
+
+  get #runs() {
+    return this.#tries.before + this.#tries.tried.length;
   }
 
   /** @param {Event} event of a scene */
@@ -59,10 +75,13 @@ export class ChallengeElement extends HTMLElement {
     tried.push(key);
     const { goal, near } = this.#facts;
     if (!this.#tries.found && isMet(goal, run, masses(scene), near)) {
-      this.#tries.found = { run: tried.length, values: this.#told(set) };
+      this.#tries.found = { run: this.#runs, values: this.#told(set) };
     }
     retain(this.#name, this.#tries);
-    this.#show();
+    const said = this.#show();
+    const { found } = this.#tries;
+    const told = { runs: this.#runs, found: found?.run ?? 0, values: found?.values ?? "" };
+    void keepTried(this.id, plainText(need(this, ".carts-q-ask")), told, said);
   }
 
   /** What was set, in words. @param {Record<string, unknown>} set */
@@ -75,20 +94,20 @@ export class ChallengeElement extends HTMLElement {
     return parts.length ? listed(parts) : tr("as the lesson sets it");
   }
 
+  /** @returns {string} what stands there now */
   #show() {
-    const { tried, found } = this.#tries;
+    const { found } = this.#tries;
+    const count = String(this.#runs);
     const tries = need(this, ".carts-challenge-tries");
     const words = found
-      ? tr("Found in run {run} of {count}.", {
-          run: String(found.run),
-          count: String(tried.length),
-        })
-      : tr("Runs you have tried: {count}. Not found yet.", { count: String(tried.length) });
-    tries.hidden = tried.length === 0;
+      ? tr("Found in run {run} of {count}.", { run: String(found.run), count })
+      : tr("Runs you have tried: {count}. Not found yet.", { count });
+    tries.hidden = this.#runs === 0;
     say(tries, words);
     const place = need(this, ".carts-challenge-found");
     place.hidden = !found;
     if (found) say(place, tr("✓ {values}", { values: found.values }));
+    return [words, found?.values ?? ""].join(" ").trim();
   }
 
   get #name() {
@@ -98,6 +117,10 @@ export class ChallengeElement extends HTMLElement {
 
 /** What this tab has tried before. @param {string} name @returns {Tries} */
 function kept(name) {
-  const { tried, found } = recall(name) ?? {};
-  return { tried: Array.isArray(tried) ? tried : [], found: found ?? null };
+  const { before, tried, found } = recall(name) ?? {};
+  return {
+    before: Number.isInteger(before) ? before : 0,
+    tried: Array.isArray(tried) ? tried : [],
+    found: found ?? null,
+  };
 }
