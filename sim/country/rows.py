@@ -108,7 +108,7 @@ def _answer(answer: Answer, keyed: KeyedItem | None) -> dict[str, Any]:
         "beliefs": BETWEEN.join(map(safe_text, mark.beliefs)) if mark else "",
         "verdict": mark.verdict if mark else None,
         "marks": mark.marks if mark else None,
-        "worth": mark.of if mark else None,
+        "worth": answer.worth if mark else None,
         "foreign": answer.foreign, "sure": safe_text(answer.sure),
         **(_of_item(answer.item) if answer.item else {}),
     }  # fmt: skip

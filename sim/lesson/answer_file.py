@@ -33,9 +33,7 @@ TEXTS = ("unit", "said", "asked", "sure", "locked", "why")
 FOUND_FORCE, CHALLENGE = "found-force", "challenge"  # types of what was done with a run
 PREDICTIONS = ("arrows", "curve", "choice", "text")  # types of what was said before a run
 NO_QUESTIONS = (*PREDICTIONS, FOUND_FORCE, CHALLENGE)  # types of answers that no key knows
-NOTHING_SET: Mapping[str, Any] = MappingProxyType(
-    {}
-)  # one for millions of answers
+NOTHING_SET: Mapping[str, Any] = MappingProxyType({})  # one for millions of answers
 
 
 class AnswerFileError(ValueError):

@@ -1,13 +1,13 @@
 """The teacher's key file: what marks the answers of a lesson, kept apart from the pages.
 
-`{"format": 1, "kind": "newtons-carts-key", site, lesson, forms: [{form, hash, options, items}]}`;
-an item has the texts, the key, the rubric, the beliefs behind wrong answers, the feedback on them
-and the note.
+`{"format": 1, "kind": "newtons-carts-key", site, lesson, title, forms: [{form, hash, options,
+items}]}`; an item has the texts, the key, the rubric, the beliefs behind wrong answers, the
+feedback on them and the note.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 from sim.lesson.beliefs import BELIEFS
@@ -20,21 +20,35 @@ KIND = "newtons-carts-key"
 
 
 def key_file(
-    site: str, lesson: str, worksheet: Iterable[Question], forms: Iterable[Form]
+    site: str,
+    lesson: str,
+    worksheet: Iterable[Question],
+    forms: Iterable[Form],
+    *,
+    title: str = "",
+    optional: Collection[str] = (),
 ) -> dict[str, Any]:
-    """The key of one lesson: its own questions as the form “worksheet”, then its forms."""
+    """The key of one lesson: its own questions as the form “worksheet”, then its forms.
+
+    `title` is what people call the lesson; `optional`: own questions in parts for who has time.
+    """
     own = tuple(worksheet)
-    parts = [_part("worksheet", "", own)] if own else []
+    parts = [_part("worksheet", "", own, optional)] if own else []
     parts += [_part(form.form, form.hash, form.items) for form in forms]
-    return {"format": FORMAT, "kind": KIND, "site": site, "lesson": lesson, "forms": parts}
+    head = {"format": FORMAT, "kind": KIND, "site": site, "lesson": lesson}
+    return head | ({"title": title} if title else {}) | {"forms": parts}
 
 
-def _part(name: str, digest: str, items: tuple[Question, ...]) -> dict[str, Any]:
+def _part(
+    name: str, digest: str, items: tuple[Question, ...], optional: Collection[str] = ()
+) -> dict[str, Any]:
     return {
         "form": name,
         "hash": digest,
         "options": [[item.id, radix(item)] for item in items],
-        "items": [item_key(item) for item in items],
+        "items": [
+            item_key(item) | ({"optional": True} if item.id in optional else {}) for item in items
+        ],
     }
 
 

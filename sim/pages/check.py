@@ -23,9 +23,10 @@ from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
-from sim.pages.text.fence_scan import HEADING, Block, scan
+from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.sections import in_sections
 from sim.pages.translate.check import catalogue_findings
 from sim.pages.translate.translation import Translation
 from sim.scene import SceneError, read_fence
@@ -46,11 +47,9 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
     items = PageItems()
     lines = text.splitlines()
     blocks = tuple(scan(lines))
-    done = 0
-    for block in blocks:
-        if any(map(HEADING.match, lines[done : block.start])):
+    for block, section in in_sections(lines, blocks):
+        if section.new:
             items.asking = ""
-        done = block.end
         try:
             if block.name == "map":
                 _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))

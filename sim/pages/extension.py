@@ -19,7 +19,8 @@ from markdown.preprocessors import Preprocessor
 from sim.pages.findings import AuthorError, error_box
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
-from sim.pages.text.fence_scan import HEADING, scan
+from sim.pages.text.fence_scan import scan
+from sim.pages.text.sections import in_sections, title_of
 
 __all__ = [
     "MAKERS",
@@ -71,14 +72,15 @@ class _TakeOut(Preprocessor):
     def run(self, lines: list[str]) -> list[str]:
         self.put_in.html.clear()
         page = _page.get() or Page(Lesson("lesson"))
+        page.title = title_of(lines)
         kept: list[str] = []
         done = 0
         # Front matter has been removed by the generator: a line of --- here is only a line.
         page.blocks = tuple(scan(lines, front_matter=False))
-        for block in page.blocks:
-            if headings := [h for h in map(HEADING.match, lines[done : block.start]) if h]:
-                page.items.asking = ""  # a new section: its questions are about other scenes
-                page.level = len(headings[-1]["signs"])
+        for block, section in in_sections(lines, page.blocks):
+            page.section = section
+            if section.new:
+                page.items.asking = ""  # its questions are about other scenes
             try:
                 html = made(block, page)
             except AuthorError as error:

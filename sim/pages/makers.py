@@ -16,6 +16,7 @@ from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block
+from sim.pages.text.sections import Section
 
 
 @dataclass(slots=True)
@@ -28,7 +29,8 @@ class Page:
     report: Callable[[Finding], None] | None = None
     scenes: int = 0
     pictures: int = 0
-    level: int = 1  # of the heading above the block that is made
+    title: str = ""  # its first heading
+    section: Section = field(default_factory=Section)  # where the block that is made stands
     packages: set[str] = field(default_factory=set)
     blocks: tuple[Block, ...] = ()
     items: PageItems = field(default_factory=PageItems)
@@ -42,7 +44,8 @@ def made(block: Block, page: Page) -> str:
     """The HTML of a block in the page's language; raises `AuthorError`."""
     with speaking(words(page.language)):
         try:
-            return with_headings(MAKERS.get(block.name, _scene)(block, page), page.level + 1)
+            html = MAKERS.get(block.name, _scene)(block, page)
+            return with_headings(html, page.section.level + 1)
         except DrawingError as error:
             line = page.first_line + block.start
             finding = Finding(page.lesson.file, line, 1, "not-drawn", str(error), "")
@@ -69,6 +72,8 @@ def _question(block: Block, page: Page) -> str:
 
     read = read_question_block(block, page.lesson, page.ids, first_line=page.first_line)
     page.items.questions.append(read)
+    if page.section.optional:
+        page.items.optional.add(read.question.id)
     gate = page.items.gate(read.question)
     return render_question(read.question, number=len(page.items.questions), after=gate)
 

@@ -120,7 +120,7 @@ class SiteBuild:
                     )
                 )
         self.doors.note(name, page.lesson.file, page.language)
-        if key := practice_key(self.site_id, lesson, page.items):
+        if key := practice_key(self.site_id, lesson, page):
             self.keys[name] = key
         self.prepared |= page.prepared
         self.asked[name] = frozenset(page.packages) | _own_packages(self.needs[name])

@@ -50,7 +50,7 @@ def made(text: str) -> str:
         Markdown(extensions=[CartsExtension()]).convert(text)
     finally:
         set_page(None)
-    key = practice_key("tests", "lesson", page.items)
+    key = practice_key("tests", "lesson", page)
     return keys_script([key] if key else []).decode()
 
 

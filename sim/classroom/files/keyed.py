@@ -28,6 +28,7 @@ from sim.lesson.question import Common, Question
 
 MOST_CHARACTERS = 5_000_000
 MOST_ITEMS = 500
+LONGEST_TITLE = 200
 CHOSEN: dict[str, type[Single | Idea]] = {kind.KIND: kind for kind in (Single, Multiple, Idea)}
 """Kinds in which options are chosen; in an idea none of them is right."""
 
@@ -38,7 +39,10 @@ class KeyFileError(ValueError):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KeyedItem:
-    """A question with what the teacher reads beside it."""
+    """A question with what the teacher reads beside it.
+
+    `optional`: it stands in a part for who has time, and gives no marks.
+    """
 
     question: Question
     hash: str
@@ -46,6 +50,7 @@ class KeyedItem:
     texts: Mapping[str, str]
     beliefs: Mapping[str, str]
     rubric: Mapping[str, str]
+    optional: bool = False
     seen: dict[str, Mark] = field(default_factory=dict, repr=False, compare=False)
 
     def mark(self, value: object, own: float | None = None) -> Mark:
@@ -59,15 +64,16 @@ class KeyedItem:
     @property
     def worth(self) -> int:
         """The most marks; 0 where there is nothing to mark."""
-        return self.question.mark(None).of
+        return 0 if self.optional else self.question.mark(None).of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KeyedForm:
-    """The items of one form of a lesson by id, in their order."""
+    """The items of one form of a lesson by id, in their order. `title`: for people, or empty."""
 
     site: str
     lesson: str
+    title: str
     form: str
     hash: str
     options: tuple[tuple[str, int], ...]
@@ -76,7 +82,8 @@ class KeyedForm:
 
     def as_file(self) -> str:
         """A key file of this form alone."""
-        content = {"format": FORMAT, "kind": KIND, "site": self.site, "lesson": self.lesson}
+        content = {"format": FORMAT, "kind": KIND, "site": self.site, "lesson": self.lesson,
+                   "title": self.title}  # fmt: skip
         return json.dumps({**content, "forms": [self.plain]}, ensure_ascii=False)
 
 
@@ -93,20 +100,19 @@ def read_key_file(text: str) -> tuple[KeyedForm, ...]:
     if content.get("format") != FORMAT:
         raise KeyFileError("this key file comes from another version of Newton's Carts")
     try:
-        return tuple(
-            _form(part, str(content["site"]), str(content["lesson"])) for part in content["forms"]
-        )
+        return tuple(_form(part, content) for part in content["forms"])
     except (KeyError, TypeError, ValueError, AttributeError, IndexError):
         raise KeyFileError("this key file is damaged: write it again with `carts key`") from None
 
 
-def _form(part: Mapping[str, Any], site: str, lesson: str) -> KeyedForm:
+def _form(part: Mapping[str, Any], content: Mapping[str, Any]) -> KeyedForm:
     rows = part["items"]
     if len(rows) > MOST_ITEMS:
         raise ValueError
     return KeyedForm(
-        site=site,
-        lesson=lesson,
+        site=str(content["site"]),
+        lesson=str(content["lesson"]),
+        title=str(content.get("title", ""))[:LONGEST_TITLE],
         form=str(part["form"]),
         hash=str(part["hash"]),
         options=tuple((str(name), int(count)) for name, count in part["options"]),
@@ -133,6 +139,7 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
         texts={str(k): str(v) for k, v in row.get("texts", {}).items()},
         beliefs={str(k): str(v) for k, v in row.get("beliefs", {}).items()},
         rubric={str(k): str(v) for k, v in row.get("rubric", {}).items()},
+        optional=row.get("optional") is True,
     )
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sim.classroom.handouts.belief_map import belief_map
-from sim.classroom.handouts.wording import FORMS, Tell, cut, lesson_name, numbers
+from sim.classroom.handouts.wording import FORMS, Tell, cut, numbers
 from sim.classroom.report.sentences import number
 from sim.classroom.show.html_parts import table, text
 from sim.scene.said import said, template
@@ -44,7 +44,7 @@ def sheet_html(report: Row, tell: Tell) -> str:
 
 def _page(lesson: Row, form: Row, tell: Tell) -> str:
     students = said("1 student") if form["n"] == 1 else said("{n} students", n=str(form["n"]))
-    name = f"{text(lesson_name(lesson['lesson']))} · {tell(FORMS[form['form']])}"
+    name = f"{text(lesson['title'])} · {tell(FORMS[form['form']])}"
     head = f"<header><h2>{name}</h2><span>{tell(students)}</span></header>"
     return f'<section class="carts-sheet">{head}{"".join(_parts(form, tell))}</section>'
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.handouts.answered import answer_words, right_words
 from sim.classroom.report.flags import ORDER
-from sim.classroom.report.marked import Answer, Keys, Marked
+from sim.classroom.report.marked import Answer, Keys, Marked, lesson_title
 
 MOST_TOLD = 4
 """Questions of a form that a slip speaks about; what is more is named by number."""
@@ -72,6 +72,7 @@ class Slip:
     file: str
     group: str
     lesson: str
+    title: str
     forms: tuple[FormSlip, ...]
 
 
@@ -86,6 +87,7 @@ def slips(counted: Sequence[Marked], keys: Keys, groups: Sequence[str]) -> list[
             file=files[0].name,
             group=files[0].group,
             lesson=files[0].file.lesson,
+            title=lesson_title(files[0].file.lesson, (keys.of(one.file) for one in files)),
             forms=tuple(
                 form_slip(file, keys.of(file.file))
                 for file in sorted(files, key=lambda one: ORDER.index(one.file.form))
@@ -104,9 +106,10 @@ def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
     if key is None or file.foreign:
         return FormSlip(form=file.file.form, saved=file.file.saved, marks=None, of=0)
     marked = [(k, key.items[name], file.answers[name]) for k, name in enumerate(key.items, 1)]
-    worth = [(k, item, a) for k, item, a in marked if a.worth and a.mark]
+    worth = [(k, item, a) for k, item, a in marked if a.mark and a.mark.of
+             and not (a.optional and _verdict(a) == "empty")]  # fmt: skip
     wrong = [one for one in worth if _verdict(one[2]) in ("wrong", "partly", "unclear")
-             and not _by_hand(one[1])]  # fmt: skip
+             and not one[1].question.free]  # fmt: skip
     wrong.sort(key=lambda one: (one[2].sure != "sure", one[0]))
     answered = [(item, a) for _, item, a in worth if _verdict(a) not in ("empty", "open")]
     sure = [a for item, a in answered if item.question.common.sure and a.sure == "sure"]
@@ -133,14 +136,8 @@ def _verdict(answer: Answer) -> str:
 def _tells(item: KeyedItem, answer: Answer) -> bool:
     """Whether an answer in words is worth a line: it was marked, or a first idea stands beside."""
     marked = answer.mark is not None and answer.mark.marks is not None
-    said = bool(answer_words(item, answer.value)) and _by_hand(item)
+    said = bool(answer_words(item, answer.value)) and item.question.free
     return said and (marked or bool(item.question.common.idea))
-
-
-def _by_hand(item: KeyedItem) -> bool:
-    """Whether a person marks it."""
-    kind = item.question.KIND
-    return kind == "long" or (kind == "short" and not item.question.key()["accept"])
 
 
 def _look(number: int, item: KeyedItem, answer: Answer) -> Look:
@@ -168,5 +165,5 @@ def _given(
     first = answer_words(items[name], answers[name].value) if name in items else ""
     return Given(
         number=number, ask=item.ask, answer=answer_words(item, answer.value), idea=first,
-        marks=answer.mark.marks if answer.mark else None, of=answer.worth,
+        marks=answer.mark.marks if answer.mark else None, of=answer.mark.of if answer.mark else 0,
     )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from sim.classroom.handouts.slip import FormSlip, Given, Look, Slip
-from sim.classroom.handouts.wording import FORMS, Tell, cut, lesson_name, numbers
+from sim.classroom.handouts.wording import FORMS, Tell, cut, numbers
 from sim.classroom.show.html_parts import text, who
 from sim.scene.said import said, template
 
@@ -24,7 +24,7 @@ def _slip(slip: Slip, tell: Tell, *, answers: bool) -> str:
     name = who(slip.student) if slip.student else tell(nobody)
     return (
         f'<article class="carts-slip"><header><b>{name}</b>'
-        f"<span>{text(lesson_name(slip.lesson))}</span></header>{parts}"
+        f"<span>{text(slip.title)}</span></header>{parts}"
         f"<footer>{tell(template('From your teacher:'))}</footer></article>"
     )
 

@@ -35,8 +35,3 @@ def cut(words: str, most: int = LONGEST) -> str:
 def numbers(found: Iterable[int]) -> str:
     """1, 2, 5."""
     return ", ".join(map(str, found))
-
-
-def lesson_name(lesson: str) -> str:
-    """`newtons-third-law` as a title."""
-    return lesson.replace("-", " ").capitalize()

@@ -54,9 +54,7 @@ def word_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[str,
     rows = []
     for name, keyed in form.items.items():
         question = keyed.question
-        if question.KIND != "long" and not (
-            question.KIND == "short" and not question.key()["accept"]
-        ):
+        if not question.free:
             continue
         answers = [
             {

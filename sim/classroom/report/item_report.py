@@ -57,6 +57,7 @@ def _row(
         "ask": keyed.ask if keyed else "",
         "type": keyed.question.KIND if keyed else (answers[0].type if answers else ""),
         "worth": keyed.worth if keyed else 0,
+        **({"optional": True} if keyed and keyed.optional else {}),
         "n": len(answers),
         "answered": sum(not is_empty(a.value) for a in answers),
         "sure": _sure(answers, keyed),

@@ -19,7 +19,8 @@ NO_CODE = "no code word"
 class Answer:
     """The answer that counts for one item. `foreign`: it answers another wording of it.
 
-    `item`: as it stands in the file, None where nothing does.
+    `optional`: in a part for who has time, which gives no marks and is never missing. `item`: as
+    it stands in the file, None where nothing does.
     """
 
     id: str
@@ -28,17 +29,18 @@ class Answer:
     sure: str
     mark: Mark | None
     foreign: bool = False
+    optional: bool = False
     item: Item | None = None
 
     @property
     def marks(self) -> int:
         """Marks so far: what nobody has marked yet gives none."""
-        return (self.mark.marks or 0) if self.mark else 0
+        return (self.mark.marks or 0) if self.mark and not self.optional else 0
 
     @property
     def worth(self) -> int:
         """The most marks that it could have; 0 without a key."""
-        return self.mark.of if self.mark else 0
+        return self.mark.of if self.mark and not self.optional else 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -134,6 +136,12 @@ def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> M
     return Marked(name=read.name, group=group, file=file, answers=answers)
 
 
+def lesson_title(lesson: str, keys: Iterable[KeyedForm | None]) -> str:
+    """A lesson as people call it: as its key says, else by the name of its file."""
+    named = (key.title for key in keys if key and key.title)
+    return next(named, lesson.replace("-", " ").capitalize())
+
+
 def counted_items(files: Sequence[Marked]) -> tuple[str, ...]:
     """Items that are worth marks and wait for nobody, in any of these files: what totals are of."""
     if not files:
@@ -170,6 +178,7 @@ def _marked(keyed: KeyedItem, items: list[Item], given: int | None) -> Answer:
         value=item.value if item else None,
         sure=item.more.get("sure", "") if item else "",
         mark=mark,
+        optional=keyed.optional,
         foreign=not fitting and any(not is_empty(item.value) for item in items),
         item=item,
     )

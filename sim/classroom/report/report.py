@@ -20,7 +20,14 @@ from sim.classroom.report.flags import ORDER, Sorted, sort_out
 from sim.classroom.report.gain_report import comparison_table, gain_table, only_after_table
 from sim.classroom.report.item_report import item_rows
 from sim.classroom.report.item_statistics import whole_test
-from sim.classroom.report.marked import Keys, Marked, counted_items, mark_file, worth
+from sim.classroom.report.marked import (
+    Keys,
+    Marked,
+    counted_items,
+    lesson_title,
+    mark_file,
+    worth,
+)
 from sim.classroom.report.own_runs import own_run_rows
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
@@ -104,6 +111,7 @@ def _lesson(
     return {
         "site": site,
         "lesson": lesson,
+        "title": lesson_title(lesson, (keys.get((site, lesson, form)) for form in by_form)),
         "forms": tables,
         "gains": gains,
         "topics": topic_rows(by_form, keys.get((site, lesson, "pre")), asked.groups),

@@ -49,6 +49,8 @@ def _overview(items: Sequence[Row]) -> str:
         chosen = f"{most['label']} ({most['count']})" if most else ""
         sure = f"{item['sure']['right']} / {item['sure']['wrong']}" if item["sure"] else "–"
         right = f"{item['right']} of {item['n']}" if item["worth"] else "–"
+        if item.get("optional"):
+            right = f"{item['right']} of {item['answered']}, optional"
         if item["unread"]:
             right = f"{item['unread']} to read"
         numbers = ("difficulty", "discrimination", "point_biserial")

@@ -62,7 +62,7 @@ def _flags(flags: Sequence[Row]) -> str:
 
 
 def _lesson(lesson: Row, report: Row) -> str:
-    parts = [f"<h2>{text(lesson['lesson'])}</h2>", _means(lesson, report), _plot(lesson)]
+    parts = [f"<h2>{text(lesson['title'])}</h2>", _means(lesson, report), _plot(lesson)]
     if lesson["comparison"]:
         first, second = lesson["comparison"]["groups"]
         parts.append(f"<h3>{text(first)} beside {text(second)}</h3>")

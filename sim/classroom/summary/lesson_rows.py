@@ -10,6 +10,7 @@ from typing import Any
 from sim.classroom.refusal import FEWEST, RefusalError
 from sim.classroom.report import sentences as say
 from sim.classroom.report.gain_report import comparison_row, gain_row, only_after_table
+from sim.classroom.report.marked import lesson_title
 from sim.classroom.statistics.clusters import FEWEST_CLASSES, clustered
 from sim.classroom.statistics.pair_sums import NOBODY
 from sim.classroom.summary.form_rows import form_row, plain, spread_of_totals
@@ -43,6 +44,7 @@ def lesson_row(
     return {
         "site": lesson.site,
         "lesson": lesson.lesson,
+        "title": lesson_title(lesson.lesson, ()),
         "forms": [
             form_row(form, groups, who.students.get(form.form, []), inference=inference)
             for form in lesson.forms.values()

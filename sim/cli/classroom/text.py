@@ -21,7 +21,7 @@ def _parts(report: Mapping[str, Any]) -> Iterator[str]:
     yield "\n".join(f"? {_safe(f['sentence'])}\n  {', '.join(f['files'][:8])}"
                     for f in report["flags"])  # fmt: skip
     for lesson in report["lessons"]:
-        title = _safe(lesson["lesson"])
+        title = _safe(lesson["title"])
         yield f"{title}\n{'=' * len(title)}"
         yield _means(lesson)
         says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]

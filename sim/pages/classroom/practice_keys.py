@@ -12,7 +12,7 @@ from typing import Any
 
 from sim.lesson.key_file import key_file
 from sim.pages.language import LANGUAGES, words_of
-from sim.pages.question.on_page import PageItems
+from sim.pages.makers import Page
 
 FILE = "class-keys.js"
 FOR_TEACHERS = ("rubric", "note")
@@ -20,13 +20,14 @@ OF_PAPERS = ("sim/classroom/", "sim/lesson/")
 """Where the sentences of slips and sheets stand, and the beliefs in them."""
 
 
-def practice_key(site_id: str, lesson: str, items: PageItems) -> dict[str, Any] | None:
+def practice_key(site_id: str, lesson: str, page: Page) -> dict[str, Any] | None:
     """The key of a page without its exams, or None if it has nothing to mark."""
+    items = page.items
     questions = [block.question for block in items.questions]
     forms = [quiz.form for quiz in items.quizzes if quiz.form.mode == "practice"]
     if not questions and not forms:
         return None
-    key = key_file(site_id, lesson, questions, forms)
+    key = key_file(site_id, lesson, questions, forms, title=page.title, optional=items.optional)
     key["forms"] = [
         {**form, "items": [_without(item) for item in form["items"]]} for form in key["forms"]
     ]

@@ -36,7 +36,9 @@ def lesson_key(text: str, lesson: Lesson, name: str, site: str) -> Key | None:
     page = (
         templates("sim.pages.question").get_template("key.html.j2").render(lesson=name, parts=rows)
     )
-    return Key(key_file(site, name, own, forms), str(page))
+    return Key(
+        key_file(site, name, own, forms, title=asks.title, optional=asks.optional), str(page)
+    )
 
 
 def _row(item: Question, number: int) -> dict[str, Any]:

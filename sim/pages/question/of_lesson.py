@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from sim.lesson import Question
@@ -14,9 +12,9 @@ from sim.pages.question.block import read_question_block
 from sim.pages.question.on_page import BEFORE_A_RUN, OPEN
 from sim.pages.question.quiz import read_quiz_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
-from sim.pages.text.fence_scan import HEADING, Block, scan
+from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.sections import in_sections, title_of
 
-_TITLE = re.compile(r"^# +(.+?)(?: *\{:[^}]*\})? *$", re.MULTILINE)
 WORKSHEET = "worksheet"
 """The form of the questions that stand in the lesson itself."""
 
@@ -26,7 +24,8 @@ class LessonAsks:
     """Questions of the lesson's own, and its forms, in their order.
 
     `title`: its first heading, may be empty. `about`: ids of own questions, each with the id of
-    the scene that it is about. `predicted`: ids of scenes that ask for a prediction.
+    the scene that it is about. `predicted`: ids of scenes that ask for a prediction. `optional`:
+    ids of own questions in parts for who has time.
     """
 
     title: str
@@ -34,6 +33,7 @@ class LessonAsks:
     forms: tuple[Form, ...]
     about: dict[str, str]
     predicted: tuple[str, ...]
+    optional: frozenset[str]
 
     @property
     def parts(self) -> dict[str, tuple[Question, ...]]:
@@ -50,28 +50,24 @@ def lesson_asks(text: str, lesson: Lesson) -> LessonAsks:
     about: dict[str, str] = {}
     predicted: list[str] = []
     last = ""  # the scene with a prediction that the text since the last heading is about
-    for block, new_section in _sections(text.splitlines()):
-        last = "" if new_section else last
+    optional: set[str] = set()
+    lines = text.splitlines()
+    for block, section in in_sections(lines, scan(lines)):
+        last = "" if section.new else last
         if block.name == "scene" and (found := _predicting(block, lesson)):
             predicted.append(found)
             last = found
         elif block.name == "question":
             question = read_question_block(block, lesson, ids, first_line=1).question
             own.append(question)
+            if section.optional:
+                optional.add(question.id)
             if scene := _scene_of(question, last):
                 about[question.id] = scene
         elif block.name == "quiz":
             forms.append(read_quiz_block(block, lesson, ids, first_line=1).form)
-    title = _TITLE.search(text)
-    return LessonAsks(title[1] if title else "", tuple(own), tuple(forms), about, tuple(predicted))
-
-
-def _sections(lines: Sequence[str]) -> Iterator[tuple[Block, bool]]:
-    """Each block, and whether a heading stands between it and the one before."""
-    done = 0
-    for block in scan(lines):
-        yield block, done == 0 or any(map(HEADING.match, lines[done : block.start]))
-        done = block.end
+    return LessonAsks(title_of(lines), tuple(own), tuple(forms), about, tuple(predicted),
+                      frozenset(optional))  # fmt: skip
 
 
 def _scene_of(question: Question, last: str) -> str:

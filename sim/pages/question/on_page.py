@@ -32,6 +32,8 @@ class PageItems:
     quizzes: list[QuizBlock] = field(default_factory=list)
     laws: list[tuple[str, str]] = field(default_factory=list)
     """Id and hash of each block in which a reader writes a law."""
+    optional: set[str] = field(default_factory=set)
+    """Ids of questions in parts for who has time."""
     broken: set[str] = field(default_factory=set)
     """Ids of scenes with mistakes: they are known, and nothing more is said about them."""
     asking: str = ""  # the scene with a prediction that the text since the last heading is about

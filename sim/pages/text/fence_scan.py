@@ -29,8 +29,6 @@ KINDS = (
     ),
 )
 
-HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
-
 _OPEN = re.compile(
     r"(?P<indent>[ \t]*)(?P<quote>(?:>[ \t]?)*)(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^`]*)"
 )

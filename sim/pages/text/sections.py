@@ -1,0 +1,47 @@
+"""Under which heading a block stands, and whether that part of a lesson is for who has time.
+
+A part is optional from a heading of the first or second level with the class `more`, as in
+`## Magnets {: .more }`, up to the next of these levels; the page's script marks the same parts.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from sim.pages.text.fence_scan import Block
+
+_HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
+_TITLE = re.compile(r"# +(.+?)(?: *\{:[^}]*\})? *")
+_MORE = re.compile(r"\{:?[^}]*(?<![\w-])\.more(?![\w-])[^}]*\}\s*$")
+_PARTS = 2  # the lowest level that divides a lesson into parts
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """`level`: of the heading above. `new`: whether that stands below the block before."""
+
+    level: int = 1
+    optional: bool = False
+    new: bool = True
+
+
+def title_of(lines: Iterable[str]) -> str:
+    """The first heading of the first level; empty where there is none."""
+    found = (title[1] for line in lines if (title := _TITLE.fullmatch(line)))
+    return next(found, "")
+
+
+def in_sections(lines: Sequence[str], blocks: Iterable[Block]) -> Iterator[tuple[Block, Section]]:
+    """Each block of these lines with the section that it stands in."""
+    section, done = Section(), 0
+    for block in blocks:
+        section = replace(section, new=done == 0)
+        for line in lines[done : block.start]:
+            if heading := _HEADING.match(line):
+                level = len(heading["signs"])
+                more = bool(_MORE.search(line)) if level <= _PARTS else section.optional
+                section = Section(level, more)
+        yield block, section
+        done = block.end
