@@ -5,6 +5,7 @@
     {"id": 10, "kind": "measured", "do": "fit", …as read…, "law": …, "effect": "friction",
      "distance": null, "masses": {"A": 0.5}}
     {"id": 11, "kind": "measured", "do": "tracker", …as fit…}
+    {"id": 12, "kind": "measured", "do": "unzip", "zip": "UEsDB…"}      base64
 
 What cannot be read or fitted is answered with `refused`: rows of line, reason and hint.
 """
@@ -12,6 +13,7 @@ What cannot be read or fitted is answered with `refused`: rows of line, reason a
 from __future__ import annotations
 
 from array import array
+from binascii import a2b_base64
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
@@ -27,6 +29,7 @@ from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
+from sim.measured.zipped import texts_of
 
 SHORTEST = 1e-4
 """s. A contact that a reader can set by hand."""
@@ -40,6 +43,7 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
         "fit": _fit,
         "tracker": _tracker,
         "ready": _ready,
+        "unzip": _unzip,
     }
     try:
         header = ways[str(request.get("do"))](request)
@@ -72,10 +76,7 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
         "read": list(measured.notes),
         "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
     }
-    if measured.kind == "acceleration":
-        raise FitError("the accelerations of two phones are not shown here",
-                       "`carts fit` compares them, on the command line")  # fmt: skip
-    if measured.kind == "force":
+    if measured.kind != "length":
         pair = third_law(measured)
         return answer | {
             "report": forces_report(measured, pair),
@@ -156,6 +157,12 @@ def _tracker(request: Mapping[str, Any]) -> dict[str, Any]:
 def _ready(_: Mapping[str, Any]) -> dict[str, Any]:
     """Imports what a fit needs: on a slow computer that takes some seconds."""
     return {"ready": warm_up()}
+
+
+def _unzip(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The readings in a zip, as phyphox and Tracker make them."""
+    (text,) = texts_of(a2b_base64(request["zip"]))
+    return {"text": text}
 
 
 def _drawn(made: Overlay) -> dict[str, Any]:

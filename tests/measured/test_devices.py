@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 
-from sim.cli.measured.zipped import texts_of
 from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.events.story import Hints, story_of
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
+from sim.measured.zipped import texts_of
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts, tracker_project
 
 FILMED = 2e-4

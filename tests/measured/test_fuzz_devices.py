@@ -9,12 +9,12 @@ from random import Random
 
 import pytest
 
-from sim.cli.measured.zipped import texts_of
 from sim.measured.analysis import analysed
 from sim.measured.cells import decoded
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
 from sim.measured.units import Units
+from sim.measured.zipped import texts_of
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts, tracker_project
 
 SHORT = Motion(v=(0.5, -0.1), touch=0.5, until=1.0)

@@ -10,7 +10,6 @@ from typing import Any, NoReturn, cast
 import click
 
 from sim.cli.measured.of_names import named, of_names, quantity, weighed
-from sim.cli.measured.zipped import texts_of
 from sim.cli.tables import table
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.cells import MOST_BYTES
@@ -22,6 +21,7 @@ from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import OFFERED, Units
+from sim.measured.zipped import texts_of
 from sim.scene.quantity import LENGTH, TIME
 
 FILE = click.Path(dir_okay=False, path_type=Path)

@@ -102,7 +102,9 @@ def read_classroom(package: Path, version: str) -> Ours:
 def read_measured(package: Path, version: str) -> Ours:
     """Return what a page with readings of real carts has beside `read_ours`."""
     found = [package / MEASURED_ENTRY, *_layers(package, ("measured",))]
-    return _ours(package, version, MEASURED, found)
+    return replace(
+        _ours(package, version, MEASURED, found), also=("zipfile", "encodings.cp437", *ENCODINGS)
+    )
 
 
 def read_worlds(package: Path, version: str) -> Ours:

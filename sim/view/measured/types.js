@@ -6,7 +6,7 @@
  * @typedef {{t: number[], x: [number[], number[]]}} Curve
  * @typedef {{line: number | null, reason: string, hint: string}} Fault
  * @typedef {{parameters: Hand, curve: Curve, residuals: [number[], number[]], spread: number}} Drawn
- * @typedef {{kind: "length" | "force", names: [string, string], read: string[], tracks: [Track, Track],
+ * @typedef {{kind: "length" | "force" | "acceleration", names: [string, string], read: string[], tracks: [Track, Track],
  *   report?: Report, forces?: {t: number[], F: [number[], number[]]}}} Read
  * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
  * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],

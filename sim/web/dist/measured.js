@@ -1048,14 +1048,17 @@
 
   // src/measured/source.js
   var MOST2 = 4e6;
+  var ZIP = 1347093252;
   var TYPED = "typed readings";
   var Source = class {
     /**
      * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-     * @param {(text: string) => void} tell @param {string} base address of the page's script
+     * @param {(text: string) => void} tell
+     * @param {(zip: string) => Promise<{text: string} | Refused>} unzip base64 to the readings in it @param {string} base address of the page's script
      */
-    constructor(root, take, changed, tell2, base) {
+    constructor(root, take, changed, tell2, unzip, base) {
       this.root = root;
+      this.unzip = unzip;
       const area = (
         /** @type {HTMLElement} */
         root.closest("carts-measured") ?? root
@@ -1108,8 +1111,22 @@
       if (files.some((file) => file.size > MOST2)) {
         return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
       }
-      const texts = await Promise.all(files.map(async (file) => decoded(await file.arrayBuffer())));
+      const texts = [];
+      for (const file of files) {
+        const bytes = await file.arrayBuffer();
+        const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
+        if ("refused" in found) {
+          return this.tell(found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". "));
+        }
+        texts.push(found.text);
+      }
       this.take(files.map((file) => file.name).join(" and "), texts);
+    }
+    /** @param {ArrayBuffer} bytes @returns {Promise<{text: string} | Refused>} */
+    #unzipped(bytes) {
+      return this.unzip(base64(bytes)).catch(({ message }) => ({
+        refused: [{ line: null, reason: message, hint: "a zip needs Python to be opened" }]
+      }));
     }
     /** @param {string} name @param {string[]} texts */
     save(name, texts) {
@@ -1122,6 +1139,14 @@
       return line > 1 ? `row ${line - 1}` : "the table";
     }
   };
+  function isZip(bytes) {
+    return new DataView(bytes).byteLength > 4 && new DataView(bytes).getUint32(0) === ZIP;
+  }
+  function base64(bytes) {
+    let text2 = "";
+    for (const byte of new Uint8Array(bytes)) text2 += String.fromCharCode(byte);
+    return btoa(text2);
+  }
   function decoded(bytes) {
     const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
     const mark = start[0] === 255 && start[1] === 254 ? "utf-16le" : "";
@@ -1286,8 +1311,11 @@
       this.#part("legend").replaceChildren(...legend(read));
       this.#part("model").hidden = !motion;
       this.#part("world").hidden = !motion;
-      this.#part("left").toggleAttribute("hidden", !motion && !read.forces);
-      if (read.kind === "force") this.#forces(read);
+      this.#part("left").toggleAttribute(
+        "hidden",
+        !motion && !(read.forces && read.kind === "force")
+      );
+      if (read.kind !== "length") this.#forces(read);
       else if (!motion) this.#points(read);
     }
     /** @param {Read} read */
@@ -1296,17 +1324,18 @@
       showTable(need(this.root, ".carts-measured-table table"), read, null);
       say(this.#part("spread"), "");
     }
-    /** Two sensors against each other. @param {Read} read */
+    /** Two sensors, or two phones, against each other. @param {Read} read */
     #forces(read) {
-      const { forces } = read;
+      const { forces, kind } = read;
+      const summed = kind === "force";
       const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
-      this.figure.show(tracks, "F in N", null);
-      if (forces) {
+      this.figure.show(tracks, summed ? "F in N" : "a in m/s²", null);
+      if (forces && summed) {
         const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
         this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
       }
       showTable(need(this.root, ".carts-measured-table table"), read, null);
-      say(this.#part("spread"), forces ? "Below: the sum of both forces." : "");
+      say(this.#part("spread"), forces && summed ? "Below: the sum of both forces." : "");
       if (read.report) showResult(this.#part("result"), read.report);
     }
     /** The model over the readings. @param {Read} read @param {Drawn} drawn */
@@ -1361,12 +1390,17 @@
       say(this.#part("busy"), text2);
     }
   };
+  var NAMES = {
+    length: (name) => name,
+    force: (name) => `force on ${name}`,
+    acceleration: (name) => `phone on ${name}`
+  };
   function legend(read) {
     return read.names.flatMap((name, k) => {
       const mark = document.createElement("span");
       mark.className = `carts-measured-key carts-b${k}`;
       const text2 = document.createElement("span");
-      text2.textContent = read.kind === "length" ? name : `force on ${name}`;
+      text2.textContent = NAMES[read.kind](name);
       return [mark, text2];
     });
   }
@@ -1477,6 +1511,7 @@
     }
     /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
     missing(read) {
+      if (read.kind === "acceleration") return [];
       const kinds = (
         /** @type {("time" | "length" | "force")[]} */
         ["time", read.kind]
@@ -1552,6 +1587,7 @@
           (name, texts) => this.#take(name, texts),
           () => this.#keep(),
           (text2) => this.#refuse(text2 ? [{ line: null, reason: text2, hint: "" }] : []),
+          (zip) => this.#ask("unzip", { zip }),
           base
         );
         this.picture.watch = (time, places) => this.source?.films.at(time, places);
@@ -1712,8 +1748,7 @@
           await this.#ask("ready");
           this.picture?.busy("Fitting …");
           performance.mark("carts:measured-asked");
-          const shown2 = await this.#newest("fit", { compare }, (found) => this.#fitted(found));
-          if (!shown2) return;
+          if (!await this.#newest("fit", { compare }, (found) => this.#fitted(found))) return;
           performance.mark("carts:measured-fit");
           this.#kept.fitted = compare ? "compared" : "fitted";
           this.#keep();

@@ -48,6 +48,7 @@ export function measuredElement(client, base) {
         (name, texts) => this.#take(name, texts),
         () => this.#keep(),
         (text) => this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []),
+        (zip) => this.#ask("unzip", { zip }),
         base,
       );
       this.picture.watch = (time, places) => this.source?.films.at(time, places);
@@ -213,8 +214,7 @@ export function measuredElement(client, base) {
         await this.#ask("ready");
         this.picture?.busy("Fitting …");
         performance.mark("carts:measured-asked");
-        const shown = await this.#newest("fit", { compare }, (found) => this.#fitted(found));
-        if (!shown) return;
+        if (!(await this.#newest("fit", { compare }, (found) => this.#fitted(found)))) return;
         performance.mark("carts:measured-fit");
         this.#kept.fitted = compare ? "compared" : "fitted";
         this.#keep();

@@ -53,8 +53,11 @@ export class Picture {
     this.#part("legend").replaceChildren(...legend(read));
     this.#part("model").hidden = !motion;
     this.#part("world").hidden = !motion;
-    this.#part("left").toggleAttribute("hidden", !motion && !read.forces);
-    if (read.kind === "force") this.#forces(read);
+    this.#part("left").toggleAttribute(
+      "hidden",
+      !motion && !(read.forces && read.kind === "force"),
+    );
+    if (read.kind !== "length") this.#forces(read);
     else if (!motion) this.#points(read);
   }
 
@@ -65,17 +68,18 @@ export class Picture {
     say(this.#part("spread"), "");
   }
 
-  /** Two sensors against each other. @param {Read} read */
+  /** Two sensors, or two phones, against each other. @param {Read} read */
   #forces(read) {
-    const { forces } = read;
+    const { forces, kind } = read;
+    const summed = kind === "force"; // accelerations of unlike masses have no sum of use
     const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
-    this.figure.show(tracks, "F in N", null);
-    if (forces) {
+    this.figure.show(tracks, summed ? "F in N" : "a in m/s²", null);
+    if (forces && summed) {
       const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
       this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
     }
     showTable(need(this.root, ".carts-measured-table table"), read, null);
-    say(this.#part("spread"), forces ? "Below: the sum of both forces." : "");
+    say(this.#part("spread"), forces && summed ? "Below: the sum of both forces." : "");
     if (read.report) showResult(this.#part("result"), read.report);
   }
 
@@ -133,13 +137,20 @@ export class Picture {
   }
 }
 
+/** What a curve shows. @type {Record<Read["kind"], (name: string) => string>} */
+const NAMES = {
+  length: (name) => name,
+  force: (name) => `force on ${name}`,
+  acceleration: (name) => `phone on ${name}`,
+};
+
 /** @param {Read} read @returns {HTMLElement[]} */
 function legend(read) {
   return read.names.flatMap((name, k) => {
     const mark = document.createElement("span");
     mark.className = `carts-measured-key carts-b${k}`;
     const text = document.createElement("span");
-    text.textContent = read.kind === "length" ? name : `force on ${name}`;
+    text.textContent = NAMES[read.kind](name);
     return [mark, text];
   });
 }

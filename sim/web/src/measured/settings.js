@@ -100,6 +100,7 @@ export class Settings {
 
   /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
   missing(read) {
+    if (read.kind === "acceleration") return []; // a phone names its units
     const kinds = /** @type {("time" | "length" | "force")[]} */ (["time", read.kind]);
     return kinds
       .filter((kind) => !this.chosen[kind])

@@ -6,17 +6,21 @@ import { Films, isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
 const MOST = 4_000_000; // bytes of one file; Python says so too
+const ZIP = 0x504b0304; // the first four bytes
 const TYPED = "typed readings";
 
 /** @typedef {(name: string, texts: string[]) => void} Take */
+/** @typedef {import("../../../view/measured/types.js").Refused} Refused */
 
 export class Source {
   /**
    * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-   * @param {(text: string) => void} tell @param {string} base address of the page's script
+   * @param {(text: string) => void} tell
+   * @param {(zip: string) => Promise<{text: string} | Refused>} unzip base64 to the readings in it @param {string} base address of the page's script
    */
-  constructor(root, take, changed, tell, base) {
+  constructor(root, take, changed, tell, unzip, base) {
     this.root = root;
+    this.unzip = unzip;
     const area = /** @type {HTMLElement} */ (root.closest("carts-measured") ?? root);
     this.films = new Films(area, base, take, tell);
     /** Other readings than those of a film. @type {Take} */
@@ -63,8 +67,23 @@ export class Source {
     if (files.some((file) => file.size > MOST)) {
       return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
     }
-    const texts = await Promise.all(files.map(async (file) => decoded(await file.arrayBuffer())));
+    const texts = [];
+    for (const file of files) {
+      const bytes = await file.arrayBuffer();
+      const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
+      if ("refused" in found) {
+        return this.tell(found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". "));
+      }
+      texts.push(found.text);
+    }
     this.take(files.map((file) => file.name).join(" and "), texts);
+  }
+
+  /** @param {ArrayBuffer} bytes @returns {Promise<{text: string} | Refused>} */
+  #unzipped(bytes) {
+    return this.unzip(base64(bytes)).catch(({ message }) => ({
+      refused: [{ line: null, reason: message, hint: "a zip needs Python to be opened" }],
+    }));
   }
 
   /** @param {string} name @param {string[]} texts */
@@ -78,6 +97,18 @@ export class Source {
     if (name !== TYPED) return `line ${line}`;
     return line > 1 ? `row ${line - 1}` : "the table";
   }
+}
+
+/** @param {ArrayBuffer} bytes */
+function isZip(bytes) {
+  return new DataView(bytes).byteLength > 4 && new DataView(bytes).getUint32(0) === ZIP;
+}
+
+/** @param {ArrayBuffer} bytes */
+function base64(bytes) {
+  let text = "";
+  for (const byte of new Uint8Array(bytes)) text += String.fromCharCode(byte);
+  return btoa(text);
 }
 
 /** The bytes as text; what is not UTF-8 keeps a sign that Python refuses. @param {ArrayBuffer} bytes */
