@@ -131,23 +131,50 @@ class Started:
         return min(near, abs(far.real) + abs(level.real) * t + swing)
 
 
-def _look(q: Started, rates: tuple[complex, ...], t: float) -> tuple[float, float]:
-    """q and q' at t: what the search for a zero asks for, again and again."""
-    value, rate = q.first + q.slope * t, q.slope
+SLOW = 0.1
+"""|z| h of modes that the search for a zero takes as a polynomial."""
+
+SLOW_TERMS = tuple(1.0 / math.factorial(n) for n in range(2, 12))
+"""0.1^10 2!/12! is 4e-19."""
+
+
+def _slow(
+    q: Started, rates: tuple[complex, ...], h: float
+) -> tuple[list[float], list[tuple[complex, complex]]]:
+    """q as a polynomial of its slow modes up to h s, and b and z of the others."""
+    poly, fast = [q.first, q.slope], []
+    powers: list[complex] = []
+    slow: list[complex] = []
     for b, z in zip(q.shares, rates, strict=True):
         if not b:
             continue
-        w = z.imag
-        y = w * t
-        if y <= FAR or z.real != 0.0:
-            one, two, _ = _undamped(w, t) if z.real == 0.0 else _damped(z, t)
-            value += b.real * two.real - b.imag * two.imag
-            rate += b.real * one.real - b.imag * one.imag
-            continue
-        half = math.sin(0.5 * y)
-        real, imag = math.sin(y) / w, 2.0 * half * half / w
-        value += (b.real * imag - b.imag * (t - real)) / w
-        rate += b.real * real - b.imag * imag
+        if abs(z) * h > SLOW:
+            fast.append((b, z))
+        else:
+            powers.append(b)
+            slow.append(z)
+    if slow:
+        for c in SLOW_TERMS:
+            poly.append(c * sum([one.real for one in powers]))
+            powers = [one * z for one, z in zip(powers, slow, strict=True)]
+    return poly, fast
+
+
+def _look(poly: list[float], fast: list[tuple[complex, complex]], t: float) -> tuple[float, float]:
+    """q and q' at t: what the search for a zero asks for, again and again."""
+    value = rate = 0.0
+    for c in reversed(poly):
+        rate = rate * t + value
+        value = value * t + c
+    for b, z in fast:
+        x = z * t
+        if abs(x) > FAR:
+            one = (cmath.exp(x) - 1.0) / z
+            two = (one - t) / z
+        else:
+            one, two, _ = _undamped(z.imag, t) if z.real == 0.0 else _damped(z, t)
+        value += b.real * two.real - b.imag * two.imag
+        rate += b.real * one.real - b.imag * one.imag
     return value, rate
 
 
@@ -168,40 +195,43 @@ def first_fall(q: Started, rates: tuple[complex, ...], h: float) -> float | None
     here, rate = q.first, q.slope
     if here < 0.0 or (here == 0.0 and rate < 0.0):
         return 0.0
-    sizes = []
-    fading, bound, level, growth = False, 0.0, here, rate
-    for b, z in zip(q.shares, rates, strict=True):
-        if b:
-            size = abs(b)
-            sizes.append((size, z.real))
-            bound += size
-            fading = fading or z.real != 0.0
-            part = b / z
-            growth -= part.real
-            part /= z
-            level -= part.real + abs(part)
-    if level > abs(growth) * h:  # what swings cannot reach so far
-        return None
+    bound = sum(map(abs, q.shares))
     if here == 0.0 and rate == 0.0:
         if q.bend == 0.0:
             raise UndecidedError
         if q.bend < 0.0:
             return 0.0
         quicker = sum(abs(b * z) for b, z in zip(q.shares, rates, strict=True))
-        step = 3.0 * q.bend / quicker if quicker > 0.0 else math.inf
+        t = 3.0 * q.bend / quicker if quicker > 0.0 else math.inf
     else:
-        step = safe_step(here, rate, bound)
-    t = step
+        t = safe_step(here, rate, bound)
+    if t > h or _stays_clear(q, rates, h):
+        return None
+    poly, fast = _slow(q, rates, h)
+    fading = [(abs(b), z.real) for b, z in zip(q.shares, rates, strict=True) if z.real]
+    lasts = bound - sum([size for size, _ in fading])
     for _ in range(SAFE_STEPS):
         if t > h:
             return None
-        here, rate = _look(q, rates, t)
+        here, rate = _look(poly, fast, t)
         if here <= 0.0:
             return t
         if fading:
-            bound = sum(size * math.exp(decay * t) for size, decay in sizes)
+            bound = lasts + sum([size * math.exp(decay * t) for size, decay in fading])
         step = safe_step(here, rate, bound)
         if step <= CLOSE * h:
             return t
         t += step
     raise UndecidedError
+
+
+def _stays_clear(q: Started, rates: tuple[complex, ...], h: float) -> bool:
+    """Is q so great that what swings never reaches nought?"""
+    level, growth = q.first, q.slope
+    for b, z in zip(q.shares, rates, strict=True):
+        if b:
+            part = b / z
+            growth -= part.real
+            part /= z
+            level -= part.real + abs(part)
+    return level > abs(growth) * h
