@@ -102,7 +102,7 @@ def _rattles(
         often = often or gap.formed > OFTEN
     if not often or len(gaps) > FEW:
         return None
-    from sim.dynamics.motion.modes.phase import phase  # where a scene calls for it
+    from sim.dynamics.motion.modes.rattle import phase  # where a scene calls for it
 
     try:
         found = phase(bodies, gaps, row, limit)
