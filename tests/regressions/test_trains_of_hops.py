@@ -30,3 +30,20 @@ def test_a_train_of_hops_takes_one_phase_from_change_to_change(
     assert done.solvers["power-series"] <= 110
     assert done.x == pytest.approx(places, rel=1e-11)
     assert done.ledger.imbalance() < 1e-12
+
+
+LAST_BIT_PLACES = (
+    0.04153111245574232,
+    0.22898176203534942,
+    0.42757673929893410,
+    0.62024040279065110,
+    0.81467106732056420,
+)
+"""m. Of inputs moved by 2e-15 and 1e-13 the same to 2e-14."""
+
+
+def test_the_last_bit_of_a_velocity_is_not_handed_to_and_fro_between_dead_bumpers() -> None:
+    scene = scene_of("dead bumpers", 85) | {"until": 0.5}
+    done = run(read_scene(scene), max_events=5000)
+    assert done.stopped is None
+    assert done.x == pytest.approx(LAST_BIT_PLACES, rel=1e-9)

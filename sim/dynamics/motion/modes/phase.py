@@ -22,7 +22,7 @@ class Phase(Step):
     overlaps: list[Started]  # m
     pushes: list[Started]  # N, of the contacts
     speeds_of: list[Started]  # m/s
-    closing: list[Started]  # m/s, rates of the overlaps
+    third: list[float]  # m/s³, of each overlap at the beginning
     seen: list[tuple[float, Grown]] = field(default_factory=list)
     """The last time asked for: all quantities are asked for at the end of the phase."""
 
@@ -32,6 +32,12 @@ class Phase(Step):
         if not seen or seen[0][0] != t:
             seen[:] = [(t, grown(self.rates, t))]
         return seen[0][1]
+
+    def closing(self, k: int) -> Started:
+        """m/s. The rate of the overlap of gap k."""
+        q = self.overlaps[k]
+        shares = tuple([z * y for z, y in zip(self.rates, q.shares, strict=True)])
+        return Started(q.slope, q.bend, self.third[k], shares)
 
     def way(self, i: int, t: float) -> float:
         """m that body i has gone."""
@@ -108,14 +114,15 @@ class Phase(Step):
         q = self.overlaps[k]
         best = max(q.first, over)
         if q.slope > 0.0 and rate < 0.0:
-            turn = first_fall(self.closing[k], self.rates, t)
+            turn = first_fall(self.closing(k), self.rates, t)
             if turn is not None:
                 best = max(best, q.value(turn, grown(self.rates, turn)))
         return best
 
     def strongest(self, k: int, t: float) -> float:
         """N. A bound on the contact's force up to t."""
-        return self.pushes[k].size(self.rates, t)
+        q = self.pushes[k]
+        return abs(q.first) + (abs(q.slope) + 0.5 * sum(map(abs, q.shares)) * t) * t
 
     def greatest(self, k: int, t: float) -> list[float]:
         """When a contact's force is greatest: at an end, or where it turns."""

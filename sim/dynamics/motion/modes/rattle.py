@@ -122,10 +122,6 @@ def _told(
             left = bent[block.left] if block.left is not None else nothing
             right = bent[block.right] if block.right is not None else nothing
             bent[k] = tuple((1.0 - f) * a + f * b for a, b in zip(left, right, strict=True))
-    closing = [
-        Started(o[1], o[2], o[3], tuple(z * y for z, y in zip(rates, own, strict=True)))
-        for o, own in zip(begun.over, shares, strict=True)
-    ]
     pushes = [Started(n[0], n[1], n[2], own) for n, own in zip(begun.force, bent, strict=True)]
     speeds = []
     for body, block, a in zip(bodies, found.block, begun.bodies, strict=True):
@@ -140,7 +136,7 @@ def _told(
         speeds.append(Started(_common(bodies, block) or body.v, a[0], a[1], own))
     return Phase(
         bodies, gaps, row.branches, length, begun.over, [], [], [], [], row.steady,
-        False, rates, overlaps, pushes, speeds, closing,
+        False, rates, overlaps, pushes, speeds, [o[3] for o in begun.over],
     )  # fmt: skip
 
 
@@ -168,7 +164,8 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
         for guard in guards_of(gap, branch):
             if guard.of == "push":
                 return None
-            t = first_fall(_guarded(told, k, guard), rates, duration)
+            sign = -1.0 if guard.rises else 1.0
+            t = first_fall(_guarded(told, k, guard), rates, duration, sign, guard.level)
             if t is not None:
                 if t < duration:
                     ends.clear()
@@ -178,7 +175,7 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
         if body.sliding and body.load.static:
             if body.v == 0.0:
                 return None
-            t = first_fall(_times(told.speeds_of[i], float(body.sliding), 0.0), rates, duration)
+            t = first_fall(told.speeds_of[i], rates, duration, float(body.sliding))
             if t is not None:
                 if t < duration:
                     ends.clear()
@@ -189,20 +186,12 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
 
 
 def _guarded(told: Phase, k: int, guard: Guard) -> Started:
-    """What falls to zero where a guard of gap k has its event."""
-    if guard.of == "rate":
-        q = told.closing[k]
-        swing = told.swing
-        if q.first == 0.0 and abs(q.slope) * swing <= ONSET * q.size(told.rates, swing):
-            q = Started(0.0, 0.0, q.bend, q.shares)  # as the series does it
-    else:
-        q = told.pushes[k] if guard.of == "force" else told.overlaps[k]
-    return _times(q, -1.0 if guard.rises else 1.0, guard.level)
-
-
-def _times(q: Started, sign: float, level: float) -> Started:
-    """sign (q − level)."""
-    first = q.first - level
-    if sign > 0.0:
-        return Started(first, q.slope, q.bend, q.shares)
-    return Started(-first, -q.slope, -q.bend, tuple(-b for b in q.shares))
+    """What falls, or rises, to the level of a guard of gap k where its event happens."""
+    if guard.of == "force":
+        return told.pushes[k]
+    if guard.of == "overlap":
+        return told.overlaps[k]
+    q, swing = told.closing(k), told.swing
+    if q.first == 0.0 and abs(q.slope) * swing <= ONSET * q.size(told.rates, swing):
+        return Started(0.0, 0.0, q.bend, q.shares)  # as the series does it
+    return q

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 
@@ -87,8 +87,7 @@ def _undamped(w: float, t: float) -> tuple[complex, complex, complex]:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Started:
+class Started(NamedTuple):
     """q0, q1, q''(0) and the b_j; `at` needs `grown` of the same modes."""
 
     first: float
@@ -139,19 +138,19 @@ SLOW_TERMS = tuple(1.0 / math.factorial(n) for n in range(2, 12))
 
 
 def _slow(
-    q: Started, rates: tuple[complex, ...], h: float
+    q: Started, rates: tuple[complex, ...], h: float, sign: float, level: float
 ) -> tuple[list[float], list[tuple[complex, complex]]]:
-    """q as a polynomial of its slow modes up to h s, and b and z of the others."""
-    poly, fast = [q.first, q.slope], []
+    """sign (q − level) as a polynomial of its slow modes up to h s, and b and z of the others."""
+    poly, fast = [sign * (q.first - level), sign * q.slope], []
     powers: list[complex] = []
     slow: list[complex] = []
     for b, z in zip(q.shares, rates, strict=True):
         if not b:
             continue
         if abs(z) * h > SLOW:
-            fast.append((b, z))
+            fast.append((sign * b, z))
         else:
-            powers.append(b)
+            powers.append(sign * b)
             slow.append(z)
     if slow:
         for c in SLOW_TERMS:
@@ -186,28 +185,30 @@ CLOSE = 2e-16
 """Relative to the span: a zero nearer than this is here."""
 
 
-def first_fall(q: Started, rates: tuple[complex, ...], h: float) -> float | None:
-    """First t in [0, h] at which q, positive just after 0, falls to zero; None if it does not.
+def first_fall(
+    q: Started, rates: tuple[complex, ...], h: float, sign: float = 1.0, level: float = 0.0
+) -> float | None:
+    """First t in [0, h] at which sign (q − level), positive just after 0, falls to zero; else None.
 
-    0 where q is negative just after 0; a zero at 0 itself does not count. Steps cannot jump over a
+    0 where it is negative just after 0; a zero at 0 itself does not count. Steps cannot jump over a
     zero: |q''| <= sum of |b| e^(Re z t) from t on.
     """
-    here, rate = q.first, q.slope
+    here, rate = sign * (q.first - level), sign * q.slope
     if here < 0.0 or (here == 0.0 and rate < 0.0):
         return 0.0
     bound = sum(map(abs, q.shares))
     if here == 0.0 and rate == 0.0:
         if q.bend == 0.0:
             raise UndecidedError
-        if q.bend < 0.0:
+        if sign * q.bend < 0.0:
             return 0.0
         quicker = sum(abs(b * z) for b, z in zip(q.shares, rates, strict=True))
-        t = 3.0 * q.bend / quicker if quicker > 0.0 else math.inf
+        t = 3.0 * abs(q.bend) / quicker if quicker > 0.0 else math.inf
     else:
         t = safe_step(here, rate, bound)
-    if t > h or _stays_clear(q, rates, h):
+    if t > h or _stays_clear(here, rate, q.shares, rates, sign, h):
         return None
-    poly, fast = _slow(q, rates, h)
+    poly, fast = _slow(q, rates, h, sign, level)
     fading = [(abs(b), z.real) for b, z in zip(q.shares, rates, strict=True) if z.real]
     lasts = bound - sum([size for size, _ in fading])
     for _ in range(SAFE_STEPS):
@@ -225,13 +226,19 @@ def first_fall(q: Started, rates: tuple[complex, ...], h: float) -> float | None
     raise UndecidedError
 
 
-def _stays_clear(q: Started, rates: tuple[complex, ...], h: float) -> bool:
-    """Is q so great that what swings never reaches nought?"""
-    level, growth = q.first, q.slope
-    for b, z in zip(q.shares, rates, strict=True):
+def _stays_clear(
+    here: float,
+    rate: float,
+    shares: tuple[complex, ...],
+    rates: tuple[complex, ...],
+    sign: float,
+    h: float,
+) -> bool:
+    """Is the quantity so great that what swings never brings it to nought up to h s?"""
+    for b, z in zip(shares, rates, strict=True):
         if b:
             part = b / z
-            growth -= part.real
+            rate -= sign * part.real
             part /= z
-            level -= part.real + abs(part)
-    return level > abs(growth) * h
+            here -= sign * part.real + abs(part)
+    return here > abs(rate) * h
