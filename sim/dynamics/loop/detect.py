@@ -39,10 +39,22 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     """Seconds from `now` to the touch of two free neighbours; inf if there is none in sight."""
     law = gap.law
     if gap.rate < 0.0:
-        return max(0.0, (gap.room + resting(gap)) / -gap.rate)
+        room = gap.room + resting(gap)
+        if room <= 0.0 and law is not None and not law.recontacts and _is_last_bit(gap):
+            return math.inf
+        return max(0.0, room / -gap.rate)
     if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
         return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
+
+
+LAST_BIT = 4e-16
+"""Of a velocity. Two that touch, free of all forces, and close with no more have parted: one more
+contact would give the last bit to the next neighbour, and so on for ever."""
+
+
+def _is_last_bit(gap: Gap) -> bool:
+    return -gap.rate <= LAST_BIT * max(abs(gap.left.v), abs(gap.right.v))
 
 
 def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False) -> float:

@@ -137,9 +137,11 @@ class CoupledGroup:
         return found
 
 
-def group_of(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
+def group_of(
+    step: Step, ends: list[End], duration: float, now: Time, name: str = "power-series"
+) -> CoupledGroup:
     """The group that takes this step."""
     bodies, gaps = step.bodies, step.gaps
     touched = [gap.touching is not None for gap in gaps]
     loads, linked = [body.load for body in bodies], [kinds_of(gap) for gap in gaps]
-    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, linked)
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, linked, name)

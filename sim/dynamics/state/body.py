@@ -197,6 +197,7 @@ class Gap:
     joined: bool = False
     stride: float = 0.0  # s, of the next step that an adaptive method would take; 0: not known
     plain: int = 0  # steps in a row at whose end nothing happened
+    formed: int = 0  # how often it has been in a row that is stepped
     changed: Time = NEVER  # when its mode changed last
     flips: int = 0  # how often at that instant (`flips`)
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known

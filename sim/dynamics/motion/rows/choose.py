@@ -42,6 +42,8 @@ def coupled_group(
         return group_of(rest, [], limit, now)
     if (swinging := _in_modes(bodies, gaps, row, now, limit)) is not None:
         return swinging
+    if (rattling := _rattles(bodies, gaps, row, now, limit)) is not None:
+        return rattling
     step = _led(bodies, gaps, row, limit) or _converged(bodies, gaps, branches, row, limit)
     return group_of(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
 
@@ -52,7 +54,8 @@ def _at_rest(
     """The step of a row at rest; None where it is not."""
     if not gaps or not _slow(gaps):
         return None
-    fastest = REACH / step_length(replace(row, quadratic=[0.0] * len(bodies)))
+    plain = replace(row, quadratic=[0.0] * len(bodies)) if any(row.quadratic) else row
+    fastest = REACH / step_length(plain)
     return at_rest(bodies, gaps, branches, fastest, limit)
 
 
@@ -87,6 +90,32 @@ def _led(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | 
         for gap in gaps:
             gap.plain = STEPS_FIRST - STEPS_MORE
     return found
+
+
+def _rattles(
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+) -> CoupledGroup | None:
+    """One phase of a small row that has formed often, in closed form up to its event."""
+    often = False
+    for gap in gaps:
+        gap.formed += 1
+        often = often or gap.formed > OFTEN
+    if not often or len(gaps) > FEW:
+        return None
+    from sim.dynamics.motion.modes.rattle import phase  # where a scene calls for it
+
+    try:
+        found = phase(bodies, gaps, row, limit)
+    except ArithmeticError:
+        return None
+    return None if found is None else group_of(*found, now, "modes")
+
+
+OFTEN = 100
+"""Steps of one contact's rows: then modes that serve them all pay."""
+
+FEW = 8
+"""Gaps. Modes of longer rows cost more than their steps."""
 
 
 STEPS_MORE = 16

@@ -1,0 +1,72 @@
+"""The first derivatives of everything in a row, as its power series has them.
+
+Blocks of bodies whose contacts are locked move as one; what presses in such a contact follows from
+the two sides of its block (`shares`).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from sim.dynamics.motion.modes.shares import Swings
+from sim.dynamics.motion.series import Row, is_rounding
+
+
+@dataclass(frozen=True, slots=True)
+class Begun:
+    """Derivatives just now: four of each overlap, from o on; three of each N; two of each v, a on.
+
+    They are those of the series, factorials taken out.
+    """
+
+    over: list[list[float]]
+    force: list[list[float]]
+    bodies: list[list[float]]
+
+
+TERMS = 3
+"""Derivatives of forces."""
+
+
+def begun_of(row: Row, found: Swings) -> Begun:
+    """Of a settled row."""
+    steady, branches = row.steady, row.branches
+    over = [[o, r] for o, r in zip(row.overlaps, row.rates, strict=True)]
+    force: list[list[float]] = [[] for _ in over]
+    bodies: list[list[float]] = [[] for _ in steady]
+    loaded = any(steady)
+    for n in range(TERMS):
+        for branch, o, push in zip(branches, over, force, strict=True):
+            pressed = o[n] if n else o[0] - branch.rest
+            push.append(branch.kappa * pressed + branch.gamma * o[n + 1])
+        for k, branch in enumerate(branches):
+            if branch.locked:
+                force[k][n] = _held(k, n, found, force, steady)
+        sizes = []  # of all that adds up to an acceleration
+        for own, block in zip(bodies, found.block, strict=True):
+            left = force[block.left][n] if block.left is not None else 0.0
+            right = force[block.right][n] if block.right is not None else 0.0
+            outside = block.load(steady) if n == 0 and loaded else 0.0
+            own.append((left - right + outside) * block.inverse)
+            if loaded:
+                sizes.append((abs(left) + abs(right) + abs(outside)) * block.inverse)
+        for k, (branch, o) in enumerate(zip(branches, over, strict=True)):
+            relative = bodies[k][n] - bodies[k + 1][n]
+            if branch.locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
+                relative = 0.0
+            o.append(relative)
+    return Begun(over, force, bodies)
+
+
+def _held(k: int, n: int, found: Swings, force: list[list[float]], steady: list[float]) -> float:
+    """N, or its n-th derivative, in a gap that is locked."""
+    block, f = found.block[k], found.left_mass[k]
+    left = force[block.left][n] if block.left is not None else 0.0
+    right = force[block.right][n] if block.right is not None else 0.0
+    push = (1.0 - f) * left + f * right
+    if n == 0:
+        before = math.fsum([steady[i] for i in block.bodies if i <= k])
+        after = math.fsum([steady[i] for i in block.bodies if i > k])
+        push += (1.0 - f) * before - f * after
+    return push

@@ -1,0 +1,121 @@
+"""What a state of a row gives to its modes, once for all states between the same springs.
+
+For the same masses, springs and dampers the share of a mode is a fixed sum over overlaps and rates.
+Of a row that alternates between few sets of formulas, as one does whose bumpers rattle, all are
+computed once and kept. Contacts that are locked push with a fixed part of what presses the block of
+bodies between them from its two sides,
+
+    N_k = (1 − f) N_left + f N_right + what is steady ,     f the part of its mass left of gap k ,
+
+f = 0 or 1 where the block stands fast.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from sim.dynamics.motion.modes.normal_modes import Mode, Segment, modes
+from sim.dynamics.motion.rest import Balance, blocks, segments
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Bodies that move as one: the gaps beside them, None at an open end; 1/kg, 0: it stands."""
+
+    bodies: range
+    left: int | None
+    right: int | None
+    inverse: float
+
+    def load(self, steady: list[float]) -> float:
+        """N. All that acts on it besides its neighbours."""
+        return math.fsum([steady[i] for i in self.bodies])
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One mode in one gap: its strain, and what rate and strain there give to its share."""
+
+    gap: int
+    strain: complex
+    of_strain: complex
+    of_rate: complex
+
+
+@dataclass(frozen=True, slots=True)
+class Swings:
+    """All modes of a row: rates [1/s], parts by mode; the block of each body, f of each gap."""
+
+    rates: tuple[complex, ...]
+    parts: tuple[tuple[Part, ...], ...]
+    block: tuple[Block, ...]
+    left_mass: tuple[float, ...]
+
+
+@lru_cache(maxsize=512)
+def swings(
+    masses: tuple[float, ...],
+    kappa: tuple[float, ...],
+    gamma: tuple[float, ...],
+    locked: tuple[bool, ...],
+) -> Swings | None:
+    """None where modes do not tell the motion. inf kg: it stands fast."""
+    if any(k <= 0.0 and not held for k, held in zip(kappa, locked, strict=True)):
+        return None
+    fixed = [m == math.inf for m in masses]
+    balance = Balance([0.0] * len(masses), list(kappa), [0.0] * len(kappa), fixed, list(locked))
+    found = _blocks(masses, balance)
+    if found is None:
+        return None
+    block, left_mass = found
+    rates: list[complex] = []
+    parts: list[tuple[Part, ...]] = []
+    for own, near in segments(balance):
+        segment = Segment(
+            tuple(math.fsum([masses[i] for i in block]) for block in own),
+            (0.0,) * len(own),
+            tuple(0.0 if k is None else kappa[k] for k in near),
+            tuple(0.0 if k is None else gamma[k] for k in near),
+        )
+        told = modes(segment) if segment.anchored or len(own) > 1 else ()
+        if told is None or any(mode.rate == 0.0 or mode.norm == 0.0 for mode in told):
+            return None
+        rates += [mode.rate for mode in told]
+        parts += [_parts(mode, segment, near) for mode in told]
+    return Swings(tuple(rates), tuple(parts), block, left_mass)
+
+
+def _parts(mode: Mode, segment: Segment, near: list[int | None]) -> tuple[Part, ...]:
+    z = mode.rate
+    twice = 1.0 if z.imag == 0.0 else 2.0
+    found = []
+    for k, kappa, push, strain in zip(near, segment.kappa, mode.push, mode.strain, strict=True):
+        if k is not None:
+            of_strain = -twice * kappa * strain / (z * mode.norm)
+            found.append(Part(k, strain, of_strain, -twice * push / (z * z * mode.norm)))
+    return tuple(found)
+
+
+def _blocks(
+    masses: tuple[float, ...], balance: Balance
+) -> tuple[tuple[Block, ...], tuple[float, ...]] | None:
+    """The block of each body, and f of each gap; None where a block is held from both sides."""
+    found: list[Block] = []
+    left_mass = [0.0] * len(balance.locked)
+    for own in blocks(balance):
+        first, last = own[0], own[-1]
+        still = [i for i in own if balance.fixed[i]]
+        if len(still) > 1:
+            return None
+        whole = math.fsum(masses[i] for i in own)
+        for k in range(first, last):
+            if still:
+                left_mass[k] = 0.0 if k < still[0] else 1.0
+            else:
+                left_mass[k] = math.fsum(masses[i] for i in range(first, k + 1)) / whole
+        left = first - 1 if first > 0 else None
+        right = last if last < len(balance.locked) else None
+        found += [Block(own, left, right, 0.0 if still else 1.0 / whole)] * len(own)
+    return tuple(found), tuple(left_mass)
