@@ -107,6 +107,12 @@ browsers:
 	if [ "$$(id -u)" = 0 ] && ! command -v chromium-headless-shell >/dev/null; then \
 	  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium-headless-shell >/dev/null 2>&1 || true; \
 	fi  # without it the tests take the whole browser, and longer
+	@if ! command -v WebKitWebDriver >/dev/null || ! command -v Xvfb >/dev/null; then \
+	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    echo "Installing webkit2gtk-driver and xvfb from Debian's packages"; \
+	    apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends webkit2gtk-driver xvfb >/dev/null; \
+	  else echo "Without webkit2gtk-driver and xvfb the tests in Safari's engine are skipped" >&2; fi; \
+	fi
 
 # New locks after a change of pyproject.toml or package.json; needs uv.
 lock:

@@ -11,8 +11,8 @@ the picture's numbers then point at the wrong functions or past the end:
   its name, which by the standard is its number in the module.
 - Chromium before 119 can't compile the trampoline, which is written with WebAssembly's types of
   garbage collection, and Pyodide leaves it out on iOS, where it once ended the whole page
-  (pyodide#5428). Here a function in JavaScript then takes the same place. Nobody in a worker can tell
-  an iPad that poses as a Mac from a Mac, so all of WebKit gets that one.
+  (pyodide#5428). Here a function in JavaScript then takes the same place. In a worker nobody can
+  tell an iPad that poses as a Mac from a Mac, so all of WebKit gets that one.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _BY_NAME = (
 )
 _IN_JS = (
     'const inJS=()=>addFunction((_,f,a,b,c)=>getWasmTableEntry(f)(a,b,c),"iiiiii");'
-    "const told=globalThis.navigator?.userAgent??\"\";"
+    'const told=globalThis.navigator?.userAgent??"";'
     "if(/AppleWebKit/.test(told)&&!/Chrom/.test(told))return inJS();"
 )
 
@@ -47,7 +47,9 @@ def same_table(module: str) -> str:
     Raises RuntimePackError where the text is not that of the release which this was written for.
     """
     module = _once(module, _STARTS, f"{_STARTS};{_BY_NAME}")
-    module = _once(module, _WAY, "return functionsInTableMap.get(func)||own?.[func.name]||0};var own;")
+    module = _once(
+        module, _WAY, "return functionsInTableMap.get(func)||own?.[func.name]||0};var own;"
+    )
     module = _once(module, _DONE, f"{_DONE}own=undefined;")  # other modules number theirs anew
     module = _once(module, _FAILS, _FAILS.replace("return 0", "return inJS()"))
     found = re.findall(_POSES, module)
