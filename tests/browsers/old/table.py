@@ -6,12 +6,15 @@ from collections.abc import Mapping
 from pathlib import Path
 
 SEEN = Path(__file__).parent / "seen.json"
-HEAD = "| Chrome or Edge | readable | its run plays | Python live | answers kept | says what is wrong |"
+COLUMNS = (
+    "Chrome or Edge", "readable", "its run plays", "Python live", "answers kept",
+    "says what is wrong",
+)  # fmt: skip
 
 
 def table(seen: Mapping[str, Mapping[str, bool]]) -> str:
     """Markdown, the oldest first. What is live has nothing to say."""
-    rows = [HEAD, "|---|---|---|---|---|---|"]
+    rows = [f"| {' | '.join(COLUMNS)} |", "|---" * len(COLUMNS) + "|"]
     for version, its in seen.items():
         said = "–" if its["live"] else word(its["told"])
         marks = (word(its[name]) for name in ("readable", "plays", "live", "kept"))
