@@ -66,6 +66,7 @@ bench: node_modules/ready browsers
 
 #   make fuzz          long random tests; AREA=physics: the adversary of the engine, as a table;
 #                      AREA=classroom: hostile tables of marks and summaries, 10,000 each;
+#                      AREA=faults: damaged files, poor browsers and servers, and what a lesson says;
 #                      AREA=certificates: forty digits against certificates of random scenes
 ifeq ($(AREA),physics)
 fuzz: .venv/ready
@@ -73,6 +74,9 @@ fuzz: .venv/ready
 else ifeq ($(AREA),certificates)
 fuzz: .venv/ready
 	@$(PY) -m tests.certify
+else ifeq ($(AREA),faults)
+fuzz: site browsers
+	@$(PY) -m tests.faults
 else ifeq ($(AREA),classroom)
 fuzz: .venv/ready
 	@$(PY) -m tests.classroom.mutations
