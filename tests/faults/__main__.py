@@ -29,7 +29,7 @@ SOON = 4_000  # ms in which an answer is kept, or the page says that it is not
 STATE = "['ready', 'failed'].includes(document.documentElement.dataset.python)"
 TOLD = """[...document.querySelectorAll("[role=alert], .carts-note, .carts-bar, .carts-q-saved")]
   .map((note) => note.offsetHeight ? note.textContent.trim() : "")
-  .filter((text) => /not|can.t|missing|damaged|too|lost|full|keeps nothing/i.test(text)).join(" | ")"""
+  .filter((text) => /not|can.t|missing|damaged|too|lost|nothing|Opening/i.test(text)).join(" | ")"""
 FIELD = "carts-question textarea:not([readonly], :disabled):visible"
 KEPT = """[...document.querySelectorAll("carts-question .carts-q-saved")].some((its) =>
   its.textContent === "Saved")"""

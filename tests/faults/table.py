@@ -55,7 +55,8 @@ LACKS = {
     "no workers": "delete window.Worker",
     "no decompression": "delete window.DecompressionStream",
     "no storage at all": "for (const name of ['indexedDB', 'localStorage'])"
-    " Object.defineProperty(window, name, { get() { throw new DOMException('', 'SecurityError') } })",
+    " Object.defineProperty(window, name, { get() { throw new DOMException('', 'SecurityError') }"
+    " })",
     "a store that is full": "IDBObjectStore.prototype.put = () => {"
     " throw new DOMException('', 'QuotaExceededError') }; Storage.prototype.setItem = () => {"
     " throw new DOMException('', 'QuotaExceededError') }",
