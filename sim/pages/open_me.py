@@ -74,7 +74,7 @@ web, or use a computer.</p></section>
 
 <div id="ready" hidden><p>This browser can run everything. No network is needed.</p></div>
 <div id="old" class="note" hidden><h2>This browser is too old, or runs no programs in pages</h2>
-<p>Texts, pictures and graphs work. Sliders do not. Take Chrome or Edge 111, Firefox 113,
+<p>Texts, pictures and graphs work. Sliders do not. Take Chrome or Edge 103, Firefox 113,
 Safari 16.4, or anything newer.</p></div>
 <p id="open" hidden><a class="go" href="index.html">Open the lessons</a></p>
 <div id="still-zip" class="note" hidden><p>This folder lies inside a zip. Copy it out

@@ -10,13 +10,15 @@ from __future__ import annotations
 import re
 
 from .node import RuntimePackError
+from .same_table import same_table
 
 # Pyodide recognises a classic worker by an importScripts that works. Nothing here may load scripts.
 PRELUDE = 'self.importScripts = () => { throw new TypeError("no scripts from elsewhere"); };\n'
 
 TEMPLATE = """\
 // Pyodide {version}, MPL-2.0, https://github.com/pyodide/pyodide
-// Unchanged but for its import and export.
+// Unchanged but for its import and export, and for how the table of functions is filled:
+// see sim/pages/runtime/same_table.py of Newton's Carts.
 {prelude}self.__pyodide = {{
   createPyodideModule: (() => {{
 {module}
@@ -31,7 +33,7 @@ TEMPLATE = """\
 
 def classic_script(loader: str, module: str, version: str) -> str:
     """Return pyodide.mjs and pyodide.asm.mjs as a script that sets `self.__pyodide`."""
-    module = _once(module, r"export default _createPyodideModule;\s*$", "")
+    module = _once(same_table(module), r"export default _createPyodideModule;\s*$", "")
     module = module.replace("import.meta.url", "self.location.href")
     loader = re.sub(r"//# sourceMappingURL=\S+\s*$", "", loader)
     loader = _once(

@@ -3116,7 +3116,7 @@
       "This browser, or the rules of this network, do not allow Python to start. Try another browser."
     ),
     "too-old": tr(
-      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
+      "This browser is too old to run Python. Try Chrome or Edge 103, Firefox 113, Safari 16.4, or newer."
     ),
     "no-memory": tr(
       "This computer has too little memory free for Python. Close other programs and load the page again."
@@ -3281,7 +3281,8 @@
     try {
       new WebAssembly.Module(NOTHING);
     } catch (error) {
-      throw new RuntimeFailure("wasm-refused", String(error));
+      const old = !("findLast" in Array.prototype);
+      throw new RuntimeFailure(old ? "too-old" : "wasm-refused", String(error));
     }
   }
   function compileFailure(error) {

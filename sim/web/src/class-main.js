@@ -9,7 +9,7 @@ const CLASSROOM = "newtons-carts-class";
 const missing = missingFeatures();
 if (missing.length) {
   for (const place of document.querySelectorAll("carts-class")) {
-    place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
+    place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 103, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
   }
 } else {
   const client = pagePython(() => [CLASSROOM]);

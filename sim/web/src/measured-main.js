@@ -11,7 +11,7 @@ const missing = missingFeatures();
 if (missing.length) {
   for (const note of document.querySelectorAll("carts-measured .carts-note")) {
     /** @type {HTMLElement} */ (note).hidden = false;
-    note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
+    note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 103, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
   }
 } else {
   const client = pagePython(() => [MEASURED]);

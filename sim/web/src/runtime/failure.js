@@ -21,7 +21,7 @@ const MESSAGES = {
     "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
   ),
   "too-old": tr(
-    "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
+    "This browser is too old to run Python. Try Chrome or Edge 103, Firefox 113, Safari 16.4, or newer.",
   ),
   "no-memory": tr(
     "This computer has too little memory free for Python. Close other programs and load the page again.",

@@ -12,7 +12,9 @@ export function requireWasm() {
   try {
     new WebAssembly.Module(NOTHING);
   } catch (error) {
-    throw new RuntimeFailure("wasm-refused", String(error));
+    // Chromium before 97 does not know the word by which our policy allows WebAssembly, nor `findLast`.
+    const old = !("findLast" in Array.prototype);
+    throw new RuntimeFailure(old ? "too-old" : "wasm-refused", String(error));
   }
 }
 

@@ -1,0 +1,69 @@
+"""Every lesson in WebKitGTK, the engine of Safari and of all browsers on an iPad."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sim.lesson.answer_file import read_answer_file
+from tests.web.boot_site import build_site
+
+from .visit import LIVE, PATIENCE, READY, SOON, Seen, visit
+from .webdriver import Session
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+LESSONS = sorted(path.stem for path in (Path(__file__).parents[2] / "worksheets").glob("*.md"))
+WHOLE = "newtons-first-law"  # a lesson that has all of these
+PARTS = {"live", "play", "lock"}
+PICTURE = 'carts-map[data-state="live"]'
+
+
+def worked(seen: Seen, lesson: str) -> None:
+    """The lesson of these parts has them all; a file of answers is taken home from every one."""
+    read_answer_file(seen.file)
+    assert lesson != WHOLE or seen.done == PARTS
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_lesson_works_from_disk(site: Path, window: Session, lesson: str) -> None:
+    worked(visit(window, (site / "worksheets" / f"{lesson}.html").as_uri()), lesson)
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_lesson_works_from_a_server(
+    hosted_site: Path, window: Session, site_server: Callable[[Path], str], lesson: str
+) -> None:
+    """What differs from a disk is how it comes: one lesson is done whole, the others live."""
+    address = f"{site_server(hosted_site)}/worksheets/{lesson}.html"
+    if lesson == WHOLE:
+        worked(visit(window, address), lesson)
+        return
+    window.go(address)
+    window.wait(READY, SOON)
+    window.wait(LIVE, PATIENCE)
+
+
+def test_scenes_with_numpy_and_scipy_are_live_from_disk(site: Path, window: Session) -> None:
+    window.go((site / "gallery" / "balls.html").as_uri())
+    assert window.run("return document.querySelector('[data-packages=\"numpy scipy\"]') !== null")
+    window.wait(LIVE, PATIENCE)
+
+
+def test_a_map_is_computed_anew_from_disk(site: Path, window: Session) -> None:
+    window.go((site / "physics" / "map.html").as_uri())
+    window.wait("return document.querySelector('.carts-map-open') !== null", PATIENCE)
+    window.click(".carts-map-open")
+    window.wait(f"return document.querySelector('{PICTURE}') !== null", PATIENCE)
+
+
+def test_python_starts_from_the_picture_of_its_memory(window: Session, tmp_path: Path) -> None:
+    """Three times as fast as without; numbers of functions in it must fit this browser's table."""
+    build_site(tmp_path)
+    window.go((tmp_path / "index.html").as_uri())
+    assert (
+        window.run("return window.booted.then(({ start, detail }) => start ?? detail)")
+        == "snapshot"
+    )
