@@ -11,26 +11,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sim.classroom.refusal import RefusalError
+from sim.classroom.files.key_questions import question_of
 from sim.lesson.key_file import FORMAT, KIND
-from sim.lesson.kinds.arrange import Matching, Ordering
-from sim.lesson.kinds.choice import Multiple, Option, Single
-from sim.lesson.kinds.idea import Idea
-from sim.lesson.kinds.interactions import Interactions
-from sim.lesson.kinds.links import Known, Link
-from sim.lesson.kinds.number import Number, Wrong
-from sim.lesson.kinds.run import Drawn, Reading
-from sim.lesson.kinds.sure import Confidence
-from sim.lesson.kinds.table import Open, Table
-from sim.lesson.kinds.words import Long, Short
 from sim.lesson.mark import Mark
 from sim.lesson.question import Common, Question
 
 MOST_CHARACTERS = 5_000_000
 MOST_ITEMS = 500
 LONGEST_TITLE = 200
-CHOSEN: dict[str, type[Single | Idea]] = {kind.KIND: kind for kind in (Single, Multiple, Idea)}
-"""Kinds in which options are chosen; in an idea none of them is right."""
 
 
 class KeyFileError(ValueError):
@@ -133,7 +121,7 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
         idea=str(row.get("idea", "")),
     )
     return KeyedItem(
-        question=_question(row, common),
+        question=question_of(row, common),
         hash=str(row["hash"]),
         ask=common.ask,
         texts={str(k): str(v) for k, v in row.get("texts", {}).items()},
@@ -141,117 +129,3 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
         rubric={str(k): str(v) for k, v in row.get("rubric", {}).items()},
         optional=row.get("optional") is True,
     )
-
-
-def _question(row: Mapping[str, Any], common: Common) -> Question:
-    kind, key, texts = str(row["type"]), row["key"], row.get("texts", {})
-    said = {str(k): str(v) for k, v in row.get("feedback", {}).items()}
-    if kind in CHOSEN:
-        options = tuple(
-            Option(
-                id=str(name),
-                text=str(texts.get(f"option-{name}", "")),
-                correct=name in key["correct"],
-                belief=str(key["beliefs"].get(name, "")),
-                feedback=said.get(f"option-{name}", ""),
-            )
-            for name in row["options"]
-        )
-        return CHOSEN[kind](common=common, options=options)
-    if kind == "number":
-        wrong = tuple(
-            Wrong(
-                value=float(w["value"]),
-                tolerance=float(w["tolerance"]),
-                belief=w["belief"],
-                feedback=said.get(f"wrong-{k}", ""),
-            )
-            for k, w in enumerate(key["wrong"])
-        )
-        units = {str(name): float(factor) for name, factor in row["units"].items()}
-        return Number(
-            common=common, answer=float(key["answer"]), tolerance=float(key["tolerance"]),
-            unit=str(row["unit"]), units=units, wrong=wrong,
-        )  # fmt: skip
-    if kind in ("short", "long"):
-        rubric = {int(marks): str(text) for marks, text in row.get("rubric", {}).items()}
-        rubric = rubric or {common.marks: ""}
-        if kind == "long":
-            return Long(common=common, rubric=rubric)
-        known = tuple(
-            (tuple(w["texts"]), str(w["belief"]), said.get(f"wrong-{k}", ""))
-            for k, w in enumerate(key["wrong"])
-        )
-        return Short(common=common, rubric=rubric, accept=tuple(key["accept"]), wrong=known)
-    if kind == "ordering":
-        return Ordering(common=common, order=tuple(texts[f"line-{k}"] for k in key["order"]))
-    if kind == "matching":
-        return _matching(row, common)
-    if kind == "table":
-        return _table(row, common)
-    if kind == "interactions":
-        return _interactions(row, common)
-    if kind == "reading":
-        return Reading(
-            common=common, scene=str(row["scene"]), quantity=str(row["quantity"]),
-            at=row["at"], unit=str(row["unit"]), units={}, per=float(row["per"]),
-            tolerance=float(key["tolerance"]), relative=bool(key["relative"]),
-        )  # fmt: skip
-    if kind == "confidence":
-        return Confidence(common=common)
-    if kind == "drawn":
-        return Drawn(common=common, scene=str(row["scene"]))
-    raise ValueError(kind)
-
-
-def _table(row: Mapping[str, Any], common: Common) -> Table:
-    """Heads, given cells, and the interval of each other one."""
-    cells, asked = row["key"]["cells"], row["cells"]
-
-    def cell(name: str, given: str | None) -> str | Open:
-        if given is not None:
-            return given
-        right = cells[name]
-        unit = str(asked[name]["unit"])
-        return Open(float(right["answer"]), float(right["tolerance"]), unit, {})
-
-    rows = tuple(
-        tuple(cell(f"{r}-{c}", given) for c, given in enumerate(line, start=1))
-        for r, line in enumerate(row["rows"], start=1)
-    )
-    plot = (int(row["plot"][0]) - 1, int(row["plot"][1]) - 1) if row["plot"] else None
-    return Table(common=common, columns=tuple(row["columns"]), rows=rows, plot=plot)
-
-
-def _interactions(row: Mapping[str, Any], common: Common) -> Interactions:
-    """The boxes, the right links, and the beliefs behind invented ones."""
-    objects, key = tuple(map(str, row["objects"])), row["key"]
-
-    def ends(told: Mapping[str, Any]) -> tuple[int, int]:
-        a, b = told["between"]
-        return objects.index(a), objects.index(b)
-
-    return Interactions(
-        common=common,
-        objects=objects,
-        links=tuple(Link(*ends(link), link["by"]) for link in key["links"]),
-        focus=tuple(objects.index(name) for name in row["focus"]),
-        wrong=tuple(
-            Known(*ends(told), tuple(told["by"]), "", str(told["belief"])) for told in key["wrong"]
-        ),
-    )
-
-
-def _matching(row: Mapping[str, Any], common: Common) -> Matching:
-    """The pairs in their order, then what belongs to nothing."""
-    pairs, texts = row["key"]["pairs"], row["texts"]
-    letters = [pairs[number] for number in row["left"]]
-    others = [letter for letter in row["right"] if letter not in letters]
-    question = Matching(
-        common=common,
-        left=tuple(texts[f"left-{number}"] for number in row["left"]),
-        right=tuple(texts[f"right-{letter}"] for letter in (*letters, *others)),
-    )
-    if question.key()["pairs"] != pairs:
-        raise RefusalError("the letters of this item are not those of the page")
-    return question
