@@ -28,7 +28,7 @@ MAY_IMPORT = {
     "dynamics": {"dynamics", "effects", "laws", "scene"},
     "worlds": {"worlds", "dynamics", "effects", "laws", "scene"},
     "mine": {"mine", "dynamics", "effects", "laws", "scene"},
-    "certify": {"certify", "scene"},  # nothing of the run that it proves
+    "certify": {"certify", "effects", "scene"},  # nothing of the run that it proves, see below
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
     "country": {"country", "classroom", "lesson", "scene"},
@@ -92,6 +92,17 @@ def test_a_layer_imports_only_what_lies_further_in(layer: str) -> None:
             parts = name.split(".")
             if parts[0] == "sim" and len(parts) > 1 and (SIM / parts[1]).is_dir():
                 assert parts[1] in MAY_IMPORT[layer], f"{path.relative_to(ROOT)} imports {name}"
+
+
+def test_a_proof_takes_no_force_of_the_run_that_it_proves() -> None:
+    """Of effects a certificate knows what is constant in them: numbers, as the scene has them."""
+    names = {name for path in modules("certify") for name in imported(path)}
+    ours = {".".join(name.split(".")[:3]) for name in names if name.startswith("sim.effects")}
+    assert ours == {"sim.effects.constant"}
+    for kind in kinds():
+        path = SIM / "effects" / kind / "constant.py"
+        inside = set(imported(path)) if path.exists() else set()
+        assert not [name for name in inside if name.endswith((".force", ".model", ".forces"))]
 
 
 @pytest.mark.parametrize("layer", STANDARD_LIBRARY_ONLY)
@@ -194,7 +205,7 @@ def test_reading_a_scene_loads_no_forces_that_it_does_not_list() -> None:
 def test_no_effect_is_named_outside_its_folder() -> None:
     """Code that decides by the name of a kind is code that a new effect has to change."""
     chains = re.compile(r"(?:kind|name) (?:==|!=|in) \(?[\"'](?:" + "|".join(kinds()) + r")[\"']")
-    for layer in ("scene", "dynamics", "bridge", "cli"):
+    for layer in ("scene", "dynamics", "bridge", "cli", "certify"):
         for path in modules(layer):
             found = chains.findall(path.read_text(encoding="utf-8"))
             allowed = ['kind == "release"'] if path.name in EVENTS_CALLED_RELEASE else []
@@ -208,7 +219,7 @@ EVENTS_CALLED_RELEASE = ("energy_parts.py",)
 def test_no_law_is_named_outside_its_folder() -> None:
     names = "|".join(laws())
     chains = re.compile(rf"law\w* (?:==|!=|in) [\[(]?[\"'](?:{names})[\"']|startswith\([\"']push")
-    for layer in ("scene", "dynamics", "bridge", "cli"):
+    for layer in ("scene", "dynamics", "bridge", "cli", "certify"):
         for path in modules(layer):
             assert not chains.findall(path.read_text(encoding="utf-8")), path.relative_to(ROOT)
 

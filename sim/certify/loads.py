@@ -1,19 +1,16 @@
-"""Forces on single carts that are constant for a time: what of the effects has a closed form here.
+"""Forces on single carts that are constant for a time (`sim.effects.constant`), as balls.
 
-    incline    m g sin θ                      friction   μ m g cos θ, θ of all inclines under it
-    push       its force, from ≤ t < until
-
-An effect that is not among them has no bound, and says so.
+Another effect has no bound here, and says so.
 """
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 
 from flint import arb
 
 from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
+from sim.effects.constant import Constant, constant_of
 from sim.scene.model import Scene
 
 
@@ -49,44 +46,48 @@ class Load:
 def loads(scene: Scene, masses: list[Ball]) -> list[Load]:
     """One for each cart; raises where an effect has no bound."""
     found = [Load(mass) for mass in masses]
-    gravity = exact(scene.gravity)
-    angles = _slopes(scene, found)
-    for effect in scene.effects:
-        acts = [k for k, cart in enumerate(scene.carts) if cart.name in effect.carts]
-        if effect.kind == "friction":
-            low = effect.numbers["coefficient"]
-            high = max(low, effect.numbers.get("static", low))
-            for k in acts:
-                press = masses[k] * gravity * angles[k].cos()
-                found[k].kinetic = found[k].kinetic + exact(low) * press
-                found[k].static = found[k].static + exact(high) * press
-        elif effect.kind == "push":
-            end = effect.numbers.get("until", math.inf)
-            force = exact(effect.numbers["force"])
-            found[acts[0]].pushes.append((effect.numbers["from"], end, force))
-        elif effect.kind != "incline":
-            raise NoBoundError(f"{effect.kind} has no bound yet")
+    gravity, on_each = exact(scene.gravity), _on_each(scene)
+    angles = _slopes(scene, found, on_each)
+    for load, constants, angle in zip(found, on_each, angles, strict=True):
+        for one in constants:
+            if one.friction:
+                press = load.mass * gravity * angle.cos()
+                kinetic, static = map(exact, one.friction)
+                load.kinetic = load.kinetic + kinetic * press
+                load.static = load.static + static * press
+            if one.push:
+                begin, end, force = one.push
+                load.pushes.append((begin, end, exact(force)))
     return found
+
+
+def _on_each(scene: Scene) -> list[list[Constant]]:
+    """What acts on each cart, in the order of the effects."""
+    on_each: list[list[Constant]] = [[] for _ in scene.carts]
+    for effect in scene.effects:
+        one = constant_of(effect)
+        if one is None:
+            raise NoBoundError(f"{effect.kind} has no bound yet")
+        for cart, constants in zip(scene.carts, on_each, strict=True):
+            if cart.name in effect.carts:
+                constants.append(one)
+    return on_each
 
 
 def _no_slope() -> dict[tuple[float, ...], tuple[Ball, Ball]]:
     return {(): (arb(0), ZERO)}
 
 
-def _slopes(scene: Scene, found: list[Load]) -> list[Ball]:
-    """rad. The angle under each cart; its slope is the sum of g sin θ of all inclines."""
+def _slopes(scene: Scene, found: list[Load], on_each: list[list[Constant]]) -> list[Ball]:
+    """rad. The angle under each cart; its slope is the sum of all g sin θ."""
     gravity, shared = exact(scene.gravity), _no_slope()
     angles = []
-    for k, cart in enumerate(scene.carts):
-        under = tuple(
-            effect.numbers["angle"]
-            for effect in scene.effects
-            if effect.kind == "incline" and cart.name in effect.carts
-        )
+    for load, constants in zip(found, on_each, strict=True):
+        under = tuple(one.angle for one in constants if one.angle is not None)
         if under not in shared:
             parts = [exact(angle) for angle in under]
             slope = gravity * sum((angle.sin() for angle in parts), arb(0))
             shared[under] = sum(parts, arb(0)), slope
-        angle, found[k].slope = shared[under]
+        angle, load.slope = shared[under]
         angles.append(angle)
     return angles

@@ -1,0 +1,12 @@
+"""friction: its size is constant while a cart slides, and bounded while it rests."""
+
+from __future__ import annotations
+
+from sim.effects.constant import Constant
+from sim.scene.effects import Effect
+
+
+def constant(effect: Effect) -> Constant:
+    """Kinetic and static coefficient; the static one is never the smaller."""
+    kinetic = effect.numbers["coefficient"]
+    return Constant(friction=(kinetic, max(kinetic, effect.numbers.get("static", kinetic))))
