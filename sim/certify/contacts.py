@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 from sim.certify.balls import ZERO, NoBoundError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.foresight import Foresight
@@ -40,8 +42,7 @@ class Contacts(Foresight):
         rate = gap.rate
         self.fly((gap.left, gap.right), now)
         gap.rate = rate
-        for body in held:
-            self.tell_carts(now, "start", body)
+        self._tell_grips((gap.left, gap.right), held, now)
 
     def _join(self, gap: Gap, now: Instant) -> None:
         left, right = gap.left, gap.right
@@ -134,9 +135,13 @@ class Contacts(Foresight):
         if peak is not None:
             self.tell(peak, "peak", gap.names)
         self.tell(one.when, "separate", gap.names)
-        for body in (gap.left, gap.right):
+        self._tell_grips((gap.left, gap.right), held, one.when)
+
+    def _tell_grips(self, bodies: Iterable[Body], held: Sequence[Body], now: Instant) -> None:
+        """Which of these friction has just taken hold of, or let go; `held`: before."""
+        for body in bodies:
             if body.mass is not None and body.held != (body in held):
-                self.tell_carts(one.when, "stop" if body.held else "start", body)
+                self.tell_carts(now, "stop" if body.held else "start", body)
 
     def _leave(self, gap: Gap, now: Instant) -> None:
         """Out of a phase: bodies and gaps are settled, and in flight."""

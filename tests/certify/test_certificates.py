@@ -101,6 +101,19 @@ def test_forty_digits_of_a_random_scene_lie_inside_its_certificate(seed: int) ->
         pytest.skip("no scene, or the oracle cannot tell")
 
 
+def test_a_cart_that_a_wall_stops_dead_is_told_to_stop_where_friction_holds_it() -> None:
+    """As a run tells it: found among ten thousand random scenes."""
+    scene = read_scene({
+        "carts": {"A": {"mass": 2, "position": 0.25, "velocity": -1}},
+        "track": {"left": "wall"}, "contact": {"law": "instant", "restitution": 0}, "until": 1,
+        "effects": [{"push": {"cart": "A", "force": 0.1, "from": 0.5}},
+                    {"friction": {"coefficient": 0.04}}],
+    })  # fmt: skip
+    found = document(certify(scene))
+    assert [event["kind"] for event in found["events"]] == ["contact", "stop", "end"]
+    assert misses(scene, found) == []
+
+
 def test_most_random_scenes_are_certified() -> None:
     scenes = [scene for seed in range(40) if (scene := maybe(seed)) is not None]
     proved = [scene for scene in scenes if certify(scene).proved]
