@@ -58,7 +58,8 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
 def _measured(request: Mapping[str, Any]) -> Measured:
     units = request.get("units") or {}
     known = {key: str(units[key]) for key in ("time", "length", "force") if units.get(key)}
-    found = read_measured([str(text) for text in request["texts"]], Units(**known))
+    chosen = Units(**known, run=int(request.get("run") or 0))
+    found = read_measured([str(text) for text in request["texts"]], chosen)
     begin, end = request.get("from"), request.get("until")
     return found if begin is None and end is None else between(found, begin, end)
 
@@ -74,6 +75,7 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
         "kind": measured.kind,
         "names": list(measured.names),
         "read": list(measured.notes),
+        "runs": list(measured.runs),
         "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
     }
     if measured.kind != "length":

@@ -24,9 +24,11 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What one file holds. `own`: each sensor may have its own zero and direction."""
+    """What one file holds. `own`: each sensor may have its own zero and direction. `runs`: all that
+    stand in it, where there are several."""
 
     kind: Content
     tracks: tuple[Track, ...]
     notes: tuple[str, ...]
     own: bool = False
+    runs: tuple[str, ...] = ()

@@ -20,12 +20,14 @@ class Measured:
     """Two tracks of one kind. Carts stand from left to right. `notes` say how they were read.
 
     `own`: each sensor may have a zero and a direction of its own; tracks as they stand in the file.
+    `runs`: all that stand in the file, where there are several.
     """
 
     kind: Content
     tracks: tuple[Track, Track]
     notes: tuple[str, ...]
     own: bool = False
+    runs: tuple[str, ...] = ()
 
     @property
     def names(self) -> tuple[str, str]:
@@ -40,6 +42,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
     kinds: list[Content] = []
     notes: list[str] = []
     own = False
+    runs: tuple[str, ...] = ()
     for source, text in enumerate(texts):
         try:
             reading = read_text(text, units)
@@ -47,6 +50,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
             raise ReadingError(error.faults, source) from None
         found += reading.tracks
         own = own or reading.own
+        runs = max(runs, reading.runs, key=len)
         kinds.append(reading.kind)
         notes += [note for note in reading.notes if note not in notes]
     last = found[-1].lines[-1] if found and found[-1].lines else 1
@@ -57,7 +61,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
     if found[0].name == found[1].name:
         found = [Track(f"{t.name} {k}", t.t, t.value, t.lines) for k, t in enumerate(found, 1)]
     in_order = (found[0], found[1]) if own else _in_order(found, kinds[0])
-    return Measured(kinds[0], in_order, tuple(notes), own)
+    return Measured(kinds[0], in_order, tuple(notes), own, runs)
 
 
 def _not_two(count: int, kind: Content, line: int) -> ReadingError:

@@ -28,11 +28,13 @@ _HEAD = (
 
 @dataclass(frozen=True, slots=True)
 class Units:
-    """What columns without a unit are in."""
+    """What a reader says of a file: what columns without a unit are in, and which of several runs
+    is meant, from 1 (0: the first that is long enough)."""
 
     time: str = "s"
     length: str = "m"
     force: str = "N"
+    run: int = 0
 
     def of(self, kind: Kind) -> str:
         """The unit for a kind of column."""

@@ -6,6 +6,7 @@ import io
 import math
 import re
 import zipfile
+from collections.abc import Callable, Sequence
 from random import Random
 from typing import Any
 
@@ -15,6 +16,7 @@ from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.events.story import Hints, story_of
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
+from sim.measured.units import Units
 from sim.measured.zipped import texts_of
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts, tracker_project
 
@@ -285,3 +287,35 @@ def test_readings_without_a_contact_are_refused_with_a_code() -> None:
     assert found.refused is not None
     assert found.report["refused"]["code"] in ("no-contact", "no-change", "no-approach")
     assert found.report["refused"]["sentence"]
+
+
+def beside(texts: Sequence[str]) -> str:
+    """Logs of equal length as runs side by side, as loggers export them."""
+    lines = [text.removeprefix("\ufeff").splitlines() for text in texts]
+    heads = [",".join(f"{name.strip(chr(34))} Run #{k}" for name in rows[0].split(","))
+             for k, rows in enumerate(lines, 1)]  # fmt: skip
+    rows = [",".join(parts) for parts in zip(*(one[1:] for one in lines), strict=True)]
+    return "\n".join([",".join(heads), *rows]) + "\n"
+
+
+def below(texts: Sequence[str]) -> str:
+    """Logs one under the other: the time starts anew."""
+    first, *others = [text.splitlines() for text in texts]
+    return "\n".join([*first, *(line for one in others for line in one[1:])]) + "\n"
+
+
+@pytest.mark.parametrize("together", [beside, below], ids=["side by side", "below each other"])
+def test_of_several_runs_the_one_that_is_asked_for_is_read(
+    together: Callable[[Sequence[str]], str],
+) -> None:
+    texts = [sensor_carts(Motion(), seed=k) for k in (1, 2, 3)]
+    text = together(texts)
+    for k, one in enumerate(texts, 1):
+        found, alone = read_measured([text], Units(run=k)), read_measured([one])
+        assert found.runs == ("1", "2", "3")
+        assert [track.t for track in found.tracks] == [track.t for track in alone.tracks]
+        assert [track.value for track in found.tracks] == [t.value for t in alone.tracks]
+    assert read_measured([text]).tracks[0].value == read_measured([texts[0]]).tracks[0].value
+    with pytest.raises(ReadingError, match="there is no run 4: this file has 3"):
+        read_measured([text], Units(run=4))
+    assert read_measured([texts[0]]).runs == ()

@@ -70,7 +70,7 @@ def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site:
     page.get_by_label("its weight").check()
     saved(page, "pick-many")
     page.evaluate("() => sessionStorage.setItem('carts-watched', '[1]')")  # what a tab remembers
-    continue_as(page, "RED-OWL-13")
+    continue_as(page, "RED-OWL-13", "Yes, somebody else")
     assert page.evaluate("() => Object.keys(sessionStorage)") == []
     expect(page.locator("#why textarea")).to_have_value("")
     expect(page.get_by_label("its weight")).not_to_be_checked()
@@ -242,3 +242,18 @@ def test_a_form_is_taken_before_and_after_and_handed_in(
     pre.locator(".carts-quiz-open").click()
     expect(pre.get_by_label("forwards")).to_be_visible()
     expect(pre.get_by_label("forwards")).to_be_disabled()
+
+
+@pytest.mark.one_browser
+def test_a_mistyped_code_word_is_corrected_and_the_answers_come_along(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("my own words")
+    saved(page, "why")
+    continue_as(page, "HELLO-THERE", "They are mine")
+    continue_as(page, "BLUE-FOX-27", "No, that is me")
+    expect(page.locator("#why textarea")).to_have_value("my own words")
+    assert saved_file(page)["student"] == "BLUE-FOX-27"
+    continue_as(page, "HELLO-THERE", "Yes, somebody else")  # nothing is left there
+    expect(page.locator("#why textarea")).to_have_value("")

@@ -11,8 +11,9 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.measured.tracks import read_measured
-from tests.measured.devices import Motion, phone
+from tests.measured.devices import Motion, phone, sensor_carts
 from tests.measured.makers import as_text, film, truth
+from tests.measured.test_devices import below
 from tests.web.conftest import OpenPage
 from tests.web.measured_site import build_measured
 from tests.web.test_class_page import CATCH, LAST
@@ -253,3 +254,21 @@ def test_two_phones_of_which_one_zipped_its_log_are_compared(
     page.locator(".carts-measured-file").set_input_files([damaged])  # type: ignore[arg-type]
     expect(page.locator(".carts-measured-faults")).to_contain_text("damaged")
     expect(result).to_contain_text("Greatest acceleration of")  # the last good one stays
+
+
+@pytest.mark.one_browser
+def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPage) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    logs = [sensor_carts(Motion(), seed=seed) for seed in (1, 2)]
+    choose(page, "log.csv", below(logs).removeprefix("\ufeff"))
+    run = page.locator(".carts-measured-run")
+    expect(run).to_be_visible(timeout=STARTS)
+    expect(run).to_have_value("1")
+    first = page.locator(".carts-measured-table table").text_content()
+    run.select_option("2")
+    expect(page.locator(".carts-measured-table table")).not_to_have_text(first or "")
+    page.reload()
+    expect(run).to_have_value("2", timeout=STARTS)  # kept with the readings
+    choose(page, "one.csv", logs[0].removeprefix("\ufeff"))
+    expect(run).to_be_hidden()

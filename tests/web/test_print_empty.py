@@ -36,7 +36,7 @@ def test_a_core_sheet_leaves_out_what_is_optional_and_what_a_run_shows(printed: 
     printed.emulate_media(media="print")
     for left_out in ("#third-equal", "#third-changed", "#third-own .carts-story"):
         expect(printed.locator(left_out).first).to_be_hidden()
-    for kept in ("#third-wall .carts-stage", "#third-wall .carts-write", "#third-own .carts-plot"):
+    for kept in ("#third-wall .carts-stage", "#third-wall .carts-write", "#third-own .carts-stage"):
         expect(printed.locator(kept).locator("visible=true").first).to_be_visible()
     expect(printed.locator(".carts-model").first).to_be_hidden()
     assert printed.locator(".carts-q-waits").locator("visible=true").count() == 0

@@ -6,6 +6,7 @@ is not said to be equal.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -98,7 +99,7 @@ def of_mean(spread: Spread, of: float | None, interval: tuple[float, float] | No
         f"standard deviation of {number(spread.sd)}."
     )
     if interval:
-        low, high = interval
+        low, high = max(0.0, interval[0]), min(interval[1], math.inf if of is None else of)
         text += (
             f" For many students like these the average would lie between about {number(low)} and "
             f"{number(high)} (95 % interval)."

@@ -99,7 +99,9 @@ def _means(lesson: Row, report: Row) -> str:
         if not form["has_key"]:
             says.append(f"{unmarked(form['form'])} Choose the key file as well.")
         elif form["unread"]:
-            says.append(f"Form {form['form']}: {', '.join(form['unread'])} wait to be read by you "
+            labels = {item["id"]: item["label"] for item in form["items"]}
+            waiting = ", ".join(labels.get(name, name) for name in form["unread"])
+            says.append(f"Form {form['form']}: {waiting} wait to be read by you "
                         "and are in no total yet.")  # fmt: skip
     head = ["form", "group", "students", "mean ± standard deviation", "95 % interval", "marks"]
     return table(head, rows, kind="means") + listed(says)

@@ -72,6 +72,8 @@ FILE = click.Path(dir_okay=False, path_type=Path)
     metavar="LENGTH",
     help="Distance of the two marks when the bumpers just touch, for example 21.5 cm.",
 )
+@click.option("--run", type=click.IntRange(1), metavar="NUMBER", default=None,
+              help="Of several runs in a log, this one, from 1; default: the first.")  # fmt: skip
 @click.option("--from", "begin", metavar="TIME", help="Leave readings before this time out.")
 @click.option("--until", "end", metavar="TIME", help="Leave readings after this time out.")
 @click.option("--length", type=click.Choice(OFFERED["length"]), default="m", show_default=True,
@@ -101,6 +103,7 @@ def command(
     length: str,
     time: str,
     force: str,
+    run: int | None,
     scene_file: Path | None,
     tracker_file: Path | None,
 ) -> None:
@@ -121,7 +124,7 @@ def command(
         raise click.UsageError("One file with both carts, or two files with one cart each.")
     if friction and tilt:
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
-    units = Units(time=time, length=length, force=force)
+    units = Units(time=time, length=length, force=force, run=run or 0)
     measured = _read(files, units)
     measured = _cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
     hints = Hints(

@@ -3,9 +3,10 @@
     Time (s), Position 1 (m), Velocity 1 (m/s), Acceleration 1 (m/s²), Position 2 (m), …
 
 Each sensor has a zero and a direction of its own. Runs stand side by side (“Run 1: Time (s)”,
-“Position 1 (m) Run #2”) or below each other, where the time starts anew: the first run with both
-carts is read, the others are named. A sensor may have a time column of its own, to its left. Where
-there is no position, the velocity is summed up (trapezoids).
+“Position 1 (m) Run #2”) or below each other, where the time starts anew: the first run that is
+long enough is read, or the one that was asked for, and the others are named. A sensor may have a
+time column of its own, to its left. Where there is no position, the velocity is summed up
+(trapezoids).
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from sim.measured.readers import plain
-from sim.measured.refusal import refuse, shown
+from sim.measured.refusal import ReadingError, refuse, shown
 from sim.measured.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
@@ -43,18 +45,27 @@ _TIMES = re.compile(r"\btime\b", re.I)
 
 def read(text: str, units: Units) -> Reading:
     """Both carts of one run, or one; raises ReadingError."""
-    runs = _runs(text)
+    runs, place = _runs(text), max(0, units.run - 1)
     table = read_table(text)
     notes: list[str] = []
-    if len(runs) > 1:
-        table, left = _one_run(table, text, runs)
-        if left:
-            notes.append(f"run {runs[0]} is read; other runs in the file: {', '.join(left)}")
-    tracks = _tracks(table, units, notes)
+    beside = _columns_of(table, runs)
+    if beside:
+        if place >= len(runs):
+            raise _no_run(units.run, len(runs))
+        table = beside[place]
+        left = [run for k, run in enumerate(runs) if k != place]
+        notes.append(f"run {runs[place]} is read; other runs in the file: {', '.join(left)}")
+    below: list[str] = []
+    tracks = _tracks(table, replace(units, run=0) if beside else units, notes, below)
     if not tracks:
         return plain.read(text, units)
     notes.append(f"{table.separator} between the columns, decimal {table.decimal}")
-    return Reading("length", tuple(tracks), tuple(notes), own=len(tracks) == 2)
+    every = tuple(runs if beside else below)
+    return Reading("length", tuple(tracks), tuple(notes), own=len(tracks) == 2, runs=every)
+
+
+def _no_run(asked: int, there: int) -> ReadingError:
+    return refuse(1, f"there is no run {asked}: this file has {there}", "1 is the first")
 
 
 def _runs(text: str) -> list[str]:
@@ -63,21 +74,23 @@ def _runs(text: str) -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def _one_run(table: Table, text: str, runs: Sequence[str]) -> tuple[Table, list[str]]:
-    """The columns of the first run; heads have lost its label, so the order of times tells it."""
+def _columns_of(table: Table, runs: Sequence[str]) -> list[Table]:
+    """The columns of each run; heads have lost its label, so the order of times tells it. Empty
+    where there is one run, or one time for all."""
     cuts = [k for k, one in enumerate(table.columns) if _TIME.fullmatch(one.name)]
-    if len(cuts) < len(runs):
-        return table, []
+    if len(runs) < 2 or len(cuts) < len(runs):
+        return []
     per = len(cuts) // len(runs)
-    end = cuts[per] if per < len(cuts) else len(table.columns)
-    columns = table.columns[:end]
-    return Table(columns, table.lines, table.heads_line, table.separator, table.decimal), [
-        *runs[1:]
+    begins = [0, *cuts[per : per * len(runs) : per], len(table.columns)]
+    return [
+        replace(table, columns=table.columns[begin:end])
+        for begin, end in itertools.pairwise(begins)
     ]
 
 
-def _tracks(table: Table, units: Units, notes: list[str]) -> list[Track]:
-    """A track for each cart, by position or else by velocity."""
+def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> list[Track]:
+    """A track for each cart, by position or else by velocity. `below` gets the runs that stand
+    below each other."""
     time: Column | None = None
     carts: dict[str, dict[str, tuple[Column, Column]]] = {}
     for column in table.columns:
@@ -102,7 +115,7 @@ def _tracks(table: Table, units: Units, notes: list[str]) -> list[Track]:
     tracks = []
     for k, (who, (clock, column)) in enumerate(places.items()):
         name = who or ("AB"[k] if len(places) > 1 else "cart")
-        tracks.append(_track(table, name, (clock, column), units, notes, by_speed))
+        tracks.append(_track(table, name, (clock, column), units, notes, below, by_speed))
     if by_speed and tracks:
         notes.append("positions are the velocities summed up")
     return tracks
@@ -114,6 +127,7 @@ def _track(
     columns: tuple[Column, Column],
     units: Units,
     notes: list[str],
+    below: list[str],
     by_speed: bool,
 ) -> Track:
     clock, column = columns
@@ -129,7 +143,7 @@ def _track(
         for t, x, line in zip(clock.values, column.values, table.lines, strict=True)
         if t is not None and x is not None
     ]
-    rows = _first_run(rows, name, notes)
+    rows = _one_run(rows, name, units.run, notes, below)
     missing = sum(t is not None for t in clock.values) - len(rows)
     if missing > 0 and len(rows) >= FEWEST and not any("starts anew" in note for note in notes):
         notes.append(f"{name}: {missing} rows without a reading, left out")
@@ -145,8 +159,9 @@ def _track(
 Rows = list[tuple[float, float, int]]
 
 
-def _first_run(rows: Rows, name: str, notes: list[str]) -> Rows:
-    """Up to where the time starts anew; repeated times are left out. All named."""
+def _one_run(rows: Rows, name: str, asked: int, notes: list[str], below: list[str]) -> Rows:
+    """From where the time starts anew to the next such place; repeated times are left out. All
+    named."""
     runs: list[Rows] = [[]]
     repeated = 0
     for row in rows:
@@ -157,7 +172,12 @@ def _first_run(rows: Rows, name: str, notes: list[str]) -> Rows:
             runs.append([row])
         else:
             runs[-1].append(row)
-    kept = next((run for run in runs if len(run) >= FEWEST), max(runs, key=len))
+    long = [run for run in runs if len(run) >= FEWEST]
+    if asked > len(long):
+        raise _no_run(asked, len(long))
+    kept = long[max(0, asked - 1)] if long else max(runs, key=len)
+    if len(long) > max(1, len(below)):
+        below[:] = [str(k) for k in range(1, len(long) + 1)]
     if len(runs) > 1:
         starts = ", ".join(str(run[0][2]) for run in runs[1:6] if run)
         note = f"the time starts anew in line {starts}: {len(kept)} readings of one run are taken"

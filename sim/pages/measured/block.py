@@ -128,7 +128,7 @@ class _Reader:
                 ("units",), "not-a-table", "units: this is no table", "units: {length: cm, time: s}"
             )
             return None
-        chosen = {}
+        chosen: dict[Any, Any] = {}
         for kind, unit in value.items():
             offered = OFFERED.get(kind)
             if offered is None:

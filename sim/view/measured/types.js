@@ -6,7 +6,7 @@
  * @typedef {{t: number[], x: [number[], number[]]}} Curve
  * @typedef {{line: number | null, reason: string, hint: string}} Fault
  * @typedef {{parameters: Hand, curve: Curve, residuals: [number[], number[]], spread: number}} Drawn
- * @typedef {{kind: "length" | "force" | "acceleration", names: [string, string], read: string[], tracks: [Track, Track],
+ * @typedef {{kind: "length" | "force" | "acceleration", names: [string, string], read: string[], runs?: string[], tracks: [Track, Track],
  *   report?: Report, forces?: {t: number[], F: [number[], number[]]}}} Read
  * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
  * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],
@@ -20,7 +20,7 @@
  *   law: string, read: Read | null}} Facts
  *
  * What a reader has done here, as it is kept:
- * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, from: string, until: string,
+ * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, run?: string, from: string, until: string,
  *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
  */
 export {};

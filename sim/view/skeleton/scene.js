@@ -50,8 +50,8 @@ ${transport(baked)}
 ${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
-${panel(baked)}
 ${near(baked)}
+${panel(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -63,7 +63,7 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 ${asksForForces(baked) && find()}
 </div>
 ${found && html`<p class="carts-found" hidden></p>`}
-<details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
+<details class="carts-more carts-model"${asksForForces(baked) && html` hidden`}><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
 <div class="carts-hidden carts-announcer" aria-live="polite"></div>
 </div>`;

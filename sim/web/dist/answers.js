@@ -543,14 +543,15 @@
       }
       return changed.length;
     }
-    /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered without a code */
+    /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered so far */
     async become(code, carry = false) {
       await this.ready;
       if (!this.all) return;
       if (carry) {
-        const loose = await forStudent(this.all, "").entries();
-        await this.take(code, loose);
-        for (const [key] of loose) await this.all.remove(key);
+        const mine = forStudent(this.all, this.student);
+        const found2 = await mine.entries();
+        await this.take(code, found2);
+        for (const [key] of found2) await mine.remove(key);
       }
       await writeStudent(this.all, code);
       this.#channel?.postMessage({ student: code });
@@ -1562,17 +1563,25 @@
       if ("problem" in found2) return say(told, found2.problem);
       const { code } = found2;
       if (code === student) return say(told, tr("That is who works here now."));
-      const loose = !student && book2.entries().length > 0;
-      if (!loose) return become(code, false);
-      say(told, tr("Somebody has answered here without a code word. Was that you?"));
+      const here = book2.entries().length > 0;
+      const known2 = here && student ? await book2.has(code) : false;
+      if (!here || known2) return become(code, false);
+      say(
+        told,
+        student ? tr("The answers here stand under {student}. Is {code} somebody else?", { student, code }) : tr("Somebody has answered here without a code word. Was that you?")
+      );
       choices.append(
         button(
-          tr("They are mine: take them along"),
+          student ? tr("No, that is me: correct the code word, take them along") : tr("They are mine: take them along"),
           () => void become(code, true),
           "carts-answers-mine"
         ),
         " ",
-        button(tr("Leave them"), () => void become(code, false))
+        button(
+          student ? tr("Yes, somebody else: begin anew") : tr("Leave them"),
+          () => void become(code, false),
+          "carts-answers-leave-them"
+        )
       );
       choices.querySelector("button")?.focus();
     }

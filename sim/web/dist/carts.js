@@ -9446,9 +9446,10 @@ ${lines4.join("\n")}
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
       const open2 = whole && this.header.plan.length > 0;
-      const model = open2 ? modelSentences(this.header, this.telling.forces) : [];
+      const hides = this.root.querySelector(".carts-find") !== null;
+      const model = open2 && !hides ? modelSentences(this.header, this.telling.forces) : [];
       this.model.replaceChildren(...model.map((text) => html("li", "", text)));
-      need(this.root, ".carts-model").hidden = !whole;
+      need(this.root, ".carts-model").hidden = !whole || hides;
     }
     /** @param {{t: number, sentence: string}} told */
     #item({ t: t3, sentence }) {

@@ -11232,7 +11232,7 @@ ${table3(facts)}
 <details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
 <p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults"></ul></div>
 </div>`;
@@ -12820,8 +12820,8 @@ ${transport(baked)}
 ${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
-${panel(baked)}
 ${near(baked)}
+${panel(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -12833,7 +12833,7 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 ${asksForForces(baked) && find2()}
 </div>
 ${found && html`<p class="carts-found" hidden></p>`}
-<details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
+<details class="carts-more carts-model"${asksForForces(baked) && html` hidden`}><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
 <div class="carts-hidden carts-announcer" aria-live="polite"></div>
 </div>`;
@@ -15216,9 +15216,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
       const open = whole && this.header.plan.length > 0;
-      const model2 = open ? modelSentences(this.header, this.telling.forces) : [];
+      const hides = this.root.querySelector(".carts-find") !== null;
+      const model2 = open && !hides ? modelSentences(this.header, this.telling.forces) : [];
       this.model.replaceChildren(...model2.map((text3) => html2("li", "", text3)));
-      need(this.root, ".carts-model").hidden = !whole;
+      need(this.root, ".carts-model").hidden = !whole || hides;
     }
     /** @param {{t: number, sentence: string}} told */
     #item({ t, sentence }) {

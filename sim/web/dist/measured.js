@@ -1417,6 +1417,8 @@
     #masses = [];
     /** @type {string[]} */
     #names = ["A", "B"];
+    #wanted = "";
+    // the run that was chosen at an earlier visit
     /** @param {HTMLElement} root @param {(again: boolean) => void} changed again: the readings are others now */
     constructor(root, changed) {
       const find = (name) => (
@@ -1428,6 +1430,8 @@
       this.law = find("law");
       this.effect = find("effect");
       this.distance = find("distance");
+      this.run = /** @type {HTMLSelectElement} */
+      need(root, ".carts-measured-run");
       this.place = need(root, ".carts-measured-masses");
       this.units = [...root.querySelectorAll(".carts-measured-unit")].map(
         (select) => (
@@ -1436,7 +1440,7 @@
         )
       );
       this.changed = changed;
-      for (const input of [...this.units, this.from, this.until]) {
+      for (const input of [...this.units, this.run, this.from, this.until]) {
         input.addEventListener("change", () => changed(true));
       }
       for (const input of [this.law, this.effect, this.distance]) {
@@ -1476,8 +1480,17 @@
         html("span", "carts-quiet", "if you have a balance")
       );
     }
-    /** Another film has another clock. */
+    /** The runs of a file: one is chosen, where there are several. @param {string[]} runs */
+    offer(runs) {
+      this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
+      if (this.run.options.length === runs.length) return;
+      this.run.replaceChildren(...runs.map((name, k) => new Option(name, String(k + 1))));
+      this.run.value = this.#wanted || "1";
+    }
+    /** Another film has another clock, another log other runs. */
     clear() {
+      this.#wanted = "";
+      this.run.replaceChildren();
       this.from.value = "";
       this.until.value = "";
     }
@@ -1490,6 +1503,7 @@
         );
         if (kept.units[kind]) select.value = kept.units[kind];
       }
+      this.#wanted = kept.run ?? "";
       this.from.value = kept.from;
       this.until.value = kept.until;
       this.law.value = kept.law;
@@ -1524,6 +1538,7 @@
     get kept() {
       return {
         units: this.chosen,
+        run: this.run.value || this.#wanted,
         from: this.from.value,
         until: this.until.value,
         law: this.law.value,
@@ -1542,6 +1557,7 @@
       }
       return {
         units: this.chosen,
+        run: Number(this.run.value || this.#wanted),
         from: number(this.from),
         until: number(this.until),
         law: this.law.value,
@@ -1565,8 +1581,11 @@
       );
       /** @type {Read | null} */
       #read = null;
-      /** The last fit. @type {Report | null} */
-      report = null;
+      report = (
+        /** @type {Report | null} */
+        null
+      );
+      // of the last fit
       /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
       complete = Promise.resolve();
       /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
@@ -1706,6 +1725,7 @@
       /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
       #show(read, drawn) {
         this.#read = read;
+        this.settings?.offer(read.runs ?? []);
         this.report = read.report ?? null;
         const missing2 = drawn ? this.settings?.missing(read) ?? [] : [];
         if (missing2.length) {

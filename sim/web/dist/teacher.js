@@ -1485,7 +1485,7 @@ ${table2(facts)}
 <details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
 <p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults"></ul></div>
 </div>`;
@@ -2702,8 +2702,8 @@ ${transport(baked)}
 ${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
-${panel(baked)}
 ${near(baked)}
+${panel(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html2` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -2715,7 +2715,7 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 ${asksForForces(baked) && find()}
 </div>
 ${found && html2`<p class="carts-found" hidden></p>`}
-<details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
+<details class="carts-more carts-model"${asksForForces(baked) && html2` hidden`}><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
 <div class="carts-hidden carts-announcer" aria-live="polite"></div>
 </div>`;

@@ -94,14 +94,15 @@ export class Book extends EventTarget {
     return changed.length;
   }
 
-  /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered without a code */
+  /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered so far */
   async become(code, carry = false) {
     await this.ready;
     if (!this.all) return;
     if (carry) {
-      const loose = await forStudent(this.all, "").entries();
-      await this.take(code, loose);
-      for (const [key] of loose) await this.all.remove(key);
+      const mine = forStudent(this.all, this.student);
+      const found = await mine.entries();
+      await this.take(code, found);
+      for (const [key] of found) await mine.remove(key);
     }
     await writeStudent(this.all, code);
     this.#channel?.postMessage({ student: code });

@@ -37,17 +37,29 @@ export function whoPart(book) {
     if ("problem" in found) return say(told, found.problem);
     const { code } = found;
     if (code === student) return say(told, tr("That is who works here now."));
-    const loose = !student && book.entries().length > 0;
-    if (!loose) return become(code, false);
-    say(told, tr("Somebody has answered here without a code word. Was that you?"));
+    const here = book.entries().length > 0;
+    const known = here && student ? await book.has(code) : false;
+    if (!here || known) return become(code, false);
+    say(
+      told,
+      student
+        ? tr("The answers here stand under {student}. Is {code} somebody else?", { student, code })
+        : tr("Somebody has answered here without a code word. Was that you?"),
+    );
     choices.append(
       button(
-        tr("They are mine: take them along"),
+        student
+          ? tr("No, that is me: correct the code word, take them along")
+          : tr("They are mine: take them along"),
         () => void become(code, true),
         "carts-answers-mine",
       ),
       " ",
-      button(tr("Leave them"), () => void become(code, false)),
+      button(
+        student ? tr("Yes, somebody else: begin anew") : tr("Leave them"),
+        () => void become(code, false),
+        "carts-answers-leave-them",
+      ),
     );
     choices.querySelector("button")?.focus();
   }

@@ -25,8 +25,7 @@ export function measuredElement(client, base) {
     #kept = /** @type {Kept} */ ({});
     /** @type {Read | null} */
     #read = null;
-    /** The last fit. @type {Report | null} */
-    report = null;
+    report = /** @type {Report | null} */ (null); // of the last fit
     /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
     complete = Promise.resolve();
     /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
@@ -173,6 +172,7 @@ export function measuredElement(client, base) {
     /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
     #show(read, drawn) {
       this.#read = read;
+      this.settings?.offer(read.runs ?? []);
       this.report = read.report ?? null;
       const missing = drawn ? (this.settings?.missing(read) ?? []) : [];
       if (missing.length) {

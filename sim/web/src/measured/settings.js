@@ -17,6 +17,7 @@ export class Settings {
   #masses = [];
   /** @type {string[]} */
   #names = ["A", "B"];
+  #wanted = ""; // the run that was chosen at an earlier visit
 
   /** @param {HTMLElement} root @param {(again: boolean) => void} changed again: the readings are others now */
   constructor(root, changed) {
@@ -27,13 +28,14 @@ export class Settings {
     this.law = find("law");
     this.effect = find("effect");
     this.distance = find("distance");
+    this.run = /** @type {HTMLSelectElement} */ (need(root, ".carts-measured-run"));
     this.place = need(root, ".carts-measured-masses");
     /** @type {HTMLSelectElement[]} */
     this.units = [...root.querySelectorAll(".carts-measured-unit")].map(
       (select) => /** @type {HTMLSelectElement} */ (select),
     );
     this.changed = changed;
-    for (const input of [...this.units, this.from, this.until]) {
+    for (const input of [...this.units, this.run, this.from, this.until]) {
       input.addEventListener("change", () => changed(true));
     }
     for (const input of [this.law, this.effect, this.distance]) {
@@ -68,8 +70,18 @@ export class Settings {
     );
   }
 
-  /** Another film has another clock. */
+  /** The runs of a file: one is chosen, where there are several. @param {string[]} runs */
+  offer(runs) {
+    this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
+    if (this.run.options.length === runs.length) return;
+    this.run.replaceChildren(...runs.map((name, k) => new Option(name, String(k + 1))));
+    this.run.value = this.#wanted || "1";
+  }
+
+  /** Another film has another clock, another log other runs. */
   clear() {
+    this.#wanted = "";
+    this.run.replaceChildren();
     this.from.value = "";
     this.until.value = "";
   }
@@ -80,6 +92,7 @@ export class Settings {
       const kind = /** @type {"time"} */ (select.dataset.kind);
       if (kept.units[kind]) select.value = kept.units[kind];
     }
+    this.#wanted = kept.run ?? "";
     this.from.value = kept.from;
     this.until.value = kept.until;
     this.law.value = kept.law;
@@ -114,6 +127,7 @@ export class Settings {
   get kept() {
     return {
       units: this.chosen,
+      run: this.run.value || this.#wanted,
       from: this.from.value,
       until: this.until.value,
       law: this.law.value,
@@ -135,6 +149,7 @@ export class Settings {
     }
     return {
       units: this.chosen,
+      run: Number(this.run.value || this.#wanted),
       from: number(this.from),
       until: number(this.until),
       law: this.law.value,

@@ -81,9 +81,11 @@ export class Story {
     if (scrolled) put(this.list, "tabindex", "0");
     else this.list.removeAttribute("tabindex");
     const open = whole && this.header.plan.length > 0; // not so before a prediction
-    const model = open ? modelSentences(this.header, this.telling.forces) : [];
+    // What it says of a contact is what a reader of hidden forces is to find.
+    const hides = this.root.querySelector(".carts-find") !== null;
+    const model = open && !hides ? modelSentences(this.header, this.telling.forces) : [];
     this.model.replaceChildren(...model.map((text) => html("li", "", text)));
-    need(this.root, ".carts-model").hidden = !whole;
+    need(this.root, ".carts-model").hidden = !whole || hides;
   }
 
   /** @param {{t: number, sentence: string}} told */
