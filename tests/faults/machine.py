@@ -1,0 +1,147 @@
+"""Machines that are slow, small or full, and folders that are not the reader's own.
+
+As root only: mounts, groups of the kernel (cgroup version 1 or 2, whichever is there) and `setpriv`.
+Where one is missing the row says that it was not tried, and is not counted.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from .table import Browser, Fault, Machine, Must
+
+GROUPS = Path("/sys/fs/cgroup")
+PERIOD = 100_000  # µs
+NOBODY = "setpriv --reuid=65534 --regid=65534 --clear-groups"
+
+
+class NotHere(Exception):
+    """What this machine lacks for the row."""
+
+
+@contextmanager
+def nothing(_: Path, folder: Path) -> Iterator[Browser]:
+    """A browser of its own, and no fault."""
+    yield Browser(folder)
+
+
+@contextmanager
+def _mounted(what: list[str], at: Path) -> Iterator[None]:
+    if os.geteuid() or subprocess.run(["mount", *what, str(at)], capture_output=True).returncode:
+        raise NotHere("mount")
+    try:
+        yield
+    finally:
+        subprocess.run(["umount", "--lazy", str(at)], check=True)
+
+
+@contextmanager
+def full_disk(_: Path, folder: Path) -> Iterator[Browser]:
+    """The disk of the profile is filled to its last byte while the browser runs: see `Browser.full`."""
+    with _mounted(["-t", "tmpfs", "-o", "size=64m", "none"], folder):
+        yield Browser(folder, full=True)
+
+
+@contextmanager
+def read_only_site(site: Path, folder: Path) -> Iterator[Browser]:
+    """The site, as on a share that nobody may write."""
+    with _mounted(["--bind", "-o", "ro", str(site)], site):
+        subprocess.run(["mount", "-o", "remount,bind,ro", str(site)], check=True)
+        yield Browser(folder)
+
+
+@contextmanager
+def read_only_profile(_: Path, folder: Path) -> Iterator[Browser]:
+    """A profile that the browser may read and never write."""
+    with _mounted(["--bind", "-o", "ro", str(folder)], folder):
+        subprocess.run(["mount", "-o", "remount,bind,ro", str(folder)], check=True)
+        yield Browser(folder)
+
+
+@contextmanager
+def of_nobody(_: Path, folder: Path) -> Iterator[Browser]:
+    """The reader is `nobody`; the site is root's and may be read."""
+    if os.geteuid() or not shutil.which("setpriv"):
+        raise NotHere("setpriv")
+    shutil.chown(folder, "nobody")
+    yield Browser(folder, NOBODY)
+
+
+def closed_to_nobody(pattern: str) -> Machine:
+    """The reader is `nobody`, and these files of the site may be read by root alone."""
+
+    @contextmanager
+    def done(site: Path, folder: Path) -> Iterator[Browser]:
+        for file in site.glob(pattern):
+            shutil.copy2(file, file.with_suffix(".own"))  # the copies of the site share their files
+            file.with_suffix(".own").replace(file)
+            file.chmod(0o600)
+        with of_nobody(site, folder) as browser:
+            yield browser
+
+    return done
+
+
+def limited(share: float = 0.0, memory: int = 0) -> Machine:
+    """`share` of one processor, `memory` in bytes; of zero: not limited."""
+
+    @contextmanager
+    def done(_: Path, folder: Path) -> Iterator[Browser]:
+        wanted = [
+            ("cpu", "cpu.cfs_quota_us", "cpu.max", int(share * PERIOD), f"{{}} {PERIOD}"),
+            ("memory", "memory.limit_in_bytes", "memory.max", memory, "{}"),
+        ]
+        made: list[Path] = []
+        for kind, old, new, value, form in wanted:
+            if value:
+                group = (GROUPS / kind if (GROUPS / kind).is_dir() else GROUPS) / f"faults-{kind}"
+                made.append(_group(group, old, new, value, form))
+        try:
+            joins = " ".join(f"echo 0 > {group}/cgroup.procs;" for group in made)
+            yield Browser(folder, joins=joins)
+        finally:
+            for group in made:
+                group.rmdir()
+
+    return done
+
+
+def _group(group: Path, old: str, new: str, value: int, form: str) -> Path:
+    try:
+        group.mkdir(exist_ok=True)
+        one = group / old
+        one.write_text(str(value)) if one.exists() else (group / new).write_text(form.format(value))
+    except OSError as refused:
+        raise NotHere(f"a group of the kernel: {refused}") from None
+    return group
+
+
+MACHINES: dict[str, tuple[Must, Machine]] = {
+    "a browser of its own, nothing wrong": ("lives", nothing),
+    "a full disk": ("either", full_disk),
+    "a site on a read-only share": ("lives", read_only_site),
+    "a read-only profile": ("either", read_only_profile),
+    "a reader who owns no file": ("lives", of_nobody),
+    "carts.js may not be read": ("says", closed_to_nobody("assets/carts/carts.js")),
+    "answers.js may not be read": ("closed", closed_to_nobody("assets/carts/answers.js")),
+    "the runtime may not be read": ("says", closed_to_nobody("assets/carts/runtime/*")),
+    "the snapshot may not be read": (
+        "lives",
+        closed_to_nobody("assets/carts/runtime/memory*"),
+    ),
+    "a fifth of a processor": ("either", limited(share=0.2)),
+    "a twentieth of a processor": ("either", limited(share=0.05)),
+    "500 MB of memory": ("either", limited(memory=500_000_000)),
+    "300 MB of memory": ("either", limited(memory=300_000_000)),
+    "250 MB of memory": ("either", limited(memory=250_000_000)),
+}
+
+
+def of_machines() -> Iterator[Fault]:
+    for name, (must, machine) in MACHINES.items():
+        yield Fault(name, must, machine=machine)
