@@ -67,11 +67,12 @@ def look(context: BrowserContext, fault: Fault, where: str, usual: frozenset[str
     again = EARLIER in page.evaluate(BOX)
     kept = _answered(page)
     told = _new(page, usual)
+    while not told and not (live and kept) and time.monotonic() - began < SOON:
+        page.wait_for_timeout(1000 * STEP)
+        told = _new(page, usual)
     if told and after == float("inf"):
         after = 0.0  # said at the key, within `_answered`
-    found = Seen(
-        live, kept, page.evaluate(FIELDS), told, after, tuple(page.evaluate(DEAD)), again
-    )
+    found = Seen(live, kept, page.evaluate(FIELDS), told, after, tuple(page.evaluate(DEAD)), again)
     page.close()
     return found
 

@@ -17,7 +17,9 @@ NO_INDEXED = "Object.defineProperty(window, 'indexedDB', { value: undefined })"
 # Python's memory is made by the page's worker: there the allocation must fail, not in the page.
 WORKER = """const Whole = Blob; window.Blob = class extends Whole {
   constructor(parts, options) { super(["%s;", ...parts], options); } }"""
-TOO_LITTLE = "WebAssembly.Memory = function () { throw new RangeError('could not allocate memory') }"
+TOO_LITTLE = (
+    "WebAssembly.Memory = function () { throw new RangeError('could not allocate memory') }"
+)
 LATE = "throw new RangeError('Out of memory')"
 
 LACKS: dict[str, tuple[Must, str]] = {
@@ -156,6 +158,7 @@ def of_browsers() -> Iterator[Fault]:
         yield Fault(name, "either", without=script, earlier=True)
     for name, value in RECORDS.items():
         before = NEWER if "newer" in name else BARE if "table" in name else PUT
-        yield Fault(f"kept before: {name}", before=before.replace("VALUE", value or "0"))
+        must: Must = "either" if "table" in name else "lives"
+        yield Fault(f"kept before: {name}", must, before=before.replace("VALUE", value or "0"))
     name = "kept before: a text cut short, no IndexedDB"
     yield Fault(name, "either", without=NO_INDEXED, before=UNREADABLE_TEXT)

@@ -8,7 +8,7 @@ from http.server import SimpleHTTPRequestHandler
 from pathlib import Path
 
 from .files import CARTS, LOGIN, RUNTIME, cut, login, missing, to
-from .table import Answer, Fault
+from .table import Answer, Fault, Must
 
 Handler = SimpleHTTPRequestHandler
 HANGS = 60.0  # s, longer than anybody looks
@@ -88,7 +88,8 @@ def broken_off(its: Handler, path: str) -> bool:
 
 def hangs(its: Handler, _: str) -> bool:
     time.sleep(HANGS)
-    return broken_off(its, _)
+    its.close_connection = True
+    return True
 
 
 def late(seconds: float) -> Answer:
@@ -131,11 +132,13 @@ def of_servers() -> Iterator[Fault]:
         own = only("answers.js", answer)
         yield Fault(f"http, answers.js: {name}", "closed", mode="http", answer=own)
     yield Fault("http, carts.js: no answer", "says", mode="http", answer=only("carts.js", hangs))
-    yield Fault("http, a style: no answer", "either", mode="http", answer=only("carts.css", hangs))
+    yield Fault("http, a style: no answer", "blank", mode="http", answer=only("carts.css", hangs))
     for kind in ("text/plain", "application/octet-stream"):
         yield Fault(f"http, scripts: {kind}", mode="http", answer=only(JS, as_type(kind)))
     latin = as_type("text/javascript; charset=iso-8859-1")
-    yield Fault("http, scripts said to be Latin-1", "either", mode="http", answer=only(".js", latin))
+    yield Fault(
+        "http, scripts said to be Latin-1", "either", mode="http", answer=only(".js", latin)
+    )
     yield Fault("http, all a second late", mode="http", answer=only(PARTS, late(1)))
     yield from _half_updated()
     for folder in FOLDERS:
@@ -147,15 +150,14 @@ def of_servers() -> Iterator[Fault]:
 
 def _half_updated() -> Iterator[Fault]:
     """Old and new mixed: what the new names is gone, or the old is still there."""
-    renamed = {
-        "a new index, the old parts": f"{RUNTIME}/*.*.*.js",
-        "a new index, the old snapshot": f"{RUNTIME}/memory*",
-        "a new index, the old wheel": f"{RUNTIME}/newtons_carts-*",
-        "a new page, the old prepared runs": f"{CARTS}/prepared/*",
+    gone: dict[str, tuple[Must, str]] = {
+        "a new index, the old parts": ("says", f"{RUNTIME}/*.*.*.js"),
+        "a new index, the old snapshot": ("lives", f"{RUNTIME}/memory*"),
+        "a new index, the old wheel": ("says", f"{RUNTIME}/newtons_carts-*"),
+        "a new page, the old prepared runs": ("lives", f"{CARTS}/prepared/*"),
     }
-    for name, pattern in renamed.items():
-        must = "says" if "parts" in name else "lives"
-        yield Fault(f"half updated: {name}", must, to(missing, pattern), mode="http")  # type: ignore[arg-type]
+    for name, (must, pattern) in gone.items():
+        yield Fault(f"half updated: {name}", must, to(missing, pattern), mode="http")
     stale = to(_another_version, f"{RUNTIME}/index.js")
     yield Fault("half updated: the old index, new parts", "says", stale, mode="http")
     for name in ("carts.js", "answers.js"):

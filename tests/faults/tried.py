@@ -99,7 +99,9 @@ def _own(bench: Bench, own: Own, folder: Path) -> Iterator[BrowserContext]:
     """A browser of its own on a changed machine."""
     program = folder / "browser"
     real = LAUNCH["chromium"]["executable_path"]
-    program.write_text(f'#!/bin/sh\n{own.joins}HOME="{own.profile}" exec {own.before} {real} "$@"\n')
+    program.write_text(
+        f'#!/bin/sh\n{own.joins}HOME="{own.profile}" exec {own.before} {real} "$@"\n'
+    )
     program.chmod(0o755)
     options = {**LAUNCH["chromium"], "executable_path": str(program)}
     context = bench.driver.chromium.launch_persistent_context(
@@ -159,7 +161,9 @@ def tried(bench: Bench, fault: Fault, usual: frozenset[str]) -> Row:
 
 
 def _row(fault: Fault, seen: Seen) -> Row:
-    lives = seen.live and (seen.kept or fault.page == PACKAGES) and (seen.again or not fault.earlier)
+    lives = (
+        seen.live and (seen.kept or fault.page == PACKAGES) and (seen.again or not fault.earlier)
+    )
     lives = lives and not seen.dead
     closed = seen.said and not seen.fields
     right = {

@@ -85,7 +85,9 @@ def again_with(page: Page, script: str) -> Page:
     return ready(page)
 
 
-UNLISTED = """IDBObjectStore.prototype.getAll = () => { throw new DOMException("", "DataError"); };"""
+UNLISTED = (
+    """IDBObjectStore.prototype.getAll = () => { throw new DOMException("", "DataError"); };"""
+)
 
 
 def test_a_store_that_cannot_be_read_is_told_and_nothing_is_written_over_what_is_there(
@@ -101,6 +103,15 @@ def test_a_store_that_cannot_be_read_is_told_and_nothing_is_written_over_what_is
     saved(other, "why")
     kept = {item["value"] for item in saved_file(other)["items"]}
     assert kept == {"written today", "written yesterday"}
+
+
+ENDLESS = "Object.defineProperty(IDBTransaction.prototype, 'oncomplete', { set() {} });"
+
+
+def test_a_write_that_never_ends_is_told(open_page: OpenPage, question_site: Path) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), ENDLESS)
+    page.locator("#why textarea").fill("on its way")
+    expect(page.locator("#why .carts-q-saved")).to_have_text("Not saved", timeout=8000)
 
 
 def test_one_text_that_is_cut_short_hides_none_of_the_others(

@@ -2734,6 +2734,7 @@
   };
   var NOT_SAVED = tr("Not saved");
   var SOON = 400;
+  var LATE = 4e3;
   var ASKED = 300;
   function questionElement(book2) {
     return class CartsQuestion extends HTMLElement {
@@ -2860,11 +2861,14 @@
         this.#writes += 1;
         const mine = this.#writes;
         this.#say(tr("Saving…"));
+        const late = setTimeout(() => mine === this.#writes && this.#say(NOT_SAVED), LATE);
         try {
           await book2.put(this.formName ?? "worksheet", this.#entry);
           if (mine === this.#writes) this.#say(this.#keptWord());
         } catch {
           this.#say(NOT_SAVED);
+        } finally {
+          clearTimeout(late);
         }
       }
       #keptWord() {
