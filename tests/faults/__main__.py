@@ -22,7 +22,8 @@ def main(words: list[str]) -> None:
     minutes = (time.monotonic() - began) / 60
     print(
         f"{counts.total() - counts[UNTRIED]} faults in {minutes:.0f} min: {counts[SILENT]} silent,"
-        f" {counts[OTHER]} otherwise than they must be, {counts[BROKEN]} broken, {counts[RIGHT]} right;"
+        f" {counts[OTHER]} otherwise than they must be, {counts[BROKEN]} broken,"
+        f" {counts[RIGHT]} right;"
         f" {counts[UNTRIED]} not tried here"
     )
     sys.exit(1 if counts[SILENT] + counts[OTHER] + counts[BROKEN] else 0)

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator
 from pathlib import Path
 
-from .table import PACKAGES, Fault, Harm, Must
+from .table import PACKAGES, Fault, Harm, Mode, Must
 
 LOGIN = b"<!doctype html><title>Log in</title><p>Log in to this network"
 CARTS = "assets/carts"
@@ -34,7 +34,7 @@ def altered(file: Path) -> None:
     content = bytearray(file.read_bytes())
     place = random.Random(file.name.partition(".")[0]).randrange(len(content))
     content[place] ^= 4
-    _write(file, content)
+    _write(file, bytes(content))
 
 
 def empty(file: Path) -> None:
@@ -70,7 +70,8 @@ def to(harm: Harm, pattern: str) -> Harm:
 
 def of_files() -> Iterator[Fault]:
     """From a disk and from a server."""
-    for mode, where in (("disk", ""), ("http", ", http")):
+    ways: tuple[tuple[Mode, str], ...] = (("disk", ""), ("http", ", http"))
+    for mode, where in ways:
         for harm in HARMS:
             told = harm.__name__
             for name in OURS:

@@ -1,4 +1,4 @@
-"""What a reader sees of a page: whether Python lives, an answer is kept, fields are open, and words."""
+"""What a reader sees of a page: whether Python lives, an answer is kept, what it says."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ TOLD = """[...document.querySelectorAll(
   .map((note) => note.offsetHeight ? note.textContent.trim() : "")
   .filter((text) => text && /not|can.t|missing|damaged|too|lost|nothing|Opening|wait|still|slow/i
     .test(text))"""
-FIELDS = """[...document.querySelectorAll("carts-question :is(textarea, input, select, .carts-q-up)")]
-  .filter((its) => its.offsetParent && !its.disabled && !its.readOnly && its.closest("carts-question")
-  ).length"""
+FIELDS = """[...document.querySelectorAll("carts-question :is(textarea, input, select)")]
+  .filter((its) => its.offsetParent && !its.disabled && !its.readOnly)
+  .length"""
 DEAD = """[...new Set([...document.querySelectorAll(":not(:defined)")]
   .filter((its) => its.offsetHeight).map((its) => its.localName))]"""
 FIELD = "carts-question textarea:not([readonly], :disabled):visible"
@@ -145,7 +145,8 @@ def _seed(page: Page, script: str) -> str:
     script = script.replace("SITE", site).replace("PAGE", name).replace("FIELDS", str(fields))
     page.goto(page.url.rsplit("/", 2)[0] + PICTURE)  # of the same origin, without a script
     return f"""async () => {{ await new Promise((ok) => {{
-      const gone = indexedDB.deleteDatabase("carts:{site}"); gone.onsuccess = gone.onerror = gone.onblocked = ok; }});
+      const gone = indexedDB.deleteDatabase("carts:{site}");
+      gone.onsuccess = gone.onerror = gone.onblocked = ok; }});
       await ({script})(); }}"""
 
 

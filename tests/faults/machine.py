@@ -1,6 +1,6 @@
 """Machines that are slow, small or full, and folders that are not the reader's own.
 
-As root only: mounts, groups of the kernel (cgroup version 1 or 2, whichever is there) and `setpriv`.
+As root only: mounts, groups of the kernel (cgroup 1 or 2, whichever is there) and `setpriv`.
 Where one is missing the row says that it was not tried, and is not counted.
 """
 
@@ -20,7 +20,7 @@ PERIOD = 100_000  # µs
 NOBODY = "setpriv --reuid=65534 --regid=65534 --clear-groups"
 
 
-class NotHere(Exception):
+class NotHereError(Exception):
     """What this machine lacks for the row."""
 
 
@@ -32,8 +32,11 @@ def nothing(_: Path, folder: Path) -> Iterator[Browser]:
 
 @contextmanager
 def _mounted(what: list[str], at: Path) -> Iterator[None]:
-    if os.geteuid() or subprocess.run(["mount", *what, str(at)], capture_output=True).returncode:
-        raise NotHere("mount")
+    if (
+        os.geteuid()
+        or subprocess.run(["mount", *what, str(at)], capture_output=True, check=False).returncode
+    ):
+        raise NotHereError("mount")
     try:
         yield
     finally:
@@ -42,7 +45,7 @@ def _mounted(what: list[str], at: Path) -> Iterator[None]:
 
 @contextmanager
 def full_disk(_: Path, folder: Path) -> Iterator[Browser]:
-    """The disk of the profile is filled to its last byte while the browser runs: see `Browser.full`."""
+    """The disk of the profile is filled to its last byte when the browser runs: `Browser.full`."""
     with _mounted(["-t", "tmpfs", "-o", "size=64m", "none"], folder):
         yield Browser(folder, full=True)
 
@@ -56,18 +59,10 @@ def read_only_site(site: Path, folder: Path) -> Iterator[Browser]:
 
 
 @contextmanager
-def read_only_profile(_: Path, folder: Path) -> Iterator[Browser]:
-    """A profile that the browser may read and never write."""
-    with _mounted(["--bind", "-o", "ro", str(folder)], folder):
-        subprocess.run(["mount", "-o", "remount,bind,ro", str(folder)], check=True)
-        yield Browser(folder)
-
-
-@contextmanager
 def of_nobody(_: Path, folder: Path) -> Iterator[Browser]:
     """The reader is `nobody`; the site is root's and may be read."""
     if os.geteuid() or not shutil.which("setpriv"):
-        raise NotHere("setpriv")
+        raise NotHereError("setpriv")
     shutil.chown(folder, "nobody")
     yield Browser(folder, NOBODY)
 
@@ -117,7 +112,7 @@ def _group(group: Path, old: str, new: str, value: int, form: str) -> Path:
         one = group / old
         one.write_text(str(value)) if one.exists() else (group / new).write_text(form.format(value))
     except OSError as refused:
-        raise NotHere(f"a group of the kernel: {refused}") from None
+        raise NotHereError(f"a group of the kernel: {refused}") from None
     return group
 
 
@@ -125,7 +120,6 @@ MACHINES: dict[str, tuple[Must, Machine]] = {
     "a browser of its own, nothing wrong": ("lives", nothing),
     "a full disk": ("either", full_disk),
     "a site on a read-only share": ("lives", read_only_site),
-    "a read-only profile": ("either", read_only_profile),
     "a reader who owns no file": ("lives", of_nobody),
     "carts.js may not be read": ("says", closed_to_nobody("assets/carts/carts.js")),
     "answers.js may not be read": ("closed", closed_to_nobody("assets/carts/answers.js")),

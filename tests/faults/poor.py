@@ -103,12 +103,14 @@ LACKS: dict[str, tuple[Must, str]] = {
     "a clock of no time": ("lives", "Date.now = () => NaN"),
 }
 
-# A visit before has answered; then the browser cannot read that: the answer is there, or it is said.
+# A visit before has answered; then the browser cannot read it: it is there, or that is said.
 UNREAD: dict[str, str] = {
     "earlier answers, whole": "",
-    "earlier answers that can't be listed": f"IDBObjectStore.prototype.getAll = () => {{ {REFUSED} }}",
+    "earlier answers that can't be listed": (
+        f"IDBObjectStore.prototype.getAll = () => {{ {REFUSED} }}"
+    ),
     "earlier answers that can't be read": (
-        f"for (const name of ['get', 'getAll', 'getAllKeys'])"
+        "for (const name of ['get', 'getAll', 'getAllKeys'])"
         f" IDBObjectStore.prototype[name] = () => {{ {REFUSED} }}"
     ),
     "earlier answers whose reading fails late": (
@@ -120,7 +122,8 @@ UNREAD: dict[str, str] = {
     ),
 }
 
-OPEN = """const its = await new Promise((ok, no) => { const asked = indexedDB.open("carts:SITE", %s);
+OPEN = """const its = await new Promise((ok, no) => {
+    const asked = indexedDB.open("carts:SITE", %s);
     asked.onupgradeneeded = () => { %s }; asked.onsuccess = () => ok(asked.result);
     asked.onerror = () => no(asked.error); });"""
 MAKE = 'asked.result.createObjectStore("answers")'
@@ -158,7 +161,7 @@ def of_browsers() -> Iterator[Fault]:
         yield Fault(name, "either", without=script, earlier=True)
     for name, value in RECORDS.items():
         before = NEWER if "newer" in name else BARE if "table" in name else PUT
-        must: Must = "either" if "table" in name else "lives"
-        yield Fault(f"kept before: {name}", must, before=before.replace("VALUE", value or "0"))
+        seen: Must = "either" if "table" in name else "lives"
+        yield Fault(f"kept before: {name}", seen, before=before.replace("VALUE", value or "0"))
     name = "kept before: a text cut short, no IndexedDB"
     yield Fault(name, "either", without=NO_INDEXED, before=UNREADABLE_TEXT)

@@ -14,6 +14,7 @@ from typing import Literal
 LESSON = "worksheets/newtons-third-law.html"
 PACKAGES = "gallery/balls.html"  # scenes that call for numpy and scipy
 
+Mode = Literal["disk", "http"]
 Must = Literal["lives", "says", "closed", "either", "blank"]
 """What must be seen.
 
@@ -50,8 +51,8 @@ class Fault:
     """A row: its name, what must be seen, and what is done.
 
     `without`: a script that runs before the page's own. `before`: one that another page of the
-    site runs to its end first. `earlier`: a healthy visit has answered
-    before, and that is seen again or its loss is said. `answer`: the server's. `folder`: the name of the site's folder.
+    site runs to its end first. `earlier`: a healthy visit has answered before, and that is seen
+    again or its loss is said. `answer`: the server's. `folder`: the name of the site's folder.
     """
 
     name: str
@@ -60,7 +61,7 @@ class Fault:
     without: str = ""
     before: str = ""
     earlier: bool = False
-    mode: Literal["disk", "http"] = "disk"
+    mode: Mode = "disk"
     folder: str = "site"
     answer: Answer | None = None
     page: str = LESSON

@@ -19,7 +19,7 @@ from playwright.sync_api import Browser, BrowserContext, Error, Playwright
 from tests.web.conftest import LAUNCH
 
 from .look import SETTLED, SOON, Seen, look
-from .machine import NotHere
+from .machine import NotHereError
 from .table import PACKAGES, Fault
 from .table import Browser as Own
 
@@ -154,7 +154,7 @@ def tried(bench: Bench, fault: Fault, usual: frozenset[str]) -> Row:
         try:
             with address(fault, folder) as where, context_of(fault, bench, site, folder) as context:
                 return _row(fault, look(context, fault, where, usual))
-        except NotHere as lack:
+        except NotHereError as lack:
             return Row(fault.name, UNTRIED, "", str(lack))
         except Error as broken:
             return Row(fault.name, BROKEN, "", " ".join(str(broken).split()))

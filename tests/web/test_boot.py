@@ -196,24 +196,6 @@ def test_an_older_browser_is_told(
     assert result["waited"] < TOLD_WITHIN
 
 
-NO_MEMORY = """const Whole = Blob; window.Blob = class extends Whole {
-  constructor(parts, options) {
-    super(["WebAssembly.instantiate = async () => { throw new RangeError('memory') };", ...parts],
-      options);
-  } };
-"""
-
-
-def test_a_worker_without_memory_for_pyodides_small_modules_is_told(
-    open_page: OpenPage, boot_site: Path
-) -> None:
-    (boot_site / "memory.js").write_text(NO_MEMORY, encoding="utf-8")
-    page = write_page(boot_site, name="memory.html", before='<script src="memory.js"></script>')
-    result = booted(open_page(page))
-    assert result["reason"] == "no-memory"
-    assert result["waited"] < TOLD_WITHIN
-
-
 def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
     """First that it takes long, as of a computer that is only slow; then that it is given up."""
     (boot_site / "dying.js").write_text(

@@ -91,16 +91,6 @@ const wasm = new Promise((resolve) => {
 function useCompiledWasm() {
   /** @type {any} */
   const api = WebAssembly;
-  const { instantiate } = api;
-  // Pyodide asks for small modules of its own first, and waits for ever where there is no memory for one.
-  api.instantiate = async (/** @type {any[]} */ ...asked) => {
-    try {
-      return await instantiate.apply(api, asked);
-    } catch (error) {
-      if (isOutOfMemory(error)) fail("no-memory", error);
-      throw error;
-    }
-  };
   api.instantiateStreaming = async (/** @type {unknown} */ _, /** @type {any} */ imports) => {
     const module = await wasm;
     try {
