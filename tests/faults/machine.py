@@ -1,6 +1,6 @@
-"""Machines that are slow, small or full, and folders that are not the reader's own.
+"""Machines whose disk is full, and folders that are not the reader's own.
 
-As root only: mounts, groups of the kernel (cgroup 1 or 2, whichever is there) and `setpriv`.
+As root only: mounts and `setpriv`.
 Where one is missing the row says that it was not tried, and is not counted.
 """
 
@@ -10,13 +10,11 @@ import os
 import shutil
 import subprocess
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 
 from .table import Browser, Fault, Machine, Must
 
-GROUPS = Path("/sys/fs/cgroup")
-PERIOD = 100_000  # µs
 NOBODY = "setpriv --reuid=65534 --regid=65534 --clear-groups"
 
 
@@ -82,49 +80,6 @@ def closed_to_nobody(pattern: str) -> Machine:
     return done
 
 
-def limited(share: float = 0.0, memory: int = 0) -> Machine:
-    """`share` of one processor, `memory` in bytes; of zero: not limited."""
-
-    @contextmanager
-    def done(_: Path, folder: Path) -> Iterator[Browser]:
-        wanted = [
-            ("cpu", "cpu.cfs_quota_us", "cpu.max", int(share * PERIOD), f"{{}} {PERIOD}"),
-            ("memory", "memory.limit_in_bytes", "memory.max", memory, "{}"),
-        ]
-        made: list[Path] = []
-        for kind, old, new, value, form in wanted:
-            if value:
-                group = (GROUPS / kind if (GROUPS / kind).is_dir() else GROUPS) / f"faults-{kind}"
-                made.append(_group(group, old, new, value, form))
-        try:
-            joins = " ".join(f"echo 0 > {group}/cgroup.procs;" for group in made)
-            yield Browser(folder, joins=joins)
-        finally:
-            for group in made:
-                _gone(group)
-
-    return done
-
-
-def _gone(group: Path) -> None:
-    """Its last processes go out of it into the group around it: a group in use stays."""
-    for process in (group / "cgroup.procs").read_text().split():
-        with suppress(OSError):  # it has ended meanwhile
-            (group.parent / "cgroup.procs").write_text(process)
-    with suppress(OSError):
-        group.rmdir()
-
-
-def _group(group: Path, old: str, new: str, value: int, form: str) -> Path:
-    try:
-        group.mkdir(exist_ok=True)
-        one = group / old
-        one.write_text(str(value)) if one.exists() else (group / new).write_text(form.format(value))
-    except OSError as refused:
-        raise NotHereError(f"a group of the kernel: {refused}") from None
-    return group
-
-
 MACHINES: dict[str, tuple[Must, Machine]] = {
     "a browser of its own, nothing wrong": ("lives", nothing),
     "a full disk": ("either", full_disk),
@@ -137,11 +92,6 @@ MACHINES: dict[str, tuple[Must, Machine]] = {
         "lives",
         closed_to_nobody("assets/carts/runtime/memory*"),
     ),
-    "a fifth of a processor": ("either", limited(share=0.2)),
-    "a twentieth of a processor": ("either", limited(share=0.05)),
-    "500 MB of memory": ("either", limited(memory=500_000_000)),
-    "300 MB of memory": ("either", limited(memory=300_000_000)),
-    "250 MB of memory": ("either", limited(memory=250_000_000)),
 }
 
 

@@ -32,13 +32,12 @@ Answer = Callable[[SimpleHTTPRequestHandler, str], bool]
 
 @dataclass(frozen=True)
 class Browser:
-    """How a browser of its own is started: its profile's folder, what its shell does first
-    (`joins`) and puts in front of it (`before`), and whether its disk is `full` once it has opened.
+    """How a browser of its own is started: its profile's folder, what stands in front
+    of its program (`before`), and whether its disk is `full` once it has opened.
     """
 
     profile: Path
     before: str = ""
-    joins: str = ""
     full: bool = False
 
 

@@ -99,9 +99,7 @@ def _own(bench: Bench, own: Own, folder: Path) -> Iterator[BrowserContext]:
     """A browser of its own on a changed machine."""
     program = folder / "browser"
     real = LAUNCH["chromium"]["executable_path"]
-    program.write_text(
-        f'#!/bin/sh\n{own.joins}HOME="{own.profile}" exec {own.before} {real} "$@"\n'
-    )
+    program.write_text(f'#!/bin/sh\nHOME="{own.profile}" exec {own.before} {real} "$@"\n')
     program.chmod(0o755)
     options = {**LAUNCH["chromium"], "executable_path": str(program)}
     context = bench.driver.chromium.launch_persistent_context(
