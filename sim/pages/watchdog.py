@@ -25,6 +25,10 @@ _WORDS = {
         "This page does not work here, and nothing you type is kept: this browser is too old, "
         "or a file of the page is damaged. Try a newer browser, or copy the whole folder again."
     ),
+    "part": mark(
+        "A part of this page is missing or damaged and does not work; your answers are kept. "
+        "Copy the whole folder again."
+    ),
     "slow": mark("This page is still loading. Nothing you type is kept before it is there."),
 }
 

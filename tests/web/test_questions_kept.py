@@ -85,6 +85,48 @@ def again_with(page: Page, script: str) -> Page:
     return ready(page)
 
 
+UNLISTED = (
+    """IDBObjectStore.prototype.getAll = () => { throw new DOMException("", "DataError"); };"""
+)
+
+
+def test_a_store_that_cannot_be_read_is_told_and_nothing_is_written_over_what_is_there(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("written yesterday")
+    saved(page, "why")
+    other = again_with(page, UNLISTED)
+    expect(other.locator("#why textarea")).to_have_value("")
+    expect(other.get_by_role("alert")).to_contain_text("could not be opened")
+    other.locator("#why textarea").fill("written today")
+    saved(other, "why")
+    kept = {item["value"] for item in saved_file(other)["items"]}
+    assert kept == {"written today", "written yesterday"}
+
+
+ENDLESS = "Object.defineProperty(IDBTransaction.prototype, 'oncomplete', { set() {} });"
+
+
+def test_a_write_that_never_ends_is_told(open_page: OpenPage, question_site: Path) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), ENDLESS)
+    page.locator("#why textarea").fill("on its way")
+    expect(page.locator("#why .carts-q-saved")).to_have_text("Not saved", timeout=8000)
+
+
+def test_one_text_that_is_cut_short_hides_none_of_the_others(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), NO_DATABASE)
+    page.locator("#why textarea").fill("whole")
+    page.get_by_label("They are equal").check()
+    saved(page, "why")
+    page.evaluate("""() => { for (const key of Object.keys(localStorage))
+      if (!key.endsWith("#why") && key.includes("#")) localStorage.setItem(key, "{cut"); }""")
+    page.reload()
+    expect(ready(page).locator("#why textarea")).to_have_value("whole")
+
+
 def test_without_a_database_answers_are_kept_as_texts(
     open_page: OpenPage, question_site: Path
 ) -> None:

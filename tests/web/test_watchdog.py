@@ -53,6 +53,19 @@ def test_a_script_that_does_not_run_is_told_and_the_boxes_stay_closed(
         assert open_boxes(page) == 0
 
 
+def test_a_part_that_does_not_run_is_told_and_the_answers_stay_open(
+    site: Path, open_page: OpenPage, tmp_path: Path
+) -> None:
+    for folder in ("worksheets", "assets"):
+        shutil.copytree(site / folder, tmp_path / folder, ignore=LEFT_OUT)
+    cut(tmp_path / "assets" / "carts" / "challenge.js")
+    page = open_page(tmp_path / "worksheets" / "newtons-third-law.html", folder=tmp_path)
+    watchdog = page.locator(".carts-watchdog")
+    expect(watchdog).to_contain_text("your answers are kept", timeout=SOON)
+    expect(page.locator("carts-question[data-ready]").first).to_be_attached()
+    assert open_boxes(page) > 0
+
+
 def open_boxes(page: Page) -> int:
     """Fields of questions that would take a key."""
     fields = "carts-question :is(input, textarea, select, .carts-q-up):not([readonly], :disabled)"

@@ -189,6 +189,11 @@
       if (this.book.refused) {
         return tr("This browser refuses to keep more. Press “My answers” and save your file now.");
       }
+      if (this.book.unread) {
+        return tr(
+          "What you answered before could not be opened. It is not lost: close other windows and load the page again."
+        );
+      }
       if (this.book.store?.how === "memory") {
         return tr(
           "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave."
@@ -402,7 +407,13 @@
     } catch {
       return null;
     }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
     return {
       kind: "kept",
       how: "text",
@@ -485,6 +496,8 @@
     /** @type {BroadcastChannel | null} */
     #channel = null;
     refused = false;
+    /** Whether the browser could not list what was kept before: it may be there. */
+    unread = false;
     /** @type {Set<string>} keys that this page wrote last, no other tab since */
     #own = /* @__PURE__ */ new Set();
     /** @type {Set<Promise<void>>} */
@@ -513,8 +526,9 @@
       const blind = !this.store;
       await this.ready;
       const key = this.key(form, entry.id);
-      const known2 = this.#known.get(key);
-      const full = (blind ? merged : keepEarlier)(known2, { ...entry, form });
+      const blindly = blind || this.unread && !this.#known.has(key);
+      const known2 = this.#known.get(key) ?? (blindly ? await this.#before(key) : void 0);
+      const full = (blindly ? merged : keepEarlier)(known2, { ...entry, form });
       this.#known.set(key, full);
       const work = this.#write(key, full);
       this.#writing.add(work);
@@ -598,8 +612,19 @@
       }
       document.addEventListener("carts-kept", () => void this.refresh());
     }
+    /** What is kept under a key that this page does not know: nothing is written over it unseen. @param {string} key */
+    async #before(key) {
+      try {
+        return await this.store?.get(key);
+      } catch (error) {
+        this.refused = true;
+        throw error;
+      }
+    }
     async #read() {
-      for (const [key, entry] of await this.store?.entries().catch(() => []) ?? []) {
+      const found2 = await this.store?.entries().catch(() => null);
+      this.unread = !found2;
+      for (const [key, entry] of found2 ?? []) {
         const known2 = this.#known.get(key);
         if (!known2 || String(known2.last ?? "") <= String(entry?.last ?? "")) {
           this.#known.set(key, entry);
@@ -2718,6 +2743,7 @@
   };
   var NOT_SAVED = tr("Not saved");
   var SOON = 400;
+  var LATE = 4e3;
   var ASKED = 300;
   function questionElement(book2) {
     return class CartsQuestion extends HTMLElement {
@@ -2844,11 +2870,14 @@
         this.#writes += 1;
         const mine = this.#writes;
         this.#say(tr("Saving…"));
+        const late = setTimeout(() => mine === this.#writes && this.#say(NOT_SAVED), LATE);
         try {
           await book2.put(this.formName ?? "worksheet", this.#entry);
           if (mine === this.#writes) this.#say(this.#keptWord());
         } catch {
           this.#say(NOT_SAVED);
+        } finally {
+          clearTimeout(late);
         }
       }
       #keptWord() {

@@ -3172,6 +3172,7 @@
 
   // src/runtime/watch.js
   var SECOND = 1e3;
+  var SLOW_AFTER = 4;
   var PATIENCE2 = 8;
   var LOST = 60;
   function watch(patience, late) {
@@ -3357,7 +3358,7 @@
       const failed = new Promise((_2, no) => {
         reject = no;
       });
-      this.slow = watch(PATIENCE2, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
       this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
@@ -3483,7 +3484,8 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const index = await loadIndex(folder);
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW2 }));
+    const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages2), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
@@ -3898,7 +3900,13 @@
     } catch {
       return null;
     }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
     return {
       kind: "kept",
       how: "text",

@@ -293,7 +293,13 @@
     } catch {
       return null;
     }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
     return {
       kind: "kept",
       how: "text",

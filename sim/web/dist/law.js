@@ -2287,7 +2287,13 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     } catch {
       return null;
     }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
     return {
       kind: "kept",
       how: "text",
@@ -2448,6 +2454,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/runtime/watch.js
   var SECOND = 1e3;
+  var SLOW_AFTER = 4;
   var PATIENCE2 = 8;
   var LOST = 60;
   function watch(patience, late) {
@@ -2633,7 +2640,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.slow = watch(PATIENCE2, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
       this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
@@ -2759,7 +2766,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const index = await loadIndex(folder);
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW2 }));
+    const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));

@@ -361,7 +361,13 @@
     } catch {
       return null;
     }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
     return {
       kind: "kept",
       how: "text",
@@ -2041,6 +2047,7 @@
 
   // src/runtime/watch.js
   var SECOND = 1e3;
+  var SLOW_AFTER = 4;
   var PATIENCE2 = 8;
   var LOST = 60;
   function watch(patience, late) {
@@ -2226,7 +2233,7 @@
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.slow = watch(PATIENCE2, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
       this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
@@ -2352,7 +2359,8 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const index = await loadIndex(folder);
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW }));
+    const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));

@@ -25,9 +25,17 @@
       failed !== "missing" &&
       page.hasAttribute("data-carts-answers") &&
       (!scenes || page.hasAttribute("data-carts-scenes"));
-    if (whole && note) note.parentNode.removeChild(note);
-    if (!whole) say(words[failed || (loaded ? "broken" : "slow")]);
+    var said = !whole ? failed || (loaded ? "broken" : "slow") : loaded && isPartial() ? "part" : "";
+    if (!said && note) note.parentNode.removeChild(note);
+    if (said) say(words[said]);
     return whole;
+  }
+  function isPartial() {
+    var waiting = document.querySelectorAll(":not(:defined)");
+    for (var k = 0; k < waiting.length; k += 1) {
+      if (waiting[k].nodeName.indexOf("CARTS-") === 0) return true;
+    }
+    return false;
   }
   function hear(event) {
     var script = event.target && event.target.src;

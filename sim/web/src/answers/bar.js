@@ -83,6 +83,11 @@ export class Bar {
     if (this.book.refused) {
       return tr("This browser refuses to keep more. Press “My answers” and save your file now.");
     }
+    if (this.book.unread) {
+      return tr(
+        "What you answered before could not be opened. It is not lost: close other windows and load the page again.",
+      );
+    }
     if (this.book.store?.how === "memory") {
       return tr(
         "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.",

@@ -26,6 +26,8 @@ export class Book extends EventTarget {
   /** @type {BroadcastChannel | null} */
   #channel = null;
   refused = false;
+  /** Whether the browser could not list what was kept before: it may be there. */
+  unread = false;
   /** @type {Set<string>} keys that this page wrote last, no other tab since */
   #own = new Set();
   /** @type {Set<Promise<void>>} */
@@ -60,8 +62,9 @@ export class Book extends EventTarget {
     const blind = !this.store; // it was written before anybody knew what is kept
     await this.ready;
     const key = this.key(form, entry.id);
-    const known = this.#known.get(key);
-    const full = (blind ? merged : keepEarlier)(known, { ...entry, form });
+    const blindly = blind || (this.unread && !this.#known.has(key));
+    const known = this.#known.get(key) ?? (blindly ? await this.#before(key) : undefined);
+    const full = (blindly ? merged : keepEarlier)(known, { ...entry, form });
     this.#known.set(key, full);
     const work = this.#write(key, full);
     this.#writing.add(work);
@@ -155,8 +158,20 @@ export class Book extends EventTarget {
     document.addEventListener("carts-kept", () => void this.refresh());
   }
 
+  /** What is kept under a key that this page does not know: nothing is written over it unseen. @param {string} key */
+  async #before(key) {
+    try {
+      return await this.store?.get(key);
+    } catch (error) {
+      this.refused = true;
+      throw error;
+    }
+  }
+
   async #read() {
-    for (const [key, entry] of (await this.store?.entries().catch(() => [])) ?? []) {
+    const found = await this.store?.entries().catch(() => null);
+    this.unread = !found;
+    for (const [key, entry] of found ?? []) {
       const known = this.#known.get(key);
       if (!known || String(known.last ?? "") <= String(entry?.last ?? "")) {
         this.#known.set(key, entry);

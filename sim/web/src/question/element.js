@@ -38,6 +38,7 @@ const FORMS = {
 };
 const NOT_SAVED = tr("Not saved");
 const SOON = 400; // ms after which a page that still opens its store says so
+const LATE = 4000; // ms after which a browser that has not kept an answer is said not to have
 const ASKED = 300; // characters of the question that go with an answer
 
 /** The element class for the page's answers. @param {import("../answers/book.js").Book} book */
@@ -170,11 +171,14 @@ export function questionElement(book) {
       this.#writes += 1;
       const mine = this.#writes;
       this.#say(tr("Saving…"));
+      const late = setTimeout(() => mine === this.#writes && this.#say(NOT_SAVED), LATE);
       try {
         await book.put(this.formName ?? "worksheet", this.#entry);
         if (mine === this.#writes) this.#say(this.#keptWord());
       } catch {
         this.#say(NOT_SAVED);
+      } finally {
+        clearTimeout(late);
       }
     }
 

@@ -3,7 +3,7 @@ import { RuntimeFailure } from "./failure.js";
 import { loadIndex } from "./payload.js";
 import { SLOW, SNAPSHOT, Start } from "./start.js";
 import { requireWasm } from "./wasm.js";
-import { PATIENCE, watch } from "./watch.js";
+import { PATIENCE, SLOW_AFTER, watch } from "./watch.js";
 
 /** @typedef {import("./failure.js").Reason} Reason */
 /** @typedef {import("./start.js").Progress} Progress */
@@ -26,7 +26,8 @@ export async function startRuntime({ base, packages = [], patience, onProgress =
   if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
   const folder = new URL(base, document.baseURI).href;
-  const index = await loadIndex(folder);
+  const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW }));
+  const index = await loadIndex(folder).finally(late.stop);
   const options = { folder, index, packages: order(packages), onProgress, patience };
   const start = (/** @type {boolean} */ snapshot) => new Start(options, snapshot).run();
   if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));

@@ -2,7 +2,7 @@
 import { RuntimeFailure } from "./failure.js";
 import { gunzip, loadPart } from "./payload.js";
 import { compile, compileFailure } from "./wasm.js";
-import { LOST, PATIENCE, watch } from "./watch.js";
+import { LOST, SLOW_AFTER, watch } from "./watch.js";
 // @ts-expect-error: the bundler puts the worker's text here
 import workerText from "./worker.js?text";
 
@@ -72,7 +72,7 @@ export class Start {
     const failed = new Promise((_, no) => {
       reject = no;
     });
-    this.slow = watch(PATIENCE, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
+    this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
     this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
     try {
       const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));

@@ -3,7 +3,10 @@
 
 const SECOND = 1000;
 
-/** In s without progress: the reader is told within 10 s. */
+/** In s without progress until the reader is told that it takes long: within 5 s. */
+export const SLOW_AFTER = 4;
+
+/** In s without progress after which Python, or its table of contents, counts as lost. */
 export const PATIENCE = 8;
 
 /**

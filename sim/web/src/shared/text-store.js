@@ -13,8 +13,13 @@ export function textStore(site) {
   } catch {
     return null;
   }
-  const get = (/** @type {string} */ key) =>
-    JSON.parse(localStorage.getItem(before + key) ?? "null");
+  const get = (/** @type {string} */ key) => {
+    try {
+      return JSON.parse(localStorage.getItem(before + key) ?? "null");
+    } catch {
+      return null; // cut short: it hides none of the others
+    }
+  };
   return {
     kind: "kept",
     how: "text",
