@@ -80,7 +80,7 @@ def key_schema() -> dict[str, Any]:
         "title": "The key of a lesson",
         "type": "object",
         "required": list(properties),
-        "properties": properties,
+        "properties": properties | {"title": _TEXT},
     }
 
 
