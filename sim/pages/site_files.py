@@ -17,6 +17,7 @@ import sim
 ASSETS = "assets/carts/"
 FILM = "film.js"
 """Loaded when a reader chooses a film; no page names it."""
+_COMMENT = re.compile(rb"/\*.*?\*/\s*", re.DOTALL)
 OWN_STYLES = ("measured.css", "class.css")
 """Of the pages with readings of real carts, and of class results, beside that of all."""
 SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme from adding its own
@@ -83,13 +84,13 @@ def search_from_disk(worker: str) -> str:
 
 
 def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
-    yield "site.css", _style_sheet(node_modules)
+    yield "site.css", _bare(_style_sheet(node_modules))
     fonts = _WEB / "site" / "formula-fonts.js"
     yield fonts.name, _read(fonts, "git restore sim/web/site")
     yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
     own = {name: _WEB / "css" / name for name in OWN_STYLES}
     sheets = [path for path in sorted(_WEB.glob("css/*.css")) if path not in own.values()]
-    yield "carts.css", b"\n".join(path.read_bytes() for path in sheets)
+    yield "carts.css", b"\n".join(_bare(path.read_bytes()) for path in sheets)
     sheets_of_class = (_CLASSROOM / "show" / "report.css", _CLASSROOM / "handouts" / "paper.css")
     report = b"".join(sheet.read_bytes() for sheet in sheets_of_class)
     for name, path in own.items():
@@ -105,6 +106,11 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     yield "katex/katex.min.css", css.encode()
     for face in sorted((katex / "fonts").glob("*.woff2")):
         yield f"katex/fonts/{face.name}", face.read_bytes()
+
+
+def _bare(sheet: bytes) -> bytes:
+    """A sheet of ours without its comments: every page carries it."""
+    return _COMMENT.sub(b"", sheet)
 
 
 def _style_sheet(node_modules: Path) -> bytes:
