@@ -55,6 +55,7 @@ def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
     page.locator("#why textarea").fill("written yesterday")
     page.get_by_label("They are equal").check()
     saved(page, "why")
+    saved(page, "pick-one")  # it is another write
     page.add_init_script(SLOW_STORE)
     page.reload()
     page.locator("#why textarea").focus()
