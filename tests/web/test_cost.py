@@ -29,6 +29,9 @@ def test_methods_run_and_are_measured_in_the_readers_browser(
     expect(cost.locator(".carts-cost-told")).to_contain_text("145.4 %")  # without Python
     # The figure waits for a guess, or for a reader who wants none.
     expect(cost.locator(".carts-cost-figure")).to_be_hidden()
+    cost.locator(".carts-cost-show").click()
+    expect(cost.locator(".carts-cost-verdict")).to_contain_text("Choose a method first")
+    expect(cost.locator(".carts-cost-figure")).to_be_hidden()
     cost.locator(".carts-cost-bet").select_option("euler")
     cost.locator(".carts-cost-times").fill("50")
     cost.locator(".carts-cost-show").click()

@@ -763,6 +763,13 @@
       need(root, ".carts-cost-show").focus();
     });
     need(root, ".carts-cost-show").addEventListener("click", () => {
+      if (known2.hidden && !bet.value) {
+        say(
+          need(root, ".carts-cost-verdict"),
+          "Choose a method first: a wrong guess is worth more than none."
+        );
+        return bet.focus();
+      }
       open2();
       const asked3 = Number(error.value);
       const typed = times2.value.trim();

@@ -23,6 +23,13 @@ export function guessFirst(root, rows) {
     need(root, ".carts-cost-show").focus();
   });
   need(root, ".carts-cost-show").addEventListener("click", () => {
+    if (known.hidden && !bet.value) {
+      say(
+        need(root, ".carts-cost-verdict"),
+        "Choose a method first: a wrong guess is worth more than none.",
+      );
+      return bet.focus();
+    }
     open();
     const asked = Number(error.value);
     const typed = times.value.trim();
