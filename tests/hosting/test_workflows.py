@@ -48,3 +48,13 @@ def test_every_push_checks_publishes_and_attaches_the_zip(text: str) -> None:
     assert done == [["check", "--format"], ["pack", "--out"], ["build", "--hosted"]]
     uses = [step.get("uses", "").partition("@")[0] for step in jobs(text)["build"]["steps"]]
     assert "actions/upload-artifact" in uses and "actions/upload-pages-artifact" in uses
+
+
+def test_a_new_site_can_be_built_where_no_index_has_the_package() -> None:
+    """The wheel lies in a folder of the site: pip looks there too, and README says so."""
+    (run,) = [s["run"] for s in jobs(OF_A_SITE)["build"]["steps"] if s.get("name") == "Set up"]
+    words = shlex.split(run)
+    folder = words[words.index("--find-links") + 1]
+    files = site_files("Mine", "mine")
+    assert f"folder `{folder}`" in files["README.md"]
+    assert f"/{folder}/" not in files[".gitignore"]
