@@ -9,9 +9,8 @@ An effect says so in `constant.py` of its folder, with a function `constant(effe
 from __future__ import annotations
 
 from dataclasses import dataclass
-from importlib import import_module
-from importlib.util import find_spec
 
+from sim.effects.part import part_of
 from sim.scene.effects import Effect
 
 
@@ -27,8 +26,6 @@ class Constant:
 
 def constant_of(effect: Effect) -> Constant | None:
     """What is constant in it; None for an effect whose force changes with motion or place."""
-    name = f"sim.effects.{effect.kind}.constant"
-    if find_spec(name) is None:
-        return None
-    found: Constant = import_module(name).constant(effect)
+    module = part_of(effect.kind, "constant")
+    found: Constant | None = module.constant(effect) if module else None
     return found

@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib import import_module
-from importlib.util import find_spec
 
+from sim.effects.part import part_of
 from sim.scene.effects import Effect, kinds
 from sim.scene.model import Scene
 
@@ -27,12 +26,12 @@ class Estimate:
 
 def estimate_of(kind: str) -> Estimate | None:
     """The usual size of one kind of effect; None where its folder tells none."""
-    name = f"sim.effects.{kind}.estimate"
-    if find_spec(name) is None:
+    module = part_of(kind, "estimate")
+    if module is None:
         return None
-    found = getattr(import_module(name), "ESTIMATE", None)
+    found = getattr(module, "ESTIMATE", None)
     if not isinstance(found, Estimate):
-        raise ImportError(f"{name} holds no ESTIMATE")
+        raise ImportError(f"{module.__name__} holds no ESTIMATE")
     return found
 
 

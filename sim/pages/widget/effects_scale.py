@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
+from sim.effects.part import part_of
 from sim.pages.widget.run import Run
 from sim.scene.effects import kinds
 
@@ -81,8 +80,7 @@ def _peak(effect: Mapping[str, Any], run: Run) -> float:
 def _estimate(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
     """Greatest force in N as the folder of the effect tells it; of one that says nothing, a part of
     the weight, or nothing between two: its run tells."""
-    name = f"sim.effects.{effect['kind']}.largest"
-    if find_spec(name) is not None:
-        return float(import_module(name).largest(effect, header))
+    if module := part_of(effect["kind"], "largest"):
+        return float(module.largest(effect, header))
     masses = [body["mass"] for body in header["bodies"] if body["name"] in effect["carts"]]
     return 0.0 if effect["between"] else UNKNOWN * header["gravity"] * max(masses, default=0.0)

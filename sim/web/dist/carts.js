@@ -3970,6 +3970,17 @@
     };
   }
 
+  // src/shared/kept.js
+  async function keepOnPage(entry2) {
+    const { site, page: page2 } = place2();
+    try {
+      const store = await openStore(site);
+      await store.put(`${page2}#${entry2.id}`, { locked: null, ...entry2 });
+      document.dispatchEvent(new Event("carts-kept"));
+    } catch {
+    }
+  }
+
   // src/predict/find-forces.js
   var NEAR = 0.05;
   var MANY2 = 3;
@@ -4111,28 +4122,18 @@
     }
     /** @param {string} typed */
     async #keep(typed) {
-      const { site, page: page2 } = place2();
       const now = (/* @__PURE__ */ new Date()).toISOString();
-      const entry2 = {
+      await keepOnPage({
         id: this.id,
         type: TYPE,
         value: typed,
         first: now,
         last: now,
         said: [...this.#found.values()].join("; "),
-        found: [...this.#found]
-      };
-      try {
-        const store = await openStore(site);
-        await store.put(`${page2}#${this.id}`, {
-          ...entry2,
-          tries: this.#tries,
-          locked: null,
-          asked: tr("Find a force of this scene")
-        });
-        document.dispatchEvent(new Event("carts-kept"));
-      } catch {
-      }
+        found: [...this.#found],
+        tries: this.#tries,
+        asked: tr("Find a force of this scene")
+      });
     }
   };
   function showForces(element, said) {

@@ -273,14 +273,14 @@
     };
   }
   function memory() {
-    const kept2 = shelter();
+    const kept3 = shelter();
     return {
       kind: "memory",
       how: "memory",
-      get: async (key) => kept2.get(key),
-      put: async (key, value2) => void kept2.set(key, keepEarlier(kept2.get(key), value2)),
-      remove: async (key) => void kept2.delete(key),
-      entries: async () => [...kept2]
+      get: async (key) => kept3.get(key),
+      put: async (key, value2) => void kept3.set(key, keepEarlier(kept3.get(key), value2)),
+      remove: async (key) => void kept3.delete(key),
+      entries: async () => [...kept3]
     };
   }
 
@@ -356,12 +356,26 @@
     };
   }
 
+  // src/shared/kept.js
+  async function keepOnPage(entry) {
+    const { site, page } = place();
+    try {
+      const store = await openStore(site);
+      await store.put(`${page}#${entry.id}`, { locked: null, ...entry });
+      document.dispatchEvent(new Event("carts-kept"));
+    } catch {
+    }
+  }
+
   // src/question/challenge-kept.js
   var TYPE = "challenge";
-  var keyOf = (id) => `${place().page}#${id}`;
+  async function kept(id) {
+    const { site, page } = place();
+    const store = await openStore(site);
+    return store.get(`${page}#${id}`).catch(() => null);
+  }
   async function triedBefore(id) {
-    const store = await openStore(place().site);
-    const entry = await store.get(keyOf(id)).catch(() => null);
+    const entry = await kept(id);
     const { runs, found: found2, values } = entry?.type === TYPE && entry.value || {};
     if (!Number.isInteger(runs)) return null;
     return { runs, found: Number.isInteger(found2) ? found2 : 0, values: String(values ?? "") };
@@ -369,23 +383,18 @@
   async function keepTried(id, asked, tried, said) {
     if (!outline()) return;
     const now = (/* @__PURE__ */ new Date()).toISOString();
-    try {
-      const store = await openStore(place().site);
-      const before = await store.get(keyOf(id)).catch(() => null);
-      await store.put(keyOf(id), {
-        id,
-        type: TYPE,
-        value: tried,
-        first: before?.first ?? now,
-        last: now,
-        tries: tried.runs,
-        locked: null,
-        asked,
-        said
-      });
-      document.dispatchEvent(new Event("carts-kept"));
-    } catch {
-    }
+    const before = await kept(id);
+    const first = before?.first ?? now;
+    await keepOnPage({
+      id,
+      type: TYPE,
+      value: tried,
+      first,
+      last: now,
+      tries: tried.runs,
+      asked,
+      said
+    });
   }
 
   // ../view/trajectory.js
@@ -598,7 +607,7 @@
     #timer = 0;
     connectedCallback() {
       this.#facts = JSON.parse(need(this, ".carts-challenge-facts").textContent ?? "{}");
-      this.#tries = kept(this.#name);
+      this.#tries = kept2(this.#name);
       this.#leaving = new AbortController();
       const { signal } = this.#leaving;
       for (const kind of ["carts-update", "carts-watched"]) {
@@ -677,7 +686,7 @@
       return `carts-challenge ${location.pathname}#${this.id}`;
     }
   };
-  function kept(name) {
+  function kept2(name) {
     const { before, tried, found: found2 } = recall(name) ?? {};
     return {
       before: Number.isInteger(before) ? before : 0,

@@ -10,6 +10,7 @@ import { short } from "../../../view/numbers.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { html, need, say } from "../shared/dom.js";
+import { keepOnPage } from "../shared/kept.js";
 import { openStore, place } from "../shared/storage.js";
 import { readTyped } from "../shared/typed.js";
 
@@ -145,9 +146,8 @@ export class FindForces {
 
   /** @param {string} typed */
   async #keep(typed) {
-    const { site, page } = place();
     const now = new Date().toISOString();
-    const entry = {
+    await keepOnPage({
       id: this.id,
       type: TYPE,
       value: typed,
@@ -155,19 +155,9 @@ export class FindForces {
       last: now,
       said: [...this.#found.values()].join("; "),
       found: [...this.#found],
-    };
-    try {
-      const store = await openStore(site);
-      await store.put(`${page}#${this.id}`, {
-        ...entry,
-        tries: this.#tries,
-        locked: null,
-        asked: tr("Find a force of this scene"),
-      });
-      document.dispatchEvent(new Event("carts-kept"));
-    } catch {
-      // The forces are shown all the same; at the next visit they have to be found again.
-    }
+      tries: this.#tries,
+      asked: tr("Find a force of this scene"),
+    });
   }
 }
 

@@ -1,19 +1,23 @@
 /** What was tried for a challenge, kept with the answers of its lesson: a teacher sees how the class has looked. */
 
 import { outline } from "../answers/outline.js";
+import { keepOnPage } from "../shared/kept.js";
 import { openStore, place } from "../shared/storage.js";
 
 const TYPE = "challenge";
 
 /** @typedef {{runs: number, found: number, values: string}} Tried `found`: in which run; 0: in none. `values`: what was set there, in words */
 
-/** @param {string} id of the challenge */
-const keyOf = (id) => `${place().page}#${id}`;
+/** @param {string} id of the challenge @returns {Promise<any>} */
+async function kept(id) {
+  const { site, page } = place();
+  const store = await openStore(site);
+  return store.get(`${page}#${id}`).catch(() => null);
+}
 
 /** What was tried at earlier visits; null: nothing. @param {string} id @returns {Promise<Tried | null>} */
 export async function triedBefore(id) {
-  const store = await openStore(place().site);
-  const entry = await store.get(keyOf(id)).catch(() => null);
+  const entry = await kept(id);
   const { runs, found, values } = (entry?.type === TYPE && entry.value) || {};
   if (!Number.isInteger(runs)) return null;
   return { runs, found: Number.isInteger(found) ? found : 0, values: String(values ?? "") };
@@ -23,22 +27,16 @@ export async function triedBefore(id) {
 export async function keepTried(id, asked, tried, said) {
   if (!outline()) return; // a page that is no lesson has no answers
   const now = new Date().toISOString();
-  try {
-    const store = await openStore(place().site);
-    const before = await store.get(keyOf(id)).catch(() => null);
-    await store.put(keyOf(id), {
-      id,
-      type: TYPE,
-      value: tried,
-      first: before?.first ?? now,
-      last: now,
-      tries: tried.runs,
-      locked: null,
-      asked,
-      said,
-    });
-    document.dispatchEvent(new Event("carts-kept"));
-  } catch {
-    // It is counted on the page all the same.
-  }
+  const before = await kept(id);
+  const first = before?.first ?? now;
+  await keepOnPage({
+    id,
+    type: TYPE,
+    value: tried,
+    first,
+    last: now,
+    tries: tried.runs,
+    asked,
+    said,
+  });
 }
