@@ -21,8 +21,8 @@ from sim.pages.runtime import default_cache, pins
 from sim.pages.runtime.cache import Cache
 from sim.pages.runtime.payload import write_payload
 from sim.pages.runtime.sources import core_files, package_wheels
-from tests.web.boot_site import ROOT, build_site, write_page
 from tests.web.conftest import CONTEXT, launch
+from tests.web.runtime.boot_site import ROOT, build_site, write_page
 
 RUNS = 5
 RUNTIME = Path("assets") / "carts" / "runtime"

@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect, sync_playwright
 from tests.film.collision import QUICK
 from tests.film.maker import Stage, encoded, frames
 from tests.web.conftest import CONTEXT, launch
-from tests.web.measured_site import build_measured
+from tests.web.figures.measured_site import build_measured
 
 LONGEST = 240_000  # ms
 STAGE = Stage(width=1920, height=1080, scale=960.0, radius=18.0, noise=2)

@@ -20,7 +20,7 @@ from sim.measured.model.fit import Fit, fit
 from tests.measured.makers import TOLD, as_text, film, random_truth, truth
 from tests.measured.test_fit import bound
 from tests.web.conftest import CONTEXT, launch
-from tests.web.measured_site import build_measured
+from tests.web.figures.measured_site import build_measured
 
 FILMS = 200
 REPEATED = 120

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sim.lesson.answer_file import read_answer_file
-from tests.web.boot_site import build_site
+from tests.web.runtime.boot_site import build_site
 
 from .visit import LIVE, PATIENCE, READY, SOON, Seen, visit
 from .webdriver import Session

@@ -13,12 +13,12 @@ from sim.measured.tracks import read_measured
 from tests.film.collision import QUICK, Filmed, filmed
 from tests.film.maker import Stage, encoded, frames
 from tests.measured.makers import truth
-from tests.web.boot_site import ROOT
+from tests.web.classroom.test_class_page import CATCH, LAST
 from tests.web.conftest import OpenPage
-from tests.web.measured_site import build_measured
-from tests.web.pages_of import listen
-from tests.web.test_class_page import CATCH, LAST
-from tests.web.test_every_page import PALE, RUN_AXE
+from tests.web.figures.measured_site import build_measured
+from tests.web.runtime.boot_site import ROOT
+from tests.web.site.pages_of import listen
+from tests.web.site.test_every_page import PALE, RUN_AXE
 
 pytestmark = pytest.mark.browser
 

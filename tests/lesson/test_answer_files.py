@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from sim.lesson.answer_file import PREDICTIONS, AnswerFileError, read_answer_file
 from sim.lesson.csv_text import csv_cell
 from sim.lesson.read import KINDS
-from tests.web.widget_site import in_node
+from tests.web.scene.widget_site import in_node
 
 CELLS = json.loads((Path(__file__).parent / "csv_cells.json").read_text(encoding="utf-8"))
 TIME = "2026-11-21T08:00:00.000Z"

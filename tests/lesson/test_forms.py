@@ -20,8 +20,8 @@ from sim.lesson.key_file import key_file
 from sim.lesson.opening import word_sum
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.question.render import render_quiz
-from tests.web.question_site import BANK
-from tests.web.widget_site import in_node
+from tests.web.question.question_site import BANK
+from tests.web.scene.widget_site import in_node
 
 ROOT = Path(__file__).parents[2]
 HASH = "pre:0123456789ab"

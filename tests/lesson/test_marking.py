@@ -18,7 +18,7 @@ from sim.lesson.mark import is_empty
 from sim.lesson.problems import LessonError
 from sim.lesson.read import KINDS
 from sim.scene.notation import same_unit
-from tests.web.widget_site import in_node
+from tests.web.scene.widget_site import in_node
 
 VECTORS = Path(__file__).parents[1] / "marking"
 NUMBERS = json.loads((VECTORS / "typed-numbers.json").read_text(encoding="utf-8"))

@@ -95,7 +95,10 @@ def faults(value: Any, rule: Mapping[str, Any], at: str = "") -> Iterator[str]:
 
 
 def test_the_schemas_accept_what_the_validator_accepts() -> None:
-    for path in [*ROOT.glob("worksheets/banks/*.yml"), *ROOT.glob("tests/web/banks/*.yml")]:
+    for path in [
+        *ROOT.glob("worksheets/banks/*.yml"),
+        *ROOT.glob("tests/web/question/banks/*.yml"),
+    ]:
         plain = load(path.read_text(encoding="utf-8")).plain
         assert list(faults(plain, schema.bank_schema())) == [], path.name
     for name, vectors in SETS.items():

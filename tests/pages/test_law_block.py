@@ -17,8 +17,8 @@ from sim.pages.runtime.ours import read_ours, read_own_law
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.scene import read_fence
 from tests.mine.laws import SPRING
-from tests.web.boot_site import ROOT
-from tests.web.law_site import BODY, element
+from tests.web.figures.law_site import BODY, element
+from tests.web.runtime.boot_site import ROOT
 
 EDITOR = (ROOT / "sim" / "web" / "src" / "law" / "editor.js").read_text(encoding="utf-8")
 START = "start: |\n  def force(overlap, rate):\n      return 100 * overlap\n"

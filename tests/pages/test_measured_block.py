@@ -12,7 +12,7 @@ import pytest
 from sim.pages.check import check_lesson
 from sim.pages.findings import AuthorError
 from sim.pages.scene_block import Lesson, SiteIds
-from tests.web.measured_site import BLOCKS, element
+from tests.web.figures.measured_site import BLOCKS, element
 
 WORKSHEETS = Path(__file__).parents[2] / "worksheets"
 

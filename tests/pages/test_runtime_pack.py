@@ -26,7 +26,7 @@ from sim.pages.runtime.classic import classic_script
 from sim.pages.runtime.lock import release_lock
 from sim.pages.runtime.places import Place
 from sim.pages.runtime.sources import Wanted, collect
-from tests.web.boot_site import write_stand_in
+from tests.web.runtime.boot_site import write_stand_in
 
 ROOT = Path(__file__).parents[2]
 # Once per site, without numpy and scipy.

@@ -19,7 +19,7 @@ from sim.pages.translate.unit import Unit, changed_marks, is_prose
 ROOT = Path(__file__).parents[2]
 LESSONS = sorted(ROOT.glob("worksheets/*.md"))
 PAGES = sorted([*LESSONS, *ROOT.glob("docs/**/*.md"), *ROOT.glob("sim/effects/*/page.md")])
-BANKS = sorted([*ROOT.glob("worksheets/banks/*.yml"), *ROOT.glob("tests/web/banks/*.yml")])
+BANKS = sorted([*ROOT.glob("worksheets/banks/*.yml"), *ROOT.glob("tests/web/question/banks/*.yml")])
 # As in mkdocs.yml, but for what only draws.
 EXTENSIONS = ["admonition", "attr_list", "def_list", "footnotes", "md_in_html", "tables",
               "pymdownx.arithmatex", "pymdownx.details", "sane_lists", "toc"]  # fmt: skip

@@ -12,8 +12,8 @@ from playwright.sync_api import Browser, Page, expect
 
 from sim.pages.runtime import TEACHER
 from sim.pages.teach.withheld import withhold
-from tests.web.boot_site import build_site, write_page
 from tests.web.conftest import OpenPage, launch
+from tests.web.runtime.boot_site import build_site, write_page
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

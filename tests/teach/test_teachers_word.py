@@ -12,8 +12,8 @@ from click.testing import CliRunner
 from sim.cli import main
 from sim.cli.site.build import build_site
 from tests.teach.conftest import SETTINGS
-from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage
+from tests.web.runtime.boot_site import ROOT
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

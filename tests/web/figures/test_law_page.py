@@ -1,0 +1,186 @@
+"""A law written in a page: run, judged, ended where it does not end, kept; from a folder."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.classroom.test_class_page import CATCH, LAST
+from tests.web.conftest import OpenPage
+from tests.web.figures.law_site import build_law
+
+pytestmark = pytest.mark.browser
+
+STARTS = 60_000  # ms; Python on a loaded computer
+SPRING = "def force(overlap, rate):\n    return 100 * overlap\n"
+HEAVY = "def force(overlap, rate, mass_other):\n    return 100 * mass_other * overlap\n"
+SLOW = """\
+def force(overlap, rate):
+    x = 0
+    for i in range(200):
+        for j in range(90):
+            x = x + j * overlap
+    return 100 * overlap + 0 * x
+"""
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_law(tmp_path_factory.mktemp("law"))
+
+
+def opened(open_page: OpenPage, bench: Path) -> Page:
+    page = open_page(bench / "law.html")
+    page.on("pageerror", lambda error: pytest.fail(str(error)))
+    page.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
+    return page
+
+
+def write(page: Page, text: str) -> None:
+    page.get_by_label("Your law, in Python").fill(text)
+
+
+def press(page: Page, name: str) -> None:
+    page.get_by_role("button", name=name, exact=True).click()
+    page.wait_for_function(
+        "() => !document.querySelector('carts-law').hasAttribute('data-working')", timeout=STARTS
+    )
+
+
+def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    rows = page.locator(".carts-law-shown tr")
+    expect(page.locator(".carts-law-shown figcaption")).to_have_text("The law that you begin with")
+    expect(rows).to_have_count(0)  # a lesson may ask for them first
+    press(page, "Run")
+    expect(rows.filter(has_text="velocity of B at the end")).to_contain_text("0.640 m/s")
+    write(page, HEAVY)
+    press(page, "Run")
+    expect(page.locator(".carts-law-note")).to_contain_text("do not push each other equally hard")
+    pushes = rows.filter(has_text="greatest push on").all_inner_texts()
+    numbers = [float(row.split("\t")[1].split()[0]) for row in pushes]
+    assert numbers[1] == pytest.approx(4 * numbers[0], rel=0.02)
+    expect(page.locator(".carts-law-shown figure svg:visible")).to_have_count(1)
+    press(page, "Judge")
+    broken = page.locator(".carts-law-broken")
+    assert "third-law" in broken.evaluate_all("all => all.map((one) => one.dataset.check)")
+    expect(page.locator(".carts-law-verdicts li")).to_have_count(6)
+    worst = page.locator("li[data-check=third-law]")
+    assert "mass_other" in (worst.locator("pre").text_content() or "")
+    worst.get_by_role("button").click()
+    expect(page.locator(".carts-law-shown figcaption")).to_have_text(
+        "A counterexample", timeout=STARTS
+    )
+    assert page.get_by_label("Your law, in Python").input_value() == HEAVY
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        ("def force(overlap, rate)\n    return 1\n", 1, "this is not Python"),
+        ("def force(overlap, rate):\n    while True:\n        pass\n", 2, "goes on and on"),
+        ("def force(overlap, rate):\n    x = 0\n    return 1 / x\n", 3, "ZeroDivisionError"),
+        ("import os\ndef force(overlap):\n    return 1\n", 1, "cannot import"),
+    ],
+)
+@pytest.mark.one_browser
+def test_what_is_wrong_is_told_with_its_line_and_the_cursor_goes_there(
+    open_page: OpenPage, bench: Path, text: str, line: int, words: str
+) -> None:
+    page = opened(open_page, bench)
+    write(page, text)
+    press(page, "Run")
+    fault = page.locator(".carts-law-fault")
+    expect(fault).to_contain_text(f"line {line}:")
+    expect(fault).to_contain_text(words)
+    box = page.get_by_label("Your law, in Python")
+    expect(box).to_be_focused()
+    assert text[: box.evaluate("box => box.selectionStart")].count("\n") == line - 1
+    assert box.input_value() == text
+    write(page, SPRING)
+    press(page, "Run")
+    expect(fault).to_have_text("")
+
+
+def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    write(page, SLOW)
+    press(page, "Judge")
+    expect(page.locator(".carts-law-fault")).to_contain_text("was ended")
+    assert page.get_by_label("Your law, in Python").input_value() == SLOW
+    page.get_by_role("button", name="Judge", exact=True).click()
+    page.get_by_role("button", name="Stop", exact=True).click()
+    expect(page.locator(".carts-law-fault")).to_have_text("Stopped.", timeout=STARTS)
+    write(page, SPRING)
+    press(page, "Run")
+    expect(page.locator(".carts-law-fault")).to_have_text("")
+
+
+def test_the_text_is_kept_survives_a_reload_and_is_in_the_answer_file(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    write(page, HEAVY)
+    page.wait_for_selector("carts-law[data-kept]")
+    page.reload()
+    page.wait_for_selector("carts-law[data-state=live]")
+    box = page.get_by_label("Your law, in Python")
+    expect(box).to_have_value(HEAVY)
+    page.evaluate(CATCH)
+    page.get_by_role("button", name="Save as a file", exact=True).click()
+    assert bytes(page.evaluate(LAST)).decode("utf-8") == HEAVY
+    kept = page.evaluate(
+        """async () => {
+          const open = indexedDB.open("carts:test-site");
+          const db = await new Promise((done) => { open.onsuccess = () => done(open.result); });
+          const name = db.objectStoreNames[0];
+          const all = db.transaction(name).objectStore(name).getAll();
+          return new Promise((done) => { all.onsuccess = () => done(JSON.stringify(all.result)); });
+        }"""
+    )
+    assert "mass_other" in json.dumps(json.loads(kept))
+
+
+@pytest.mark.one_browser
+def test_the_tab_key_leads_on_and_enter_goes_on_below_the_first_letter(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    box = page.get_by_label("Your law, in Python")
+    box.fill("def force(overlap, rate):")
+    box.press("End")
+    page.keyboard.press("Enter")
+    page.keyboard.type("x = 1")
+    page.keyboard.press("Enter")
+    page.keyboard.type("return x")
+    expect(box).to_have_value("def force(overlap, rate):\n    x = 1\n    return x")
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("button", name="Run", exact=True)).to_be_focused()
+
+
+@pytest.mark.one_browser
+def test_on_paper_and_without_a_script_the_law_is_code(open_page: OpenPage, bench: Path) -> None:
+    page = opened(open_page, bench)
+    write(page, HEAVY)
+    page.emulate_media(media="print")
+    expect(page.locator(".carts-law-paper code")).to_have_text(HEAVY)
+    expect(page.locator(".carts-law-paper")).to_be_visible()
+    expect(page.locator("carts-law textarea")).to_be_hidden()
+
+
+@pytest.mark.one_browser
+def test_only_pages_with_a_law_carry_what_runs_it(site: Path) -> None:
+    laws = 0
+    for path in site.rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        named = "<carts-law " in text
+        laws += named
+        assert ("carts/law.js" in text) == named, path
+    assert laws == 1

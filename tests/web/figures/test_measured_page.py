@@ -1,0 +1,274 @@
+"""Readings of real carts in a page: from a folder on the disk, in both browsers."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sim.measured.tracks import read_measured
+from tests.measured.devices import Motion, phone, sensor_carts
+from tests.measured.makers import as_text, film, truth
+from tests.measured.test_devices import below
+from tests.web.classroom.test_class_page import CATCH, LAST
+from tests.web.conftest import OpenPage
+from tests.web.figures.measured_site import build_measured
+
+pytestmark = pytest.mark.browser
+
+MADE = truth(e=0.7, ratio=1.5)
+TRACKER = as_text(film(MADE)).replace(".", ",").replace("-", "\u2212").replace("\n", "\r\n")
+LIVE = "carts-measured[data-state=live]"
+STARTS = 60_000  # ms; Python with scipy on a loaded computer
+
+
+@pytest.fixture(scope="module")
+def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_measured(tmp_path_factory.mktemp("measured"))
+
+
+def opened(open_page: OpenPage, place: Path) -> Page:
+    page = open_page(place)
+    page.on("pageerror", lambda error: pytest.fail(str(error)))
+    return page
+
+
+def choose(page: Page, name: str, text: str) -> None:
+    payload = {"name": name, "mimeType": "text/plain", "buffer": text.encode("utf-8-sig")}
+    page.locator(".carts-measured-file").set_input_files([payload])  # type: ignore[list-item]
+
+
+def units(page: Page, length: str = "m", time: str = "s") -> None:
+    page.locator(".carts-measured-unit[data-kind=length]").select_option(length)
+    page.locator(".carts-measured-unit[data-kind=time]").select_option(time)
+
+
+def saved(page: Page, button: str) -> str:
+    page.evaluate(CATCH)
+    page.locator(button).click()
+    return bytes(page.evaluate(LAST)).decode("utf-8")
+
+
+def known(page: Page, key: str) -> dict[str, float]:
+    found = page.evaluate(
+        "key => document.querySelector('carts-measured').report.known.find((k) => k.key === key)",
+        key,
+    )
+    return dict(found)
+
+
+def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
+    benches: Path, open_page: OpenPage, browser_name: str
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    choose(page, "our film.txt", TRACKER)
+    faults = page.locator(".carts-measured-faults")
+    expect(faults).to_contain_text(
+        "Choose what times are in and what lengths are in", timeout=STARTS
+    )
+    units(page)
+    expect(faults).to_be_empty()
+    expect(page.locator(".carts-measured-said")).to_contain_text("decimal comma")
+    page.locator(".carts-measured-masses input").first.fill("0.5")
+    page.locator(".carts-measured-fit").click()
+    table = page.locator(".carts-measured-known")
+    expect(table).to_contain_text("bounciness e", timeout=2 * STARTS)
+    sentences = page.locator(".carts-measured-sentences")
+    expect(sentences).to_contain_text("Weigh both carts")
+    assert "call for" not in sentences.inner_text()  # a student is to judge first
+    for key, value in (("e", MADE.e), ("mass_ratio", MADE.ratio), ("mass", 0.75)):
+        interval = known(page, key)
+        assert interval["low"] <= value <= interval["high"]
+    page.locator(".carts-measured-compare").click()
+    expect(sentences).to_contain_text("do not call for them")
+    back = read_measured([saved(page, ".carts-measured-tracker")])
+    assert back.names == ("A", "B")
+    assert "restitution" in saved(page, ".carts-measured-scene")
+    expect(page.locator(".carts-measured-fence")).to_have_value(
+        # the whole block stands there, to be put into a lesson
+        re.compile(r"^```scene\nid: our-own-carts\n[\s\S]*```\n$")
+    )
+    # It is all there after the page is opened again.
+    page.reload()
+    expect(table).to_contain_text("bounciness e", timeout=2 * STARTS)
+    assert known(page, "e")["low"] <= MADE.e <= known(page, "e")["high"]
+    expect(sentences).to_contain_text("do not call for them")
+    expect(page.locator(".carts-measured-said")).to_contain_text("our film.txt")
+    if browser_name == "chromium":  # Firefox's driver cannot show paper
+        page.emulate_media(media="print")
+        expect(table).to_be_visible()
+        expect(page.locator(".carts-measured-figure")).to_be_visible()
+        expect(page.locator(".carts-measured-fit")).to_be_hidden()
+
+
+@pytest.mark.one_browser
+def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "film.html")
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    left = page.locator(".carts-measured-spread")
+    expect(left).to_contain_text("root mean square", timeout=STARTS)
+    before = left.inner_text()
+    for key, value in (("ratio", "1.99"), ("e", "0.84"), ("touch", "2.916"), ("va", "0.69")):
+        box = page.locator(f"[data-hand={key}] input[type=number]")
+        box.fill(value)
+        box.press("Tab")
+    expect(left).not_to_have_text(before)
+    expect(left).to_contain_text("is 1")  # some 10 mm: friction is not in it
+    slider = page.locator("[data-hand=e] input[type=range]")
+    assert float(slider.input_value()) == pytest.approx(0.84, abs=0.01)
+    slider.focus()
+    page.keyboard.press("ArrowLeft")
+    expect(page.locator("[data-hand=e] input[type=number]")).not_to_have_value("0.84")
+    kept = page.locator("[data-hand=e] input[type=number]").input_value()
+    page.wait_for_timeout(300)
+    page.reload()
+    expect(page.locator("[data-hand=e] input[type=number]")).to_have_value(kept, timeout=STARTS)
+    page.locator(".carts-measured-scrub").focus()
+    place = page.locator(".carts-measured-stage g").first
+    at_start = place.get_attribute("transform")
+    for _ in range(3):
+        page.keyboard.press("PageUp")
+    assert place.get_attribute("transform") != at_start
+
+
+@pytest.mark.one_browser
+def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    page.locator(".carts-measured-type summary").click()
+    measured = film(MADE, rate=30)
+    rows = list(zip(measured.tracks[0].t, *(t.value for t in measured.tracks), strict=True))
+    block = "\n".join("\t".join(f"{value:.4f}" for value in row) for row in rows)
+    first = page.locator(".carts-measured-grid input").first
+    first.focus()
+    first.evaluate(
+        """(box, text) => { const data = new DataTransfer(); data.setData("text/plain", text);
+        box.dispatchEvent(new ClipboardEvent("paste", {clipboardData: data, bubbles: true})); }""",
+        block,
+    )
+    units(page)
+    page.locator(".carts-measured-grid tr").nth(4).locator("input").nth(1).fill("near")
+    page.locator(".carts-measured-typed-take").click()
+    faults = page.locator(".carts-measured-faults")
+    expect(faults).to_contain_text("row 4: “near” is not a number", timeout=STARTS)
+    page.locator(".carts-measured-grid tr").nth(4).locator("input").nth(1).fill(f"{rows[3][1]:.4f}")
+    page.locator(".carts-measured-typed-take").click()
+    expect(faults).to_be_empty()
+    expect(page.locator(".carts-measured-model")).to_be_visible()
+    page.locator(".carts-measured-paste summary").click()
+    page.locator(".carts-measured-paste textarea").fill("half a text")
+    page.wait_for_timeout(300)
+    page.reload()
+    expect(page.locator(".carts-measured-model")).to_be_visible(timeout=STARTS)
+    expect(page.locator(".carts-measured-paste textarea")).to_have_value("half a text")
+    expect(page.locator(".carts-measured-grid input").first).to_have_value("0.0000")
+
+
+@pytest.mark.one_browser
+def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "forces.html")
+    expect(page.locator(".carts-measured-result")).to_contain_text(
+        "equal in size and opposite", timeout=STARTS
+    )
+    expect(page.locator(".carts-measured-model")).to_be_hidden()
+    assert saved(page, ".carts-measured-save").startswith("t (s);F_A (N);F_B (N)")
+
+
+@pytest.mark.one_browser
+def test_hostile_names_are_shown_and_never_run_and_a_phone_is_wide_enough(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "film.html")
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    hostile = "<img src=x onerror=window.hacked=1>"
+    text = as_text(film(MADE)).replace("\tA\t", f"\t{hostile}\t")
+    choose(page, f"{hostile}.txt", text)
+    expect(page.locator(".carts-measured-legend")).to_contain_text("<img src=x", timeout=STARTS)
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("carts-measured img").count() == 0
+    page.set_viewport_size({"width": 360, "height": 700})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    page.locator(".carts-measured-own").click()
+    expect(page.locator(".carts-measured-said")).to_contain_text("real-carts.txt")
+
+
+@pytest.mark.one_browser
+def test_without_a_script_points_and_table_stand_there(benches: Path, open_page: OpenPage) -> None:
+    page = open_page(benches / "film.html", java_script_enabled=False)
+    expect(page.locator(".carts-measured-figure .carts-measured-dots")).to_have_count(2)
+    page.locator(".carts-measured-table summary").click()
+    expect(page.locator(".carts-measured-table tbody tr")).to_have_count(60)
+
+
+def sheets(page: Page) -> int:
+    return len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4")))
+
+
+@pytest.mark.one_browser
+def test_the_lab_sheet_and_a_fitted_film_are_a_printed_page_each(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "teachers" / "lab-sheet.html", folder=site)
+    assert sheets(page) == 1
+    page.goto((site / "worksheets" / "real-carts.html").as_uri())
+    film_ = page.locator("#real-film")
+    expect(film_).to_have_attribute("data-state", "live", timeout=STARTS)
+    film_.locator(".carts-measured-fit").click()
+    expect(film_.locator(".carts-measured-known")).to_be_visible(timeout=2 * STARTS)
+    page.evaluate("window.print = () => {}")
+    film_.locator(".carts-measured-print").click()
+    assert sheets(page) == 1
+
+
+def test_two_phones_of_which_one_zipped_its_log_are_compared(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    first, second = (phone(Motion(), cart, seed=cart, clock=0.3 * cart) for cart in (0, 1))
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as pack:
+        pack.writestr("meta/device.csv", "property,value\n")
+        pack.writestr("Raw Data.csv", first)
+    payloads = [
+        {"name": "left.zip", "mimeType": "application/zip", "buffer": packed.getvalue()},
+        {"name": "right.csv", "mimeType": "text/csv", "buffer": second.encode()},
+    ]
+    page.locator(".carts-measured-file").set_input_files(payloads)  # type: ignore[arg-type]
+    result = page.locator(".carts-measured-result")
+    expect(result).to_contain_text("Greatest acceleration of", timeout=STARTS)
+    expect(result).to_contain_text("clock is set by the contact itself")
+    expect(page.locator(".carts-measured-legend")).to_contain_text("phone on")
+    damaged = {**payloads[0], "buffer": packed.getvalue()[:300]}
+    page.locator(".carts-measured-file").set_input_files([damaged])  # type: ignore[arg-type]
+    expect(page.locator(".carts-measured-faults")).to_contain_text("damaged")
+    expect(result).to_contain_text("Greatest acceleration of")  # the last good one stays
+
+
+@pytest.mark.one_browser
+def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPage) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    logs = [sensor_carts(Motion(), seed=seed) for seed in (1, 2)]
+    choose(page, "log.csv", below(logs).removeprefix("\ufeff"))
+    run = page.locator(".carts-measured-run")
+    expect(run).to_be_visible(timeout=STARTS)
+    expect(run).to_have_value("1")
+    first = page.locator(".carts-measured-table table").text_content()
+    run.select_option("2")
+    expect(page.locator(".carts-measured-table table")).not_to_have_text(first or "")
+    page.reload()
+    expect(run).to_have_value("2", timeout=STARTS)  # kept with the readings
+    choose(page, "one.csv", logs[0].removeprefix("\ufeff"))
+    expect(run).to_be_hidden()

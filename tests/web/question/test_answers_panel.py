@@ -1,0 +1,259 @@
+"""“My answers”: code words, files, a shared laptop; forms that open and are handed in."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sim.lesson.form import Form
+from sim.lesson.handin import decode
+from sim.pages.extension import Page as MadePage
+from tests.web.conftest import OpenPage
+from tests.web.question.answering import KEEP_FILES, answer_everything, saved, saved_file
+from tests.web.question.question_site import BANK, question_site, questions_page, ready
+
+pytestmark = pytest.mark.browser
+
+__all__ = ["question_site"]  # a fixture
+
+IN_READINGS = """(act) => new Promise((resolve, reject) => {
+  const opening = indexedDB.open("carts:question-tests-measured", 1);
+  opening.onupgradeneeded = () => opening.result.createObjectStore("answers");
+  opening.onerror = () => reject(opening.error);
+  opening.onsuccess = () => {
+    const work = opening.result.transaction("answers", "readwrite");
+    const asked = act(work.objectStore("answers"));
+    work.oncomplete = () => { opening.result.close(); resolve(asked.result); };
+  };
+})"""
+KEEP_READINGS = f"() => ({IN_READINGS})((kept) => kept.put({{ text: '0 0.1' }}, 'page/film'))"
+COUNT_READINGS = f"() => ({IN_READINGS})((kept) => kept.count())"
+
+
+def continue_as(page: Page, code: str, button: str | None = None) -> None:
+    page.locator(".carts-bar-open").click()
+    page.locator(".carts-answers-code").fill(code)
+    with page.expect_navigation():
+        page.locator(".carts-answers-go").click()
+        if button:
+            page.get_by_role("button", name=button).click()
+    ready(page)
+    expect(page.locator(".carts-bar-who")).to_have_text(code)
+
+
+@pytest.mark.one_browser
+def test_answers_are_listed_as_their_questions_stand(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("last on the page")
+    saved(page, "why")
+    page.get_by_label("The one on the van").check()
+    saved(page, "pick-one")
+    page.locator(".carts-bar-open").click()
+    said = page.locator(".carts-answers-said dd:not(.carts-quiet)")
+    expect(said).to_have_count(2)
+    assert "The one on the van" in said.nth(0).inner_text()
+    assert said.nth(1).inner_text() == "last on the page"
+
+
+def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site: Path) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("from somebody")
+    saved(page, "why")
+    continue_as(page, "BLUE-FOX-27", "They are mine")
+    expect(page.locator("#why textarea")).to_have_value("from somebody")
+    page.get_by_label("its weight").check()
+    saved(page, "pick-many")
+    page.evaluate("() => sessionStorage.setItem('carts-watched', '[1]')")  # what a tab remembers
+    continue_as(page, "RED-OWL-13", "Yes, somebody else")
+    assert page.evaluate("() => Object.keys(sessionStorage)") == []
+    expect(page.locator("#why textarea")).to_have_value("")
+    expect(page.get_by_label("its weight")).not_to_be_checked()
+    page.locator(".carts-bar-open").click()
+    assert "BLUE" not in page.get_by_role("dialog").inner_text()
+    page.keyboard.press("Escape")
+    page.locator("#why textarea").fill("the owl's")
+    saved(page, "why")
+    continue_as(page, "BLUE-FOX-27")
+    expect(page.locator("#why textarea")).to_have_value("from somebody")
+    expect(page.get_by_label("its weight")).to_be_checked()
+    content = saved_file(page)
+    assert content["student"] == "BLUE-FOX-27"
+    assert len(content["items"]) == 2
+    page.locator(".carts-bar-open").click()
+    page.locator(".carts-answers-clear button").first.click()
+    with page.expect_navigation():
+        page.get_by_role("button", name="Clear my answers").click()
+    ready(page)
+    expect(page.locator(".carts-bar-who")).to_have_text("no code word yet")
+    expect(page.locator("#why textarea")).to_have_value("")
+    continue_as(page, "RED-OWL-13")
+    expect(page.locator("#why textarea")).to_have_value("the owl's")
+    page.evaluate(KEEP_READINGS)  # of real carts, by whoever used that page
+    page.locator(".carts-bar-open").click()
+    page.locator(".carts-answers-delete button").first.click()
+    with page.expect_navigation():
+        page.get_by_role("button", name="Delete all of them").click()
+    ready(page)
+    assert page.evaluate(COUNT_READINGS) == 0
+    continue_as(page, "RED-OWL-13")
+    expect(page.locator("#why textarea")).to_have_value("")
+
+
+@pytest.mark.one_browser
+def test_a_file_without_a_code_word_is_asked_for_one_and_takes_it(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("nobody's yet")
+    saved(page, "why")
+    page.locator(".carts-bar-open").click()
+    page.evaluate(KEEP_FILES)
+    page.locator(".carts-answers-save").first.click()
+    assert page.evaluate("window.files.length") == 0
+    page.locator(".carts-answers-whose input").fill("blue fox 27")
+    with page.expect_navigation():
+        page.locator(".carts-answers-with-code").click()
+        name = page.evaluate("window.files[0].text()")
+        assert '"student": "BLUE-FOX-27"' in name
+    ready(page)
+    expect(page.locator(".carts-bar-who")).to_have_text("BLUE-FOX-27")
+    expect(page.locator("#why textarea")).to_have_value("nobody's yet")
+
+
+def bring_back(page: Page, name: str, text: str) -> None:
+    page.locator(".carts-bar-open").click()
+    expect(page.locator("dialog.carts-answers[open]")).to_be_visible()
+    page.locator(".carts-answers-open").set_input_files(
+        {"name": name, "mimeType": "application/json", "buffer": text.encode("utf-8")}
+    )
+
+
+def test_a_file_brings_answers_back_without_losing_what_is_there(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    answer_everything(page)
+    content = saved_file(page)
+    fresh = ready(open_page(question_site / "kinds.html"))
+    fresh.locator("#why textarea").fill("written later")
+    saved(fresh, "why")
+    bring_back(fresh, "kinds.worksheet.no-code.carts.json", json.dumps(content))
+    expect(fresh.locator(".carts-answers-status").nth(1)).to_contain_text("nothing that was here")
+    expect(fresh.locator("#how-fast input")).to_have_value("30 cm/s")
+    fresh.keyboard.press("Escape")
+    expect(fresh.locator("#why textarea")).to_have_value("written later")
+    expect(fresh.locator("#why .carts-q-earlier")).to_contain_text("less mass")
+    values = [item["value"] for item in saved_file(fresh)["items"] if item["id"] == "why"]
+    assert values == ["Same force,\nless mass. <b>Äöü</b> 力", "written later"]
+
+
+@pytest.mark.one_browser
+def test_a_damaged_or_foreign_file_changes_nothing(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("mine")
+    saved(page, "why")
+    good = saved_file(page)
+    item = good["items"][0]
+    for text, told in (
+        (json.dumps(good)[:-40], "damaged"),
+        (json.dumps({**good, "format": 2}), "newer version"),
+        (json.dumps({**good, "site": "another-school"}), "another site"),
+        (json.dumps({**good, "items": [{**item, "value": {"__proto__": {"x": 1}}}]}), "damaged"),
+        (" " * 10_000_000, "too large"),
+        ("[]", "not a file of answers"),
+    ):
+        bring_back(page, "x.json", text)
+        expect(page.locator(".carts-answers-status").nth(1)).to_contain_text(told)
+        page.keyboard.press("Escape")
+    page.reload()
+    ready(page)
+    expect(page.locator("#why textarea")).to_have_value("mine")
+    assert saved_file(page)["items"] == good["items"]
+
+
+def forms() -> dict[str, Form]:
+    made: MadePage = questions_page("test", (BANK / "test.md").read_text(encoding="utf-8"), BANK)[1]
+    return {quiz.form.form: quiz.form for quiz in made.items.quizzes}
+
+
+def hand_in(page: Page, form: str) -> None:
+    quiz = page.locator(f'carts-quiz[data-form="{form}"]')
+    quiz.locator(".carts-quiz-hand-in").click()
+    quiz.get_by_role("button", name="Hand in", exact=True).click()
+    expect(quiz.locator(".carts-quiz-done")).to_contain_text("Handed in on")
+
+
+def test_a_form_is_taken_before_and_after_and_handed_in(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "test.html"))
+    continue_as(page, "BLUE-FOX-27")
+    pre, post = (page.locator(f'carts-quiz[data-form="{form}"]') for form in ("pre", "post"))
+    expect(post.locator("carts-question").first).to_be_hidden()
+    pre.get_by_label("forwards").check()
+    pre.locator(".carts-q-sure").first.get_by_label("a guess").check()
+    expect(pre.locator(".carts-quiz-left")).to_have_text("1 not answered yet")
+    expect(pre.get_by_role("button", name="Check")).to_have_count(0)
+    hand_in(page, "pre")
+    expect(pre.locator("carts-question").first).to_be_hidden()
+    page.locator(".carts-bar-open").click()
+    expect(page.get_by_role("dialog")).to_contain_text("kept and not shown")
+    assert "forwards" not in page.get_by_role("dialog").inner_text()
+    page.keyboard.press("Escape")
+
+    post.locator(".carts-quiz-word").fill("FALCO")
+    post.locator(".carts-quiz-open").click()
+    expect(post.locator(".carts-quiz-why")).to_contain_text("not the word")
+    post.locator(".carts-quiz-word").fill(" falcon ")
+    post.locator(".carts-quiz-open").click()
+    post.get_by_label("zero").check()
+    post.get_by_label("equal to that on the other").check()
+    hand_in(page, "post")
+    page.reload()
+    ready(page)
+    expect(pre.locator(".carts-quiz-done")).to_contain_text("Hand-in code:")
+
+    files: list[dict[str, Any]] = [saved_file(page, k) for k in range(2)]
+    by_form = {content["form"]: content for content in files}
+    chosen = {
+        form: {item["id"]: item["value"] for item in content["items"]}
+        for form, content in by_form.items()
+    }
+    assert chosen == {
+        "pre": {"net-force": "a"},
+        "post": {"net-force": "b", "light-boat": "c"},
+    }
+    described = forms()
+    for form, content in by_form.items():
+        facts = described[form].facts()
+        options = [count for _, count in facts["items"]]
+        codes = decode(options, content["code"], f"{form}:{facts['hash']}")
+        assert codes == ((1, 0) if form == "pre" else (2, 3))
+
+    pre.locator(".carts-quiz-word").fill("harbour")
+    pre.locator(".carts-quiz-open").click()
+    expect(pre.get_by_label("forwards")).to_be_visible()
+    expect(pre.get_by_label("forwards")).to_be_disabled()
+
+
+@pytest.mark.one_browser
+def test_a_mistyped_code_word_is_corrected_and_the_answers_come_along(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("my own words")
+    saved(page, "why")
+    continue_as(page, "HELLO-THERE", "They are mine")
+    continue_as(page, "BLUE-FOX-27", "No, that is me")
+    expect(page.locator("#why textarea")).to_have_value("my own words")
+    assert saved_file(page)["student"] == "BLUE-FOX-27"
+    continue_as(page, "HELLO-THERE", "Yes, somebody else")  # nothing is left there
+    expect(page.locator("#why textarea")).to_have_value("")

@@ -1,0 +1,254 @@
+"""Answers are kept: in two tabs, without a database, over changes of a question."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.question.answering import saved, saved_file
+from tests.web.question.question_site import question_site, ready
+
+pytestmark = pytest.mark.browser
+
+__all__ = ["question_site"]  # a fixture
+
+
+def test_two_tabs_show_the_same_answers_and_lose_none(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    other = page.context.new_page()
+    other.goto(page.url)
+    ready(other)
+    for k in range(5):
+        page.locator("#why textarea").fill(f"left {k}")
+        other.locator("#resultant input").fill(f"right {k}")
+        expect(other.locator("#why textarea")).to_have_value(f"left {k}")
+        expect(page.locator("#resultant input")).to_have_value(f"right {k}")
+    other.get_by_label("They are equal").check()
+    expect(page.get_by_label("They are equal")).to_be_checked()
+    page.reload()
+    ready(page)
+    expect(page.locator("#why textarea")).to_have_value("left 4")
+    expect(page.locator("#resultant input")).to_have_value("right 4")
+
+
+SLOW_STORE = """const open = IDBFactory.prototype.open;
+IDBFactory.prototype.open = function (...asked) {
+  const request = open.apply(this, asked);
+  Object.defineProperty(request, "onsuccess", {
+    set(then) {
+      request.addEventListener("success", (event) => setTimeout(() => then(event), 1500));
+    },
+  });
+  return request;
+};"""
+
+
+def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("written yesterday")
+    page.get_by_label("They are equal").check()
+    saved(page, "why")
+    saved(page, "pick-one")  # it is another write
+    page.add_init_script(SLOW_STORE)
+    page.reload()
+    page.locator("#why textarea").focus()
+    page.keyboard.type("too early")
+    page.get_by_label("The one on the van").click(force=True)
+    expect(page.locator("#why .carts-q-saved")).to_have_text("Opening your answers …")
+    ready(page)
+    expect(page.locator("#why textarea")).to_have_value("written yesterday")
+    expect(page.get_by_label("They are equal")).to_be_checked()
+    page.locator("#why textarea").press_sequentially("!")
+    saved(page, "why")
+    page.reload()
+    expect(page.locator("#why textarea")).to_have_value("written yesterday!")
+
+
+NO_DATABASE = "Object.defineProperty(window, 'indexedDB', { get() { throw new Error('no'); } });"
+NO_TEXT_STORE = (
+    "Object.defineProperty(window, 'localStorage', { get() { throw new Error('no'); } });"
+)
+REFUSING = """IDBObjectStore.prototype.put = () => {
+  throw new DOMException("full", "QuotaExceededError");
+};"""
+
+
+def again_with(page: Page, script: str) -> Page:
+    page.add_init_script(script)
+    page.reload()
+    return ready(page)
+
+
+UNLISTED = (
+    """IDBObjectStore.prototype.getAll = () => { throw new DOMException("", "DataError"); };"""
+)
+
+
+def test_a_store_that_cannot_be_read_is_told_and_nothing_is_written_over_what_is_there(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("written yesterday")
+    saved(page, "why")
+    other = again_with(page, UNLISTED)
+    expect(other.locator("#why textarea")).to_have_value("")
+    expect(other.get_by_role("alert")).to_contain_text("could not be opened")
+    other.locator("#why textarea").fill("written today")
+    saved(other, "why")
+    kept = {item["value"] for item in saved_file(other)["items"]}
+    assert kept == {"written today", "written yesterday"}
+
+
+ENDLESS = "Object.defineProperty(IDBTransaction.prototype, 'oncomplete', { set() {} });"
+
+
+def test_a_write_that_never_ends_is_told(open_page: OpenPage, question_site: Path) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), ENDLESS)
+    page.locator("#why textarea").fill("on its way")
+    expect(page.locator("#why .carts-q-saved")).to_have_text("Not saved", timeout=8000)
+
+
+def test_one_text_that_is_cut_short_hides_none_of_the_others(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), NO_DATABASE)
+    page.locator("#why textarea").fill("whole")
+    page.get_by_label("They are equal").check()
+    saved(page, "why")
+    page.evaluate("""() => { for (const key of Object.keys(localStorage))
+      if (!key.endsWith("#why") && key.includes("#")) localStorage.setItem(key, "{cut"); }""")
+    page.reload()
+    expect(ready(page).locator("#why textarea")).to_have_value("whole")
+
+
+def test_without_a_database_answers_are_kept_as_texts(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), NO_DATABASE)
+    page.locator("#why textarea").fill("kept")
+    saved(page, "why")
+    page.reload()
+    expect(page.locator("#why textarea")).to_have_value("kept")
+
+
+@pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
+def test_where_nothing_can_be_kept_the_page_says_so_and_still_saves_a_file(
+    open_page: OpenPage, question_site: Path, script: str
+) -> None:
+    page = again_with(open_page(question_site / "kinds.html"), script)
+    page.locator("#why textarea").fill("only here")
+    expect(page.locator("#why .carts-q-saved")).to_have_text("Not saved")
+    expect(page.locator(".carts-bar-warning")).to_contain_text("file")
+    items = saved_file(page)["items"]
+    assert [item["value"] for item in items] == ["only here"]
+
+
+BUMP = """```scene
+id: bump
+carts:
+  A: {mass: 0.5 kg, position: 0.40 m, velocity: 0.60 m/s}
+  B: {mass: 1.0 kg, position: 1.20 m}
+until: 3 s
+predict: {ask: "What does A do?", choice: [It stops, It turns back]}
+```
+
+```question
+id: bump-drawn
+type: drawn
+ask: Say it in the scene.
+scene: bump
+```
+"""
+
+
+def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    from tests.web.question.question_site import write_page
+
+    place = write_page(question_site, "bump", BUMP)
+    page = ready(open_page(place))
+    page.get_by_role("radio", name="It turns back").check()
+    page.locator("#bump .carts-lock").click()
+    expect(page.locator("#bump-drawn .carts-q-done")).to_have_text("✓ done")
+    expect(page.locator(".carts-bar-count")).to_have_text("1 of 1")
+    (item,) = saved_file(page)["items"]
+    assert (item["id"], item["type"], item["said"]) == ("bump", "choice", "It turns back")
+    write_page(question_site, "bump", BUMP.replace("It stops", "It sticks"))
+    page.reload()
+    ready(page)
+    expect(page.get_by_role("radio", name="It turns back")).to_be_enabled()
+    expect(page.get_by_role("radio", name="It turns back")).not_to_be_checked()
+    expect(page.locator(".carts-bar-count")).to_have_text("0 of 1")
+    page.get_by_role("radio", name="It sticks").check()
+    expect(page.locator("#bump .carts-saved")).to_have_text("Saved.")
+    said = [item["said"] for item in saved_file(page)["items"]]
+    assert said == ["It turns back", "It sticks"]
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
+def test_a_prediction_that_cannot_be_kept_is_in_the_file_all_the_same(
+    open_page: OpenPage, question_site: Path, script: str
+) -> None:
+    from tests.web.question.question_site import write_page
+
+    page = again_with(open_page(write_page(question_site, "bump-full", BUMP)), script)
+    page.get_by_role("radio", name="It turns back").check()
+    expect(page.locator("#bump .carts-saved")).to_contain_text("keep")
+    assert [item["said"] for item in saved_file(page)["items"]] == ["It turns back"]
+
+
+def test_a_database_that_the_browser_closed_is_opened_anew(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.evaluate("""() => {
+      const begin = IDBDatabase.prototype.transaction;
+      IDBDatabase.prototype.transaction = function (...all) {
+        if (window.first === undefined) window.first = this;
+        if (window.first === this) throw new DOMException("closed", "InvalidStateError");
+        return begin.apply(this, all);
+      };
+    }""")
+    page.locator("#why textarea").fill("kept all the same")
+    saved(page, "why")
+    page.reload()
+    expect(page.locator("#why textarea")).to_have_value("kept all the same")
+
+
+def test_answers_to_a_changed_question_are_shown_beside_the_new_one(
+    open_page: OpenPage, question_site: Path, tmp_path: Path
+) -> None:
+    from tests.web.question.question_site import ALL_KINDS, prepare, write_page
+
+    site = prepare(tmp_path / "site")
+    place = write_page(site, "kinds", ALL_KINDS)
+    page = ready(open_page(place))
+    page.get_by_label("They are equal").check()
+    page.locator("#why textarea").fill("because")
+    saved(page, "pick-one")
+    saved(page, "why")
+    changed = ALL_KINDS.replace("They are equal", "Their sizes are the same")
+    write_page(site, "kinds", changed.replace("id: why\n", "id: why-else\n"))
+    page.reload()
+    ready(page)
+    expect(page.locator("#pick-one .carts-q-earlier")).to_contain_text("B: They are equal")
+    expect(page.locator("#pick-one input:checked")).to_have_count(0)
+    page.get_by_label("The one on the trailer").check()
+    saved(page, "pick-one")
+    items = saved_file(page)["items"]
+    assert [i["said"] for i in items if i["id"] == "pick-one"] == [
+        "B: They are equal",
+        "C: The one on the trailer",
+    ]
+    assert [i["value"] for i in items if i["id"] == "why"] == ["because"]
+    page.locator(".carts-bar-open").click()
+    expect(page.get_by_role("dialog")).to_contain_text("no longer on this page")

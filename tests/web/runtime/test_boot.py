@@ -1,0 +1,332 @@
+"""Python starts in a page, by double click and served, and says so when it can't."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sim.pages.runtime.payload import write_payload
+from tests.web.conftest import OpenPage
+from tests.web.runtime.boot_site import STRICT, build_site, write_page, write_stand_in
+
+pytestmark = pytest.mark.browser
+
+RUNTIME = Path("assets") / "carts" / "runtime"
+TOLD_WITHIN = 10_000  # ms, promised to the reader
+
+Server = Callable[[Path], str]
+
+
+@pytest.fixture(scope="session")
+def boot_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_site(tmp_path_factory.mktemp("boot") / "site with space, ü & 100 %")
+
+
+@pytest.fixture(scope="session")
+def free_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A site whose Python does what it is told, with numpy and scipy at hand."""
+    folder = tmp_path_factory.mktemp("free")
+    source = write_stand_in(folder / "source")
+    return build_site(folder / "site", packages=frozenset({"numpy", "scipy"}), source=source)
+
+
+@pytest.fixture
+def broken_site(boot_site: Path, tmp_path: Path) -> Path:
+    """A copy of the site to damage."""
+    return shutil.copytree(boot_site, tmp_path / "site")
+
+
+def booted(page: Any) -> dict[str, Any]:
+    return dict(page.evaluate("window.booted"))
+
+
+def scripts(site: Path, name: str) -> list[Path]:
+    return sorted((site / RUNTIME).glob(f"{name}.*.js"))
+
+
+def read_index(site: Path) -> dict[str, Any]:
+    text = (site / RUNTIME / "index.js").read_text(encoding="utf-8")
+    return dict(json.loads(text.partition("=")[2].rstrip().rstrip(";")))
+
+
+def write_index(site: Path, index: dict[str, Any]) -> None:
+    text = f"self.__cartsRuntime = {json.dumps(index)};\n"
+    (site / RUNTIME / "index.js").write_text(text, encoding="utf-8")
+
+
+def test_python_answers_from_a_double_clicked_file(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
+    result = booted(page)
+    assert result["start"] == "snapshot"
+    assert result["header"]["ok"] is True
+    assert result["header"]["id"] == 7
+    # one cart at 0.6 m/s for 2 s from 0.4 m: t, x, v, a at both ends
+    assert result["numbers"] == pytest.approx([0, 2, 0.4, 1.6, 0.6, 0.6, 0, 0], abs=1e-15)
+
+
+def test_python_answers_from_a_server(
+    open_page: OpenPage, boot_site: Path, site_server: Server
+) -> None:
+    csp = STRICT.replace("connect-src 'none'", "connect-src 'self'")
+    csp = csp.replace("worker-src blob:", "worker-src 'self' blob:")
+    write_page(boot_site, name="hosted.html", csp=csp)
+    result = booted(open_page(site_server(boot_site) + "/hosted.html"))
+    assert result["start"] == "snapshot"
+    assert result["header"]["ok"] is True
+
+
+def test_nothing_of_the_payload_stays_in_the_page(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
+    booted(page)
+    assert page.evaluate("Object.keys(window.__cartsParts)") == []
+    assert page.evaluate("document.querySelectorAll('script[src*=runtime]').length") == 0
+
+
+def test_progress_only_grows(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
+    booted(page)
+    fractions = [p["fraction"] for p in page.evaluate("window.progress")]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1
+
+
+def test_answers_come_in_the_order_of_the_requests(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
+    booted(page)
+    ids = page.evaluate(
+        """Promise.all([1, 2, 3].map((id) => runtime.request({ id, kind: "run", scene: {} })
+             .then(({ header }) => [header.id, header.ok])))"""
+    )
+    assert ids == [[1, False], [2, False], [3, False]]
+
+
+def test_each_start_has_its_own_random_numbers(open_page: OpenPage, free_site: Path) -> None:
+    seen = {booted(open_page(free_site / "index.html"))["header"]["random"] for _ in range(3)}
+    assert len(seen) == 3
+
+
+def test_a_damaged_snapshot_means_the_plain_way(open_page: OpenPage, broken_site: Path) -> None:
+    part = scripts(broken_site, "memory.snapshot")[1]
+    text = part.read_text(encoding="ascii")
+    half = len(text) // 2
+    part.write_text(text[:half] + "AAAAAAAA" + text[half + 8 :], encoding="ascii")
+    result = booted(open_page(broken_site / "index.html"))
+    assert result["start"] == "plain"
+    assert result["header"]["ok"] is True
+
+
+def test_a_snapshot_of_another_pyodide_means_the_plain_way(
+    open_page: OpenPage, broken_site: Path
+) -> None:
+    index = read_index(broken_site)
+    payload = write_payload("memory.snapshot", bytes(31_457_280), broken_site / RUNTIME)
+    index["files"]["memory.snapshot"] = payload.as_json()
+    write_index(broken_site, index)
+    result = booted(open_page(broken_site / "index.html"))
+    assert result["start"] == "plain"
+    assert result["header"]["ok"] is True
+
+
+AGAIN = pytest.mark.one_browser  # the same code as for the first of them
+LOADED = ["pyodide.js", *(pytest.param(n, marks=AGAIN) for n in ("pyodide.asm.wasm", "python.zip"))]
+
+
+@pytest.mark.parametrize("name", LOADED)
+def test_a_truncated_file_is_named_as_damaged(
+    open_page: OpenPage, broken_site: Path, name: str
+) -> None:
+    part = scripts(broken_site, name)[0]
+    text = part.read_bytes()
+    part.write_bytes(text[: len(text) // 2])
+    result = booted(open_page(broken_site / "index.html"))
+    assert result["reason"] == "payload-damaged"
+    assert "damaged" in result["message"]
+    assert result["waited"] < TOLD_WITHIN
+
+
+@pytest.mark.parametrize("name", ["index", *LOADED])
+def test_a_missing_file_is_named_as_missing(
+    open_page: OpenPage, broken_site: Path, name: str
+) -> None:
+    (
+        broken_site / RUNTIME / "index.js" if name == "index" else scripts(broken_site, name)[0]
+    ).unlink()
+    result = booted(open_page(broken_site / "index.html"))
+    assert result["reason"] == "payload-missing"
+    assert "missing" in result["message"]
+    assert result["waited"] < TOLD_WITHIN
+
+
+def test_a_page_whose_package_was_not_packed_says_so(open_page: OpenPage, boot_site: Path) -> None:
+    page = write_page(boot_site, name="numpy.html", packages="numpy")
+    result = booted(open_page(page))
+    assert result["reason"] == "not-packed"
+    assert "without Python" in result["message"]
+
+
+def test_wasm_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
+    page = write_page(boot_site, name="refused.html", csp=STRICT.replace(" 'wasm-unsafe-eval'", ""))
+    result = booted(open_page(page))
+    assert result["reason"] == "wasm-refused"
+    assert result["waited"] < TOLD_WITHIN
+
+
+def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
+    csp = STRICT.replace("worker-src blob:", "worker-src 'none'")
+    result = booted(open_page(write_page(boot_site, name="no-worker.html", csp=csp)))
+    assert result["reason"] == "worker-refused"
+    assert result["waited"] < TOLD_WITHIN
+
+
+@pytest.mark.parametrize(
+    ("lost", "reason"), [("WebAssembly", "no-wasm"), ("DecompressionStream", "too-old")]
+)
+def test_an_older_browser_is_told(
+    open_page: OpenPage, boot_site: Path, lost: str, reason: str
+) -> None:
+    (boot_site / "older.js").write_text(f"delete window.{lost};\n", encoding="utf-8")
+    page = write_page(boot_site, name="older.html", before='<script src="older.js"></script>')
+    result = booted(open_page(page))
+    assert result["reason"] == reason
+    assert result["waited"] < TOLD_WITHIN
+
+
+def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
+    """First that it takes long, as of a computer that is only slow; then that it is given up."""
+    (boot_site / "dying.js").write_text(
+        "window.Worker = class extends Worker {\n"
+        "  constructor(...given) { super(...given); setTimeout(() => this.terminate(), 50); }\n"
+        "};\n"
+        "window.bootPatience = 12;\n",
+        encoding="utf-8",
+    )
+    page = open_page(
+        write_page(boot_site, name="dying.html", before='<script src="dying.js"></script>')
+    )
+    assert booted(page)["reason"] == "stalled"
+    assert page.evaluate("window.slowAfter") < TOLD_WITHIN
+
+
+def test_a_worker_killed_later_is_told_and_can_be_replaced(
+    open_page: OpenPage, boot_site: Path
+) -> None:
+    page = open_page(boot_site / "index.html")
+    booted(page)
+    lost = page.evaluate(
+        """async () => {
+             const told = new Promise((resolve) => { runtime.onlost = resolve; });
+             const before = waited;
+             runtime.worker.terminate();
+             const reason = await runtime.request({ kind: "run" }).catch((e) => e.reason);
+             return { reason, told: (await told).reason, waited: waited - before };
+           }"""
+    )
+    assert lost["reason"] == lost["told"] == "worker-lost"
+    assert lost["waited"] < TOLD_WITHIN
+    again = page.evaluate(
+        """async () => {
+             const runtime = await startRuntime({ base: runtimeBase });
+             return (await runtime.request({ id: 9, kind: "run" })).header.id;
+           }"""
+    )
+    assert again == 9
+
+
+def test_an_endless_run_is_ended(open_page: OpenPage, free_site: Path) -> None:
+    page = open_page(free_site / "index.html")
+    booted(page)
+    lost = page.evaluate(
+        """async () => {
+             const before = waited;
+             const request = { run: "[0 for i in iter(int, 1)]" };
+             const reason = await runtime.request(request).catch((e) => e.reason);
+             return { reason, waited: waited - before };
+           }"""
+    )
+    assert lost["reason"] == "worker-lost"
+    assert lost["waited"] < TOLD_WITHIN
+
+
+def test_an_error_in_python_leaves_python_alive(open_page: OpenPage, free_site: Path) -> None:
+    page = open_page(free_site / "index.html")
+    booted(page)
+    assert (
+        page.evaluate("runtime.request({ run: '1 / 0' }).catch((e) => e.reason)") == "python-failed"
+    )
+    assert page.evaluate("runtime.request({ run: '1 + 1' }).then((a) => a.header.result)") == 2
+
+
+def test_a_numpy_page_has_numpy(open_page: OpenPage, free_site: Path) -> None:
+    page = write_page(
+        free_site, name="numpy.html", packages="numpy",
+        request={"import": ["numpy"], "run": "__import__('numpy').linalg.det([[1, 2], [3, 4]])"},
+    )  # fmt: skip
+    header = booted(open_page(page))["header"]
+    assert header["versions"] == ["2.4.3"]
+    assert header["result"] == pytest.approx(-2, rel=1e-15)
+
+
+@pytest.mark.one_browser
+def test_a_scipy_page_has_scipy(open_page: OpenPage, free_site: Path) -> None:
+    run = "float(__import__('scipy').integrate.quad(lambda x: x * x, 0, 3)[0])"
+    page = write_page(
+        free_site, name="scipy.html", packages="scipy",
+        request={"import": ["scipy", "scipy.integrate", "scipy.optimize"], "run": run},
+    )  # fmt: skip
+    header = booted(open_page(page))["header"]
+    assert header["versions"][0] == "1.18.0"
+    assert header["result"] == pytest.approx(9, rel=1e-12)
+
+
+@pytest.mark.one_browser
+def test_imports_that_take_long_on_a_slow_laptop_are_waited_for(
+    open_page: OpenPage, free_site: Path
+) -> None:
+    page = open_page(free_site / "index.html")
+    booted(page)
+    names = page.evaluate(
+        """async () => {
+             const write = `[open(f'/home/pyodide/slow{i}.py', 'w').write(
+               'import time; time.sleep(2)') for i in range(4)] and [__import__('sys').path.append(
+               '/home/pyodide')] and None`;
+             await runtime.request({ run: write });
+             const names = ["slow0", "slow1", "slow2", "slow3"]; // 8 s: lost, if none were told
+             return (await runtime.request({ import: names })).header.versions;
+           }"""
+    )
+    assert names == [""] * 4
+
+
+@pytest.mark.one_browser
+def test_an_answer_that_tells_of_its_parts_may_take_longer_than_a_page_waits(
+    open_page: OpenPage, free_site: Path
+) -> None:
+    page = open_page(free_site / "index.html")
+    booted(page)
+    told = page.evaluate(
+        """(run) => runtime.request({ run }).then(({ header }) => header.result)""",
+        "[__import__('time').sleep(2) or told[0]() for _ in range(4)] and 7",
+    )
+    assert told == 7
+
+
+@pytest.mark.one_browser
+def test_a_numpy_page_starts_the_plain_way_too(open_page: OpenPage, free_site: Path) -> None:
+    index = read_index(free_site)
+    parts = index["files"].pop("memory.snapshot")
+    write_index(free_site, index)
+    page = write_page(
+        free_site,
+        name="plain.html",
+        packages="numpy",
+        request={"import": ["numpy", "numpy.random"]},
+    )
+    result = booted(open_page(page))
+    write_index(free_site, index | {"files": index["files"] | {"memory.snapshot": parts}})
+    assert result["start"] == "plain"
+    assert result["header"]["versions"][0] == "2.4.3"

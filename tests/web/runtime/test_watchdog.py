@@ -1,0 +1,84 @@
+"""A page whose scripts do not run says so at once, and takes no answer that it could not keep."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.site.pages_of import pages
+
+pytestmark = pytest.mark.browser
+
+LESSON = "worksheets/newtons-first-law.html"
+SOON = 3000  # ms after which nobody may still believe that the page works
+LEFT_OUT = shutil.ignore_patterns("runtime", "search", "javascripts", "images")
+
+
+def missing(file: Path) -> None:
+    file.unlink()
+
+
+def cut(file: Path) -> None:
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text[: len(text) // 2], encoding="utf-8")
+
+
+def too_new(file: Path) -> None:
+    """What a browser sees of a script in a language that it does not know yet."""
+    file.write_text("let later = |> ;\n" + file.read_text(encoding="utf-8"), encoding="utf-8")
+
+
+def breaks(file: Path) -> None:
+    file.write_text("throw new Error('altered');\n" + file.read_text("utf-8"), encoding="utf-8")
+
+
+@pytest.mark.parametrize("script", ["answers.js", "carts.js"])
+@pytest.mark.parametrize("fault", [missing, cut, too_new, breaks])
+def test_a_script_that_does_not_run_is_told_and_the_boxes_stay_closed(
+    fault: Callable[[Path], None], script: str, site: Path, open_page: OpenPage, tmp_path: Path
+) -> None:
+    for folder in ("worksheets", "assets"):
+        shutil.copytree(site / folder, tmp_path / folder, ignore=LEFT_OUT)
+    fault(tmp_path / "assets" / "carts" / script)
+    page = open_page(tmp_path / LESSON, folder=tmp_path)
+    expect(page.get_by_role("alert").first).to_contain_text(
+        "nothing you type is kept", timeout=SOON
+    )
+    if script == "answers.js":
+        assert open_boxes(page) == 0
+
+
+def test_a_part_that_does_not_run_is_told_and_the_answers_stay_open(
+    site: Path, open_page: OpenPage, tmp_path: Path
+) -> None:
+    for folder in ("worksheets", "assets"):
+        shutil.copytree(site / folder, tmp_path / folder, ignore=LEFT_OUT)
+    cut(tmp_path / "assets" / "carts" / "challenge.js")
+    page = open_page(tmp_path / "worksheets" / "newtons-third-law.html", folder=tmp_path)
+    watchdog = page.locator(".carts-watchdog")
+    expect(watchdog).to_contain_text("your answers are kept", timeout=SOON)
+    expect(page.locator("carts-question[data-ready]").first).to_be_attached()
+    assert open_boxes(page) > 0
+
+
+def open_boxes(page: Page) -> int:
+    """Fields of questions that would take a key."""
+    fields = "carts-question :is(input, textarea, select, .carts-q-up):not([readonly], :disabled)"
+    return page.locator(fields).count()
+
+
+def test_every_page_is_watched(site: Path) -> None:
+    for name in pages(site):
+        text = (site / name).read_text(encoding="utf-8")
+        assert name in {"OPEN ME.html"} or "data-carts-answers" in text, name
+
+
+def test_a_page_that_works_says_nothing(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / LESSON, folder=site)
+    page.wait_for_timeout(SOON + 500)
+    expect(page.locator(".carts-watchdog")).to_have_count(0)

@@ -1,0 +1,199 @@
+"""A scene's sliders without Python: from one prepared run to the next, and a prediction too."""
+
+from __future__ import annotations
+
+import html
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sim.pages.makers import Page as Making
+from sim.pages.makers import made
+from sim.pages.scene_block import Lesson
+from sim.pages.text.fence_scan import scan
+from tests.web.conftest import OpenPage
+from tests.web.runtime.boot_site import STRICT
+from tests.web.scene.widget_site import LIVE, PAGE, lock, on_scene, widget_site
+
+pytestmark = pytest.mark.browser
+
+__all__ = ["widget_site"]  # a fixture
+
+SLIDES = """```scene
+id: slides
+carts:
+  A: {mass: 1 kg, position: 0.3 m, velocity: 2 km/h}
+  B: {mass: 1 kg, position: 1 m}
+contact: {restitution: 0.8, stiffness: 300 N/m}
+until: 4 s
+controls:
+  - {set: A.mass, from: 0.5 kg, to: 3 kg, step: 0.1 kg}
+  - {set: A.velocity, from: 0.5 km/h, to: 5 km/h, step: 0.5 km/h}
+presets: {heavy: {A.mass: 9 kg}}
+```"""
+ASKS = SLIDES.replace("id: slides", "id: asks").replace(
+    "presets: {heavy: {A.mass: 9 kg}}", "predict: {choice: [It stops, It turns back]}"
+)
+LAST = """
+    const drawn = new Promise((done) => el.addEventListener("carts-update", done, { once: true }));
+    await Promise.race([drawn, new Promise((done) => setTimeout(done, 500))]);
+    return el.trajectory.v.B.at(-1);
+"""
+FAILS = '<script src="no-python.js"></script>'
+
+
+@pytest.fixture(scope="module")
+def prepared_site(widget_site: Path) -> Path:
+    """Pages as the generator makes them, for a browser without WebAssembly and for others."""
+    folder = widget_site / "assets" / "carts" / "prepared"
+    folder.mkdir(exist_ok=True)
+    (widget_site / "no-python.js").write_text("delete window.WebAssembly;\n", encoding="utf-8")
+    for name, text in (("slides", SLIDES), ("asks", ASKS)):
+        (block,) = scan(text.splitlines(), front_matter=False)
+        making = Making(Lesson(f"{name}.md"), prepares=True)
+        body = made(block, making)
+        for address, script in making.prepared.items():
+            (folder / address).write_text(script, encoding="ascii")
+        page = PAGE.format(csp=html.escape(STRICT), body=body)
+        (widget_site / f"{name}.html").write_text(page, encoding="utf-8")
+        page = page.replace("<title>", f"{FAILS}<title>")
+        (widget_site / f"{name}-without.html").write_text(page, encoding="utf-8")
+    return widget_site
+
+
+def failed(page: Page, name: str) -> Page:
+    page.wait_for_selector(f'#{name}[data-state="failed"]', timeout=LIVE)
+    return page
+
+
+def values(page: Page, name: str, changes: dict[str, Any]) -> dict[str, Any]:
+    """What is on the screen after these changes."""
+    script = """
+        await el.set(argument);
+        const { trajectory } = el;
+        const boxes = [...el.querySelectorAll(".carts-number-box")].map((box) => box.value);
+        return { boxes, v: trajectory.v.B[trajectory.t.length - 1] };
+    """
+    return dict(on_scene(page, script, changes, name))
+
+
+def test_without_python_the_sliders_go_from_one_exact_run_to_the_next(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = failed(open_page(prepared_site / "slides-without.html"), "slides")
+    expect(page.locator("#slides .carts-note")).to_contain_text("prepared run")
+    told = values(page, "slides", {"A.mass": 2.04, "A.velocity": "3.1 km/h"})
+    mass, speed = (float(text) for text in told["boxes"])
+    assert abs(mass - 2.04) < 0.2  # the nearest of some fifteen
+    assert abs(speed - 3.1) <= 0.5
+    # momentum and e = 0.8: w = (1 + e) m v / (m + 1)
+    assert told["v"] == pytest.approx(1.8 * mass * speed / 3.6 / (mass + 1), rel=1e-9)
+
+
+def test_without_python_a_slider_is_moved_by_hand_and_its_box_says_the_value_of_the_run(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = failed(open_page(prepared_site / "slides-without.html"), "slides")
+    slider = page.locator('#slides [data-set="A.mass"] .carts-slider')
+    before = on_scene(page, LAST, name="slides")
+    slider.focus()
+    for _ in range(5):
+        slider.press("ArrowRight")
+    assert on_scene(page, LAST, name="slides") > before
+    told = values(page, "slides", {})
+    mass = float(told["boxes"][0])
+    assert mass > 1
+    assert told["v"] == pytest.approx(1.8 * mass * 2 / 3.6 / (mass + 1), rel=1e-9)
+
+
+def test_without_python_what_was_not_prepared_is_refused_and_the_run_stays(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = failed(open_page(prepared_site / "slides-without.html"), "slides")
+    page.locator("#slides .carts-preset").click()
+    page.wait_for_selector("#slides .carts-undo:enabled")
+    assert on_scene(page, LAST, name="slides") > 0.89
+    box = page.locator('#slides [data-set="A.mass"] .carts-number-box')
+    box.fill("700 g")
+    box.press("Enter")
+    expect(page.locator("#slides .carts-control .carts-error").first).to_contain_text("Python")
+    assert on_scene(page, LAST, name="slides") > 0.89
+    box.fill("3")
+    box.press("Enter")
+    assert on_scene(page, LAST, name="slides") < 0.8
+
+
+def test_without_python_a_prediction_is_locked_and_its_run_watched_and_changed(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = failed(open_page(prepared_site / "asks-without.html"), "asks")
+    assert "__cartsParts" not in page.evaluate("Object.keys(window).join()")
+    assert page.locator("script[src*=prepared]").count() == 0
+    page.get_by_role("radio", name="It turns back").check()
+    lock(page, "asks")
+    page.wait_for_selector("#asks[data-watched]")
+    told = values(page, "asks", {"A.mass": 0.5})
+    assert told["v"] == pytest.approx(1.8 * 0.5 * 2 / 3.6 / 1.5, rel=1e-9)
+
+
+@pytest.mark.one_browser
+def test_while_python_starts_a_prepared_run_is_shown_and_then_the_exact_one(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = open_page(prepared_site / "slides.html")
+    shown = on_scene(
+        page,
+        """
+        const seen = [];
+        const box = el.querySelector('[data-set="A.mass"] .carts-number-box');
+        const state = el.dataset.state;
+        const set = el.set({ "A.mass": 2.04 });
+        for (let k = 0; k < 400 && el.dataset.state !== "live"; k += 1) {
+          seen.push(Number(box.value));
+          await new Promise((done) => setTimeout(done, 5));
+        }
+        await set;
+        return { state, seen, last: Number(box.value) };
+        """,
+        name="slides",
+    )
+    assert shown["state"] in ("still", "starting")
+    between = set(shown["seen"]) - {1, 2.04}
+    assert all(abs(mass - 2.04) < 0.2 for mass in between)
+    assert between  # a prepared one was there first
+    assert shown["last"] == pytest.approx(2.04)
+
+
+def test_a_script_with_runs_that_is_gone_is_told_and_the_picture_stays(
+    open_page: OpenPage, prepared_site: Path, tmp_path: Path
+) -> None:
+    page_text = (prepared_site / "slides-without.html").read_text(encoding="utf-8")
+    gone = re.sub(r"slides\.0\.[0-9a-f]+\.js", "slides.0.000000000000.js", page_text)
+    (prepared_site / "gone.html").write_text(gone, encoding="utf-8")
+    page = failed(open_page(prepared_site / "gone.html"), "slides")
+    said = on_scene(
+        page, "return el.set({ 'A.mass': 2 }).catch((error) => error.message)", name="slides"
+    )
+    assert "missing" in said
+    assert on_scene(page, "return el.trajectory.t.length", name="slides") > 2
+
+
+@pytest.mark.one_browser
+def test_a_computer_that_is_slow_is_not_given_up_and_its_reader_is_told(
+    site: Path, open_page: OpenPage
+) -> None:
+    """A worker that says nothing for eight seconds; the sliders work meanwhile."""
+    page = open_page(site / "about.html")
+    page.add_init_script(
+        "const Own = Worker; window.Worker = class extends Own { constructor(...given) {"
+        " super(...given); setTimeout(() => this.terminate(), 10); } };"
+    )
+    page.goto((site / "index.html").as_uri())
+    scene = page.locator("#home")
+    expect(scene.locator(".carts-note")).to_contain_text("still trying", timeout=30_000)
+    expect(scene).to_have_attribute("data-state", "starting")
+    scene.locator(".carts-slider").first.press("ArrowRight")
+    expect(scene.locator(".carts-note")).not_to_contain_text("not run here")

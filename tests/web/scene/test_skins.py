@@ -1,0 +1,48 @@
+"""What a cart is drawn as: lines on its box, and nothing else."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sim.pages.widget.render import render
+from sim.scene.fields import SKINS
+from tests.web.scene.widget_site import MEETING, baked, in_node
+
+BOX = {"width": 40, "height": 60}
+
+
+def with_skin(skin: str) -> dict[str, Any]:
+    carts = {**MEETING["carts"]}
+    return {**MEETING, "carts": {**carts, "A": {**carts["A"], "skin": skin}}}
+
+
+@pytest.mark.parametrize("skin", SKINS)
+def test_a_run_does_not_know_what_its_carts_look_like(skin: str) -> None:
+    _, header, numbers = baked(with_skin(skin))
+    _, plain, same = baked(MEETING)
+    assert header == plain
+    assert numbers == same
+
+
+def test_a_page_whose_carts_are_carts_holds_no_skin() -> None:
+    assert 'data-part="skin"' not in render(*baked(MEETING))
+    assert render(*baked(with_skin("van"))).count('data-part="skin"') == 2  # wide and narrow
+
+
+@pytest.mark.parametrize("skin", [skin for skin in SKINS if skin != "cart"])
+def test_the_lines_of_a_skin_stay_on_its_box_and_face_the_way_it_drives(skin: str) -> None:
+    right, left, narrow = in_node(
+        """const { SKINS } = await import(view + "/skins.js");
+        const { lines } = SKINS[data.skin];
+        const pair = /(-?[\\d.]+) (-?[\\d.]+)/g;
+        const points = (path) => [...path.matchAll(pair)].map(([, x, y]) => [+x, +y]);
+        const [right, left] = [1, -1].map((front) => points(lines(data.box, front)));
+        give([right, left, lines({ ...data.box, width: 10 }, 1)]);""",
+        {"skin": skin, "box": BOX},
+    )
+    assert right
+    assert all(abs(x) <= BOX["width"] / 2 and -BOX["height"] <= y <= 0 for x, y in right)
+    assert left == [[-x, y] for x, y in right]
+    assert narrow == ""

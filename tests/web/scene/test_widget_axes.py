@@ -1,0 +1,91 @@
+"""Axes and units: one for the life of a scene, with room, and silent before a prediction."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pytest
+
+from sim.pages.widget import render
+from sim.pages.widget.run import from_wire
+from sim.pages.widget.scale_of import read_scales
+from tests.web.scene.widget_site import COASTING, FENCES, MEETING, QUESTIONS, STRUCK, baked
+
+CREEPING: dict[str, Any] = {
+    "id": "creeping",
+    "carts": {"B": {"mass": "0.5 kg", "position": "0.40 m", "velocity": "0.5 mm/s"}},
+    "track": {"length": "0.90 m"},
+    "until": 600,
+    "show": ["x", "v"],
+    "controls": [{"set": "B.velocity", "from": "0 mm/s", "to": "0.5 mm/s", "step": "0.1 mm/s"}],
+}
+
+
+@pytest.mark.parametrize("name", [n for n in FENCES if n not in QUESTIONS and n != "guessed"])
+def test_no_curve_lies_on_the_frame_of_its_graph(name: str) -> None:
+    shown = ["x", "v", "a", "F", "p", "energy"]
+    text = render(*baked({**FENCES[name], "forces": "shown", "show": shown}))
+    plots = re.findall(r'<svg class="carts-plot".*?</svg>', text, re.DOTALL)
+    assert len(plots) == len(shown)
+    for plot in plots:
+        top, bottom = 8, 129  # of the frame, in a picture 160 high
+        room = 0.03 * (bottom - top)  # a little less than the headroom on both sides
+        for curve in re.findall(r'<path [^>]*class="carts-curve[^>]*', plot):
+            (path,) = re.findall(r' d="([^"]*)"', curve)
+            heights = [float(y) for _, y in re.findall(r"([-\d.]+) ([-\d.]+)(?=[LC ]|$)", path)]
+            assert heights
+            assert top + room < min(heights)
+            assert max(heights) < bottom - room
+
+
+def test_an_axis_reaches_as_far_as_the_sliders_do() -> None:
+    fence, header, numbers = baked(MEETING)
+    scales = read_scales(header, fence.controls, from_wire(header, numbers), 0.0)
+    assert scales.reach["v"].high == pytest.approx(1.0)  # the fastest start of A
+
+
+def test_before_a_prediction_axes_know_only_the_start_and_the_sliders() -> None:
+    fence, header, numbers = baked(QUESTIONS["choice"])
+    run = from_wire(header, numbers)
+    other = {**header, "events": [], "final": {}}
+    here = read_scales(header, fence.controls, None, 0.0)
+    assert here.reach == read_scales(other, fence.controls, None, 0.0).reach
+    peak = max(run.F["A-B"])
+    assert here.reach["F"].high != pytest.approx(peak, rel=1e-3)
+
+
+def test_a_creeping_cart_speaks_of_millimetres_everywhere() -> None:
+    text = render(*baked(CREEPING))
+    picture = text.split('<script type="application/json"')[0]
+    assert "m/s" in picture
+    assert not re.search(r"(?<!m)(?<!kg )m/s(?!²)", picture)
+    assert "× 10" not in picture
+    assert '<span class="carts-value" data-quantity="v">0.50</span> mm/s' in picture
+    assert "moves at 0.50\u00a0mm/s to the right" in picture
+    assert picture.count(">0.50 mm/s<") == 2  # beside the arrow, wide and narrow
+    assert "<td>0.50</td>" in picture
+
+
+@pytest.mark.parametrize(
+    ("until", "speed"), [(5, "1"), (60, "1"), (100, "10"), (600, "100"), (3000, "100")]
+)
+def test_a_long_run_opens_at_a_speed_that_shows_it_soon(until: int, speed: str) -> None:
+    text = render(*baked({**CREEPING, "until": until}))
+    assert re.findall(r'value="([\d.]+)" selected', text) == [speed]
+
+
+def test_under_a_moving_camera_the_ruler_and_the_readout_have_two_names() -> None:
+    text = render(*baked(COASTING))
+    assert "position on the track in m" in text
+    assert "position seen from the camera" in text
+    assert "Position seen from the camera, <i>x</i> in m" in text
+
+
+def test_two_walls_have_two_names() -> None:
+    walls = {"left": "wall", "right": "wall", "length": 2}
+    text = render(*baked({**MEETING, "id": "walls", "track": walls, "until": "12 s"}))
+    assert "on B by right wall" in text
+    assert "on left wall by A" in text
+    assert "by wall" not in text
+    assert "on left wall" not in render(*baked(STRUCK))

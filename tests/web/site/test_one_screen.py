@@ -1,0 +1,139 @@
+"""A scene on one screen of a school laptop: picture, Play, clock, sliders and two graphs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page
+
+from sim.pages.text.lesson_list import lessons_in
+from tests.conftest import ROOT
+from tests.web.conftest import OpenPage
+from tests.web.scene.widget_site import LIVE
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+HEAD, BAR = 48, 39  # px of the theme's head and of “My answers”, which stay on screen
+LAPTOP, PHONE, PROJECTOR = (1366, 768), (360, 740), (1280, 720)
+
+LESSONS = [
+    path.stem for path in lessons_in(ROOT / "worksheets")
+    if path.parent.name == "worksheets" and "```scene" in path.read_text(encoding="utf-8")
+]  # fmt: skip
+
+BOTTOMS = """(parts) => [...document.querySelectorAll("carts-scene")].flatMap((scene) => {
+    const { top } = scene.getBoundingClientRect();
+    return Object.entries(parts).flatMap(([part, most]) =>
+        [...scene.querySelectorAll(part)].filter((one) => one.checkVisibility()).slice(0, most)
+            .map((one) => ({ name: `${scene.id} ${part}`,
+                bottom: Math.round(one.getBoundingClientRect().bottom - top) })));
+})"""
+WIDTHS = """() => [...document.querySelectorAll(".carts-stage")].filter((one) =>
+    one.checkVisibility()).map((one) => Math.round(one.getBoundingClientRect().width))"""
+
+
+LENGTHS = """() => [...document.querySelectorAll("carts-scene .carts-cart")].filter((one) =>
+    one.checkVisibility()).map((cart) => {
+        const side = (name) =>
+            cart.querySelector(`[data-part=face-${name}]`).getBoundingClientRect();
+        return { name: `${cart.closest("carts-scene").id} ${cart.dataset.body}`,
+            length: side("right").right - side("left").left };
+    })"""
+LETTERS = """() => [...document.querySelectorAll(".carts-stage text, .carts-plot text")]
+    .filter((one) => one.checkVisibility() && one.textContent.trim()).map((one) => {
+        const drawing = one.ownerSVGElement;
+        const scale = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
+        return { name: `${one.closest("carts-scene").id} ${one.textContent}`,
+            size: parseFloat(getComputedStyle(one).fontSize) * scale };
+    })"""
+LEAST_LETTER = 12.95  # px: 13, drawn in a picture that is a whole number of pixels wide
+
+
+def too_low(page: Page, height: int, parts: dict[str, int]) -> list[str]:
+    """What of the first few of each part cannot be seen with the top of its scene."""
+    room = height - HEAD - BAR
+    found = page.evaluate(BOTTOMS, parts)
+    assert found
+    return [f"{one['name']}: {one['bottom']} px" for one in found if one["bottom"] > room]
+
+
+def all_shown(page: Page) -> None:
+    for scene in page.locator("carts-scene").all():
+        scene.and_(page.locator("[data-state=live]")).wait_for(timeout=LIVE)
+        scene.evaluate("(scene) => scene.reveal().then(() => scene.complete())")
+
+
+def opened(site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int]) -> Page:
+    width, height = screen
+    return open_page(
+        site / "worksheets" / f"{lesson}.html",
+        folder=site,
+        viewport={"width": width, "height": height},
+    )
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_on_a_laptop_everything_one_plays_with_is_seen_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    page, (_, height) = opened(site, open_page, lesson, LAPTOP), LAPTOP
+    parts = {".carts-stage": 1, ".carts-play": 1, ".carts-clock": 1, ".carts-slider": 99}
+    assert too_low(page, height, {**parts, ".carts-lock": 1}) == []
+    before = page.evaluate(WIDTHS)
+    all_shown(page)
+    assert too_low(page, height, {**parts, ".carts-plot": 2}) == []
+    assert page.evaluate(WIDTHS) == before  # the picture never shrinks
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_on_a_phone_picture_and_play_are_seen_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    page, (_, height) = opened(site, open_page, lesson, PHONE), PHONE
+    assert too_low(page, height, {".carts-stage": 1, ".carts-play": 1}) == []
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize(("screen", "least"), [(LAPTOP, 64), (PHONE, 36)])
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_carts_are_large_enough_to_take_hold_of_and_letters_to_read(
+    site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int], least: float
+) -> None:
+    page = opened(site, open_page, lesson, screen)
+    all_shown(page)
+    carts, letters = page.evaluate(LENGTHS), page.evaluate(LETTERS)
+    assert carts and letters
+    assert [one for one in carts if one["length"] < least] == []
+    assert [one for one in letters if one["size"] < LEAST_LETTER] == []
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_class_sees_the_question_the_picture_and_a_graph_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    """On a projector: the question before Reveal, Play and a graph after it too."""
+    page = opened(site, open_page, lesson, PROJECTOR)
+    low = []
+    for scene in page.locator("carts-scene").all():
+        scene.and_(page.locator("[data-state=live]")).wait_for(timeout=LIVE)
+        asks = scene.locator(".carts-predict").count() > 0
+        scene.locator(".carts-project").click()
+        low += low_on_projector(scene, ".carts-stage", *((".carts-ask",) if asks else ()))
+        scene.evaluate("(scene) => scene.reveal().then(() => scene.complete())")
+        parts = (".carts-stage", ".carts-play", ".carts-plot", *((".carts-ask",) if asks else ()))
+        low += low_on_projector(scene, *parts)
+        scene.locator(".carts-project").click()
+    assert low == []
+
+
+def low_on_projector(scene: Locator, *parts: str) -> list[str]:
+    """What cannot be seen without scrolling."""
+    found = []
+    for part in parts:
+        box = scene.locator(part).filter(visible=True).first.bounding_box()
+        if box is None or box["y"] + box["height"] > PROJECTOR[1]:
+            found.append(f"{scene.get_attribute('id')} {part}: {box}")
+    return found

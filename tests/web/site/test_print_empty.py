@@ -1,0 +1,54 @@
+"""“Print empty”: a lesson on few sheets, to be filled in by hand."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.runtime.boot_site import ROOT
+
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
+
+SHEETS = 6  # of A4, for the core of a lesson of 40 minutes
+PAGE = re.compile(rb"/Type\s*/Page[^s]")
+
+
+@pytest.fixture
+def printed(site: Path, open_page: OpenPage) -> Page:
+    """The third law as it goes to the printer, which is not there."""
+    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site)
+    page.evaluate("window.print = () => {}")
+    page.get_by_role("button", name="My answers").click()
+    page.get_by_role("button", name="Print empty").click()
+    expect(page.locator("html")).to_have_class(re.compile("carts-print-empty"))
+    return page
+
+
+def test_the_core_of_a_lesson_takes_six_sheets(printed: Page) -> None:
+    assert len(PAGE.findall(printed.pdf(format="A4"))) <= SHEETS
+
+
+def test_a_core_sheet_leaves_out_what_is_optional_and_what_a_run_shows(printed: Page) -> None:
+    printed.emulate_media(media="print")
+    for left_out in ("#third-equal", "#third-changed", "#third-own .carts-story"):
+        expect(printed.locator(left_out).first).to_be_hidden()
+    for kept in ("#third-wall .carts-stage", "#third-wall .carts-write", "#third-own .carts-stage"):
+        expect(printed.locator(kept).locator("visible=true").first).to_be_visible()
+    expect(printed.locator(".carts-model").first).to_be_hidden()
+    assert printed.locator(".carts-q-waits").locator("visible=true").count() == 0
+
+
+OUTLINE = "() => JSON.parse(document.getElementById('carts-lesson').textContent).items"
+
+
+def test_what_is_optional_is_not_counted_as_missing(printed: Page) -> None:
+    text = (ROOT / "worksheets" / "newtons-third-law.md").read_text(encoding="utf-8")
+    core = text.partition("The lesson is whole without what follows.")[0]
+    ids = set(re.findall(r"^id: ([\w-]+)$", core, re.MULTILINE))
+    asked = [one for one in printed.evaluate(OUTLINE) if one["id"] in ids]
+    assert 0 < len(asked) < len(printed.evaluate(OUTLINE))
+    expect(printed.locator(".carts-bar-count")).to_have_text(f"0 of {len(asked)}")

@@ -1,0 +1,93 @@
+"""Three hints on the first scene: one at a time, gone by use, and in nobody's way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.site.test_one_screen import LESSONS
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+SMALL, LAPTOP = {"width": 360, "height": 740}, {"width": 1366, "height": 768}
+SEEN = "localStorage.getItem('carts-tour')"
+
+
+def hint(page: Page) -> Locator:
+    return page.locator(".carts-tour .carts-tour-text")
+
+
+def test_hints_come_one_by_one_and_never_again_once_done(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "index.html", viewport=LAPTOP)
+    expect(hint(page)).to_contain_text("Pull the arrow")
+    arrow = page.locator(".carts-stage-wide .carts-velocity[data-body=A]")
+    box = arrow.locator("[data-part=arrow]").bounding_box()
+    assert box
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 30, y)
+    page.mouse.up()
+    expect(hint(page)).to_have_text("Press Play.")
+    play = page.locator("#home .carts-play")
+    play.click()
+    expect(hint(page)).to_have_count(0)  # nothing distracts from the run
+    page.wait_for_function("() => document.getElementById('home').time > 0.3")
+    play.click()
+    expect(hint(page)).to_contain_text("Pull the time back")
+    page.locator("#home .carts-scrub").focus()
+    page.keyboard.press("ArrowLeft")
+    expect(hint(page)).to_have_count(0)
+    page.reload()
+    page.wait_for_selector("#home[data-state=live]", timeout=60_000)
+    expect(hint(page)).to_have_count(0)
+    assert page.locator(".carts-tour-here").count() == 0
+
+
+@pytest.mark.one_browser
+def test_hints_that_are_closed_stay_closed(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "sandbox.html", viewport=SMALL)
+    expect(hint(page)).to_contain_text("Pull a cart")
+    page.get_by_role("button", name="No more hints").click()
+    expect(hint(page)).to_have_count(0)
+    page.reload()
+    page.wait_for_selector("carts-scene[data-state=live]", timeout=60_000)
+    expect(hint(page)).to_have_count(0)
+
+
+@pytest.mark.one_browser
+def test_nothing_is_hinted_at_before_a_prediction_is_locked(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site, viewport=LAPTOP)
+    page.wait_for_selector("carts-scene[data-state=live]", timeout=60_000)
+    asks = page.locator("carts-scene").first.evaluate("scene => scene.matches('.carts-asks')")
+    assert hint(page).count() == (0 if asks else 1)
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize("name", ["index", "sandbox", *(f"worksheets/{one}" for one in LESSONS)])
+@pytest.mark.parametrize("size", [SMALL, LAPTOP], ids=["phone", "laptop"])
+def test_a_hint_covers_no_cart_and_no_arrow(
+    name: str, size: dict[str, int], site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / f"{name}.html", folder=site, viewport=size)
+    scene = page.locator("carts-scene").first
+    scene.wait_for()
+    if scene.evaluate("scene => scene.matches('.carts-asks')"):
+        return
+    expect(hint(page)).to_have_count(1)
+    covered = scene.evaluate(
+        """scene => {
+          const card = scene.querySelector(".carts-tour").getBoundingClientRect();
+          const parts = [...scene.querySelectorAll(".carts-cart, .carts-velocity, .carts-acting")];
+          const boxes = parts.map((part) => [part, part.getBoundingClientRect()]);
+          return boxes.filter(([, box]) => box.width && box.left < card.right
+            && box.right > card.left && box.top < card.bottom && box.bottom > card.top)
+            .map(([part]) => part.getAttribute("class"));
+        }"""
+    )
+    assert covered == []
