@@ -34,7 +34,7 @@ MAY_IMPORT = {
     "country": {"country", "classroom", "lesson", "scene"},
     "measured": {"measured", "dynamics", "effects", "laws", "scene"},
     "bridge": {
-        *("bridge", "classroom", "measured", "lesson", "mine", "worlds"),
+        *("bridge", "certify", "classroom", "measured", "lesson", "mine", "worlds"),
         *("dynamics", "effects", "laws", "scene"),
     },
     "pages": {

@@ -47,9 +47,10 @@ OTHERS = {
     "measured": "sim.bridge.measured_answer",
     "worlds": "sim.bridge.worlds_answer",
     "law": "sim.bridge.law_answer",
+    "certify": "sim.bridge.certify_answer",
     "teach": "sim.pages.teach.answer",
 }
-"""Module of each other kind of request; it holds a function KIND_answer. The last five are in
+"""Module of each other kind of request; it holds a function KIND_answer. The last six are in
 packages of their own, which only the pages load that ask for them."""
 
 Answer = tuple[dict[str, Any], "array[float]"]

@@ -1,11 +1,13 @@
 """CERTIFICATES: an interval for every event time and every end state that provably holds the truth.
 
-Every number is a ball [middle ± radius] of Arb; each operation rounds outwards, so that the ball of
-a result holds the result of every choice from the balls that went in (Moore's inclusion property).
-A run in balls is therefore a proof, if every branch that it takes is proved too: which event comes
-first, whether two bodies meet at all, which way a cart slides. Where a ball does not decide, the
-certificate says so instead of guessing: `NotProvableError`.
+Every number is a ball [middle ± radius] of Arb, or an interval of decimals; each operation rounds
+outwards, so that the ball of a result holds the result of every choice from the balls that went in
+(Moore's inclusion property). A run in balls is therefore a proof, if every branch that it takes is
+proved too: which event comes first, whether two bodies meet at all, which way a cart slides. Where
+a ball does not decide, the certificate says so instead of guessing: `NotProvableError`.
 
+    arithmetic    balls of Arb, or intervals where it is not installed
+    intervals     their arithmetic; rounding: to which side; waves: sines and π
     balls         exact inputs, proofs of signs, bounds that are rounded outwards
     roots         the first zero of a function, isolated by the sign of its derivative
     oscillation   the overlap of a linear contact, in closed form
@@ -20,9 +22,10 @@ certificate says so instead of guessing: `NotProvableError`.
     foresight     what comes next, and what of it is provably first
     contacts, run    what then happens
     certificate   the interface: text bounds, order, reason
+    band          what tolerances allow, piece by piece
 
 Theory: R. E. Moore, Interval Analysis (1966); S. M. Rump, Verification methods, Acta Numerica 19
 (2010) 287; F. Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic,
 IEEE Trans. Comput. 66 (2017) 1281. Nothing of `sim.dynamics` is used: an error there does not show
-up here again. Needs python-flint, an optional package; no page loads any of it.
+up here again. A page loads all of it when a reader asks for a proof, and not before.
 """

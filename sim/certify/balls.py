@@ -1,4 +1,4 @@
-"""Balls of Arb: exact inputs, signs that are proved, bounds that are rounded outwards.
+"""Balls: exact inputs, signs that are proved, bounds that are rounded outwards.
 
 A comparison of balls is true only where it holds for every choice from them; `x > 0` false says
 nothing. A double is a ball of radius 0.
@@ -8,18 +8,17 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Any
 
-from flint import arb, fmpq
+from sim.certify.arithmetic import Ball, arb, ends, fraction
+from sim.scene.said import said
 
-Ball = Any
-"""An `arb`: python-flint carries no types."""
+__all__ = ["Ball"]
 
 ZERO = arb(0)
 
 
 class NotProvableError(Exception):
-    """With these inputs it cannot be decided what happens; the message says what."""
+    """With these inputs it cannot be decided what happens; the message says what (`said`)."""
 
 
 class NoBoundError(NotProvableError):
@@ -33,8 +32,7 @@ def exact(number: float) -> Ball:
 
 def between(low: Fraction, high: Fraction) -> Ball:
     """The smallest ball around an interval."""
-    ends = [arb(fmpq(end.numerator, end.denominator)) for end in (low, high)]
-    return ends[0] if low == high else ends[0].union(ends[1])
+    return fraction(low) if low == high else fraction(low).union(fraction(high))
 
 
 def is_zero(x: Ball) -> bool:
@@ -55,24 +53,23 @@ def sign(x: Ball, what: str) -> int:
 
 def lower(x: Ball) -> Fraction:
     """An exact bound from below."""
-    return _fraction(x.mid()) - _fraction(x.rad())
+    return _ends(x)[0]
 
 
 def upper(x: Ball) -> Fraction:
     """An exact bound from above."""
-    return _fraction(x.mid()) + _fraction(x.rad())
+    return _ends(x)[1]
 
 
-def _fraction(x: Ball) -> Fraction:
+def _ends(x: Ball) -> tuple[Fraction, Fraction]:
     if not x.is_finite():
-        raise NotProvableError("a number has no bound")
-    mantissa, exponent = (int(part) for part in x.man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent
+        raise NotProvableError(said("a number has no bound"))
+    return ends(x)
 
 
 def bounds(x: Ball) -> tuple[float, float]:
     """The doubles next to the ball, outwards: the nearest that enclose it."""
-    low, high = lower(x), upper(x)
+    low, high = _ends(x)
     below, above = _double(low), _double(high)
     if Fraction(below) > low:
         below = math.nextafter(below, -math.inf)
@@ -85,7 +82,7 @@ def _double(number: Fraction) -> float:
     try:
         return float(number)
     except OverflowError:
-        raise NotProvableError("a number is larger than any double") from None
+        raise NotProvableError(said("a number is larger than any double")) from None
 
 
 def ulps(x: Ball) -> float:

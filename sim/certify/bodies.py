@@ -14,6 +14,7 @@ from sim.certify.balls import ZERO, Ball, NotProvableError, is_zero, sign
 from sim.certify.instants import Instant, instant
 from sim.certify.loads import Load
 from sim.scene.model import Contact
+from sim.scene.said import listed, said
 
 
 class Phase(Protocol):
@@ -106,14 +107,14 @@ class Body:
             self.a = self.acceleration(now)
 
     def _rub(self, force: Ball) -> None:
-        way = sign(self.v, "which way a cart slides")
+        way = sign(self.v, said("which way a cart slides"))
         if way == 0:
             if abs(force) <= self.static:
                 self.held = True
                 return
             if not abs(force) > self.static:
-                raise NotProvableError("whether friction holds a cart")
-            way = sign(force, "which way a cart begins to slide")
+                raise NotProvableError(said("whether friction holds a cart"))
+            way = sign(force, said("which way a cart begins to slide"))
         self.sliding = way
 
 
@@ -150,7 +151,7 @@ class Gap:
     @property
     def shown(self) -> str:
         """A and B, for a reason."""
-        return " and ".join(self.names)
+        return listed(self.names)
 
     @property
     def simple(self) -> bool:

@@ -7,26 +7,32 @@ until the ends are as narrow as the inputs allow: with tolerances they are as wi
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any
 
-from flint import arb, ctx
-
+from sim.certify.arithmetic import ctx
 from sim.certify.balls import (
     ZERO,
     Ball,
     NoBoundError,
     NotProvableError,
+    between,
     bounds,
     exact,
     is_zero,
     lower,
     upper,
 )
+from sim.certify.band import Seen, Spans, pieces, united, united_seen
+from sim.certify.foresight import at_once, called
 from sim.certify.inputs import inputs
+from sim.certify.instants import Instant
 from sim.certify.row import Told
-from sim.certify.run import BallRun
+from sim.certify.run import MOST_EVENTS, BallRun
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 BITS = (160, 320, 1280, 5120)
 """Precision of the balls, one after the other. A pair is done with the first; a thousand contacts
@@ -38,6 +44,9 @@ NARROW = 2.0**-50
 SPARE = 2.0**-100
 """Of the largest number of its kind. Bounds leave so much more room (nothing, beside a double), so
 that an independent run with thirty digits or more finds its own rounded answer inside."""
+
+UNIT = between(Fraction(-1), Fraction(1))
+"""0 ± 1."""
 
 ORDER = ("contact", "release", "peak", "separate", "stick", "stop", "start", "end")
 """Events of one instant are listed in this order of kinds, as in a run."""
@@ -54,17 +63,26 @@ class Certificate:
     reason: str
     bits: int
     hopeless: bool = False  # for more digits
+    seen: Seen = field(default_factory=dict)
 
 
-def certify(scene: Scene) -> Certificate:
-    """Run a scene in balls. Never raises for what cannot be proved: the certificate says it."""
+def certify(
+    scene: Scene, *, most: int = MOST_EVENTS, instants: Sequence[float] = ()
+) -> Certificate:
+    """Run a scene in balls, for `most` changes, and look at it at `instants` [s], in order.
+
+    Never raises for what cannot be proved: the certificate says it.
+    """
     before = ctx.prec
     try:
+        if scene.tolerances:  # more bits than the first would not help: the inputs are wide
+            ctx.prec = BITS[0]
+            return _whole([_best(scene, p, most, instants) for p in pieces(scene.tolerances)])
         best: Certificate | None = None
         for bits in BITS:
             ctx.prec = bits
-            found = _best(scene)
-            enough = _enough(found, best, scene)
+            found = _best(scene, {}, most, instants)
+            enough = _enough(found, best)
             if best is None or found.x or not best.x:
                 best = found
             if enough:
@@ -75,10 +93,32 @@ def certify(scene: Scene) -> Certificate:
         ctx.prec = before
 
 
-def _enough(found: Certificate, last: Certificate | None, scene: Scene) -> bool:
+def _whole(parts: list[Certificate]) -> Certificate:
+    """What holds for all of them: the same events in the same order, wherever the truth lies."""
+    first = parts[0]
+    happens = [(one.kind, one.bodies) for one in first.events]
+    for one in parts:
+        if not one.x:
+            return one
+    if any([(event.kind, event.bodies) for event in one.events] != happens for one in parts):
+        reason = said("what happens, and in which order, depends on the tolerances")
+        return Certificate({}, {}, (), False, reason, first.bits, True)
+    x, v = (
+        {name: united([getattr(one, key)[name] for one in parts]) for name in first.x}
+        for key in ("x", "v")
+    )
+    rows = zip(*(one.events for one in parts), strict=True)
+    events = tuple(
+        Told(Instant(united([one.when.ball for one in row])), row[0].kind, row[0].bodies)
+        for row in rows
+    )
+    doubt = next((one.reason for one in parts if not one.proved), "")
+    seen = united_seen([one.seen for one in parts])
+    return Certificate(x, v, events, not doubt, doubt, first.bits, seen=seen)
+
+
+def _enough(found: Certificate, last: Certificate | None) -> bool:
     """Would more bits not help?"""
-    if scene.tolerances:
-        return True
     if not found.x:
         return found.hopeless
     if last is not None and last.x and _width(found) > 0.5 * _width(last):
@@ -96,22 +136,24 @@ def _width(found: Certificate) -> float:
     return widest
 
 
-def _best(scene: Scene) -> Certificate:
+def _best(scene: Scene, spans: Spans, most: int, instants: Sequence[float]) -> Certificate:
     """With both readings of a gap if that can be proved, else with the scene's own."""
-    wide = _run(scene, wide=True)
+    wide = _run(scene, spans, most, instants, wide=True)
     if wide.proved or wide.hopeless:
         return wide
-    narrow = _run(scene, wide=False)
+    narrow = _run(scene, spans, most, instants, wide=False)
     return narrow if narrow.proved or len(narrow.x) >= len(wide.x) else wide
 
 
-def _run(scene: Scene, *, wide: bool) -> Certificate:
+def _run(
+    scene: Scene, spans: Spans, most: int, instants: Sequence[float], *, wide: bool
+) -> Certificate:
     names = [cart.name for cart in scene.carts]
     run: BallRun | None = None
     try:
-        given = inputs(scene, wide=wide)
+        given = inputs(scene, spans, wide=wide)
         run = BallRun(given)
-        run.go()
+        run.go(most, instants)
         x = {n: p + m for n, p, m in zip(names, given.places, run.moved, strict=True)}
         v = {n: body.v for n, body in zip(names, run.bodies, strict=True)}
         for ball in (*x.values(), *v.values()):
@@ -119,10 +161,14 @@ def _run(scene: Scene, *, wide: bool) -> Certificate:
     except NotProvableError as error:
         told = () if run is None else _sorted(run, names)
         hopeless = isinstance(error, NoBoundError)
-        return Certificate({}, {}, told, False, str(error), ctx.prec, hopeless)
+        return Certificate({}, {}, told, False, error.args[0], ctx.prec, hopeless)
     events = _sorted(run, names)
     doubt = run.doubt or _unordered(events)
-    return Certificate(x, v, events, not doubt, doubt, ctx.prec)
+    seen = {
+        t: ([p + m for p, m in zip(given.places, moved, strict=True)], speeds)
+        for t, (moved, speeds) in run.seen.items()
+    }
+    return Certificate(x, v, events, not doubt, doubt, ctx.prec, seen=seen)
 
 
 def _sorted(run: BallRun, names: list[str]) -> tuple[Told, ...]:
@@ -144,8 +190,7 @@ def _unordered(events: tuple[Told, ...]) -> str:
     """Two that follow each other in the list, though that is not proved; or ""."""
     for one, other in itertools.pairwise(events):
         if one.when is not other.when and not lower(other.when.ball) >= upper(one.when.ball):
-            pairs = [f"{e.kind} of {' and '.join(e.bodies)}" for e in (one, other)]
-            return f"{pairs[0]} and {pairs[1]} come at one instant, as far as can be told"
+            return at_once(*(called(e.kind, e.bodies) for e in (one, other)))
     return ""
 
 
@@ -179,6 +224,6 @@ def _named(balls: dict[str, Ball], largest: Ball) -> dict[str, list[str]]:
 
 def _text(ball: Ball, largest: Ball) -> list[str]:
     """Bounds; what is nought and nothing else stays so."""
-    wide = ball if is_zero(ball) else ball + arb(0, 1) * largest * SPARE
+    wide = ball if is_zero(ball) else ball + UNIT * largest * SPARE
     low, high = bounds(wide)
     return [repr(low + 0.0), repr(high + 0.0)]

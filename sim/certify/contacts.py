@@ -9,8 +9,9 @@ from sim.certify.bodies import Body, Gap
 from sim.certify.foresight import Foresight
 from sim.certify.instants import Instant
 from sim.certify.phases import ContactPhase
-from sim.certify.row import COUPLED, Next
+from sim.certify.row import Next
 from sim.certify.touches import Touch, common_velocity, impact
+from sim.scene.said import said
 
 
 class Contacts(Foresight):
@@ -21,10 +22,16 @@ class Contacts(Foresight):
         for body in (gap.left, gap.right):
             if body.phase is not None:
                 raise NoBoundError(
-                    f"{gap.shown} meet while one of them is in another contact: {COUPLED}"
+                    said(
+                        "{pair} meet while one of them is in another contact: coupled contacts "
+                        "have no bound yet",
+                        pair=gap.shown,
+                    )
                 )
         if gap.tail is not None or not is_zero(gap.memory):
-            raise NoBoundError(f"{gap.shown} meet again before their bumpers have recovered")
+            raise NoBoundError(
+                said("{pair} meet again before their bumpers have recovered", pair=gap.shown)
+            )
         held = [body for body in (gap.left, gap.right) if body.held]
         self.forget((gap.left, gap.right))
         self.settle((gap.left, gap.right), now)
@@ -33,7 +40,9 @@ class Contacts(Foresight):
             self.touch(gap, now)
             return
         if not gap.rate < 0:
-            raise NoBoundError(f"{gap.shown} are pressed together without a duration")
+            raise NoBoundError(
+                said("{pair} are pressed together without a duration", pair=gap.shown)
+            )
         self.tell(now, "contact", gap.names)
         if gap.contact.joins:
             self._join(gap, now)
@@ -130,7 +139,7 @@ class Contacts(Foresight):
         pairs = gap.left.mass is not None and gap.right.mass is not None
         loaded = not is_zero(gap.pull) or (pairs and self.scene.effects)
         if one.cause == "turn" and loaded:  # it is held at its greatest overlap, and never parts
-            raise NoBoundError(f"{gap.shown} stay pressed together under a force")
+            raise NoBoundError(said("{pair} stay pressed together under a force", pair=gap.shown))
         peak = touch.peak()
         if peak is not None:
             self.tell(peak, "peak", gap.names)

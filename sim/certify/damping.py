@@ -1,6 +1,6 @@
 """The damping ζ of a law from the restitution e that it returns, as a ball.
 
-`paper`, and `push-only-uncorrected`, which is printed so: ζ = cos φ, φ = atan2(π, −ln e).
+`paper`, and `push-only-uncorrected`, which is printed so: ζ = L/√(π² + L²), L = −ln e.
 `push-only`: φ cot φ = −(ln e)/2, beyond critical damping y coth y = −(ln e)/2, ζ = cosh y. That
 root is found by Newton's method and then proved: the function falls, and has its two signs at the
 ends of a short interval. See `sim.laws.dashpot` for where the formulas come from; nothing of it is
@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from flint import arb, ctx
-
+from sim.certify.arithmetic import arb, ctx
 from sim.certify.balls import Ball, NotProvableError, is_zero
+from sim.scene.said import said
 
 GUARD = 24
 """Bits that Newton's method may lose: the interval is so much wider than the last place."""
@@ -25,7 +25,8 @@ def to_zero_overlap(e: Ball) -> tuple[Ball, bool]:
         return arb(1), True
     if is_zero(e - 1):
         return arb(0), False
-    return arb.atan2(arb.pi(), -e.log()).cos(), False
+    loss, half_turn = -e.log(), arb.pi()
+    return loss / (half_turn * half_turn + loss * loss).sqrt(), False
 
 
 def to_zero_force(e: Ball) -> tuple[Ball, bool]:
@@ -34,12 +35,13 @@ def to_zero_force(e: Ball) -> tuple[Ball, bool]:
         return arb(0), False
     half = -e.log() / 2
     if half < 1:
-        phi = _root(lambda x: x * x.cot(), half, 1.5707963 * (1 - float(half.mid())) ** 0.5)
+        guess = 1.5707963 * (1 - float(half.mid())) ** 0.5
+        phi = _root(lambda x: x * x.cos() / x.sin(), half, guess)
         return phi.cos(), False
     if half > 1:
-        y = _root(lambda x: -x * x.coth(), -half, max(float(half.mid()), 0.1))
+        y = _root(lambda x: -x * x.cosh() / x.sinh(), -half, max(float(half.mid()), 0.1))
         return y.cosh(), False
-    raise NotProvableError("whether a contact swings or creeps")
+    raise NotProvableError(said("whether a contact swings or creeps"))
 
 
 def _root(falling: Callable[[Ball], Ball], value: Ball, guess: float) -> Ball:
@@ -56,4 +58,4 @@ def _root(falling: Callable[[Ball], Ball], value: Ball, guess: float) -> Ball:
     low, high = (x - width).mid(), (x + width).mid()
     if falling(low) > value and falling(high) < value:
         return low.union(high)
-    raise NotProvableError("the damping of a contact")
+    raise NotProvableError(said("the damping of a contact"))

@@ -7,6 +7,8 @@ order: the end is the same, and only the order of the list is then not proved.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from sim.certify.balls import (
     ZERO,
     Ball,
@@ -20,7 +22,36 @@ from sim.certify.balls import (
 from sim.certify.bodies import Gap
 from sim.certify.instants import instant
 from sim.certify.roots import falls_to_zero, first_root
-from sim.certify.row import COUPLED, Next, Row
+from sim.certify.row import Next, Row
+from sim.scene.said import Said, listed, said
+
+WORDS = {
+    "touch": said("the touch"),
+    "contact": said("the touch"),
+    "clear": said("the recovery"),
+    "recovery": said("the recovery"),
+    "end": said("the end of the contact"),
+    "separate": said("the end of the contact"),
+    "peak": said("the greatest force"),
+    "halt": said("the stop"),
+    "stop": said("the stop"),
+    "start": said("the start"),
+    "stick": said("the joining"),
+    "release": said("the release"),
+}
+"""What comes next or has come, as a reason calls it."""
+
+
+def called(kind: str, names: Sequence[str]) -> Said:
+    """An event, for a reason."""
+    return said("{event} of {carts}", event=WORDS.get(kind, kind), carts=listed(names))
+
+
+def at_once(one: Said, other: Said) -> Said:
+    """Of two events neither is provably first."""
+    return said(
+        "{one} and {other} come at one instant, as far as can be told", one=one, other=other
+    )
 
 
 class Foresight(Row):
@@ -35,7 +66,7 @@ class Foresight(Row):
             return None
         low, high, first = min(known, key=lambda row: (row[1], row[0]))
         if high > end:
-            raise NotProvableError("whether something still happens before the end")
+            raise NotProvableError(said("whether something still happens before the end"))
         around = self._around(first)
         for other_low, other_high, other in known:
             if other is first or other_low > high:
@@ -43,13 +74,14 @@ class Foresight(Row):
             exactly = low == high == other_low == other_high
             if self._around(other) & around and not (exactly and self._apart(first, other)):
                 raise NotProvableError(
-                    f"what comes first: {self._called(first)} or {self._called(other)}"
+                    said(
+                        "what comes first: {one} or {other}",
+                        one=self._called(first),
+                        other=self._called(other),
+                    )
                 )
             if not exactly:
-                self.doubt = self.doubt or (
-                    f"{self._called(first)} and {self._called(other)} come at one instant, "
-                    "as far as can be told"
-                )
+                self.doubt = self.doubt or at_once(self._called(first), self._called(other))
         return first
 
     def _around(self, one: Next) -> set[int]:
@@ -64,11 +96,10 @@ class Foresight(Row):
         """At exactly one instant: is either order the same, as no body takes part in both?"""
         return not set(map(id, one.bodies)) & set(map(id, other.bodies))
 
-    def _called(self, one: Next) -> str:
+    def _called(self, one: Next) -> Said:
         if one.gap is not None:
-            return f"{one.kind} of {one.gap.shown}"
-        carts = [self.names[k] for body in one.bodies for k in body.carts]
-        return f"{one.kind} of {' and '.join(carts)}"
+            return called(one.kind, one.gap.names)
+        return called(one.kind, [self.names[k] for body in one.bodies for k in body.carts])
 
     def halts(self) -> list[Next]:
         """Where friction brings carts in flight to rest."""
@@ -80,7 +111,7 @@ class Foresight(Row):
                     when = body.begun.after(-body.v / body.a)
                     found.append(Next(when, "halt", (body,), body=body))
                 elif not braked >= 0:
-                    raise NotProvableError("whether a cart comes to rest")
+                    raise NotProvableError(said("whether a cart comes to rest"))
         return found
 
     def of_gap(self, gap: Gap) -> list[Next]:
@@ -96,7 +127,7 @@ class Foresight(Row):
         bodies = (gap.left, gap.right)
         if gap.left.still and gap.right.still:
             return []
-        doubt = f"whether {gap.shown} meet"
+        doubt = said("whether {pair} meet", pair=gap.shown)
         found = []
         tail = gap.tail is not None or not is_zero(gap.memory)
         if gap.simple:
@@ -107,10 +138,16 @@ class Foresight(Row):
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
         elif tail:
-            raise NoBoundError(f"{gap.shown} have not recovered when one of them meets another")
+            raise NoBoundError(
+                said("{pair} have not recovered when one of them meets another", pair=gap.shown)
+            )
         elif is_zero(gap.room) and is_zero(gap.rate):
             raise NotProvableError(
-                f"{gap.shown} touch while one of them is in another contact: {COUPLED}"
+                said(
+                    "{pair} touch while one of them is in another contact: coupled contacts have "
+                    "no bound yet",
+                    pair=gap.shown,
+                )
             )
         else:
             tau = first_root(

@@ -11,9 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb
-
+from sim.certify.arithmetic import arb
 from sim.certify.balls import Ball, between, exact
+from sim.certify.band import Spans
 from sim.certify.loads import Load, loads
 from sim.scene.model import Scene
 
@@ -30,30 +30,29 @@ class Inputs:
     loads: list[Load]
 
 
-def inputs(scene: Scene, *, wide: bool) -> Inputs:
+NOTHING = (Fraction(0), Fraction(0))
+
+
+def inputs(scene: Scene, spans: Spans, *, wide: bool) -> Inputs:
     """Read a scene; raises NotProvableError where an effect has no bound."""
-    masses = [_number(scene, cart.name, "mass", cart.mass) for cart in scene.carts]
+    masses = [_number(spans, cart.name, "mass", cart.mass) for cart in scene.carts]
     return Inputs(
         scene,
         masses,
-        [_number(scene, cart.name, "position", cart.position) for cart in scene.carts],
+        [_number(spans, cart.name, "position", cart.position) for cart in scene.carts],
         [exact(cart.velocity) for cart in scene.carts],
-        [_gap(scene, k, wide=wide) for k in range(len(scene.gaps))],
+        [_gap(scene, spans, k, wide=wide) for k in range(len(scene.gaps))],
         loads(scene, masses),
     )
 
 
-def _half(scene: Scene, name: str, key: str) -> Fraction:
-    return scene.tolerances.get(f"{name}.{key}", Fraction(0))
-
-
-def _number(scene: Scene, name: str, key: str, value: float) -> Ball:
-    half = _half(scene, name, key)
+def _number(spans: Spans, name: str, key: str, value: float) -> Ball:
+    low, high = spans.get(f"{name}.{key}", NOTHING)
     middle = Fraction(value)
-    return exact(value) if half == 0 else between(middle - half, middle + half)
+    return exact(value) if low == high == 0 else between(middle + low, middle + high)
 
 
-def _gap(scene: Scene, k: int, *, wide: bool) -> Ball:
+def _gap(scene: Scene, spans: Spans, k: int, *, wide: bool) -> Ball:
     if scene.contacts[k] is None:
         return arb(0)
     given = Fraction(scene.gaps[k])
@@ -61,12 +60,15 @@ def _gap(scene: Scene, k: int, *, wide: bool) -> Ball:
     if wide and given != 0:
         other = _from_places(scene, k)
         low, high = min(given, other), max(given, other)
-    half = Fraction(0)
-    for cart in scene.carts[max(k - 1, 0) : k + 1]:
-        half += _half(scene, cart.name, "position") + _half(scene, cart.name, "length") / 2
-    if k == len(scene.carts):
-        half += _half(scene, "track", "length")
-    return between(low - half, high + half)
+    edges = [("track.length", Fraction(1))] if k == len(scene.carts) else []
+    for place, cart in enumerate(scene.carts[max(k - 1, 0) : k + 1]):
+        to_the_left = k > 0 and place == 0
+        edges.append((f"{cart.name}.position", Fraction(-1 if to_the_left else 1)))
+        edges.append((f"{cart.name}.length", Fraction(-1, 2)))
+    for key, factor in edges:  # the gap grows by so much of what an input grows
+        ends = sorted(factor * end for end in spans.get(key, NOTHING))
+        low, high = low + ends[0], high + ends[1]
+    return between(low, high)
 
 
 def _from_places(scene: Scene, k: int) -> Fraction:

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from flint import arb
-
+from sim.certify.arithmetic import arb
 from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.effects.constant import Constant, constant_of
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 
 @dataclass(slots=True)
@@ -39,7 +39,7 @@ class Load:
             if now >= begin and now < end:
                 total = total + push
             elif not (now < begin or now >= end):
-                raise NotProvableError("an event comes as a push begins or ends")
+                raise NotProvableError(said("an event comes as a push begins or ends"))
         return total
 
 
@@ -67,7 +67,7 @@ def _on_each(scene: Scene) -> list[list[Constant]]:
     for effect in scene.effects:
         one = constant_of(effect)
         if one is None:
-            raise NoBoundError(f"{effect.kind} has no bound yet")
+            raise NoBoundError(said("{what} has no bound yet", what=effect.kind))
         for cart, constants in zip(scene.carts, on_each, strict=True):
             if cart.name in effect.carts:
                 constants.append(one)

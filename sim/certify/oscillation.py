@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from flint import arb
-
+from sim.certify.arithmetic import arb
 from sim.certify.balls import Ball, NotProvableError, is_zero
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class Line:
     kappa: Ball  # N/m
     gamma: Ball  # N s/m
     rest: Ball  # m
-    critical: bool = False
+    critical: bool = False  # for the two masses of the pair; not while friction holds one of them
 
 
 class Oscillation:
@@ -43,7 +43,7 @@ class Oscillation:
         elif self.turns or inside < 0:
             self.w = abs(inside).sqrt()
         else:
-            raise NotProvableError("whether a contact swings or creeps")
+            raise NotProvableError(said("whether a contact swings or creeps"))
 
     def at(self, tau: Ball) -> tuple[Ball, Ball]:
         """o and o′."""

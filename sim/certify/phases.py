@@ -11,12 +11,14 @@ friction can hold. Each end is the first zero of a function that is positive bef
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sim.certify.balls import ZERO, Ball, NoBoundError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.oscillation import Line, Oscillation
 from sim.certify.roots import first_root
+from sim.scene.said import said
 
 
 class ContactPhase:
@@ -29,9 +31,10 @@ class ContactPhase:
         a = ZERO if left.still else left.acceleration(now)
         b = ZERO if right.still else right.acceleration(now)
         if left.still and right.still:
-            raise NoBoundError(f"two bodies at rest press each other at {gap.shown}")
+            raise NoBoundError(said("{pair} press each other at rest", pair=gap.shown))
         if left.still or right.still:
             mover = right if left.still else left
+            line = replace(line, critical=line.critical and None in (left.mass, right.mass))
             self.mu, self.drift, self.pull = mover.mass, ZERO, a - b
             self.centre = ZERO
             self.sides = (ZERO if left.still else 1, ZERO if right.still else -1)
@@ -97,14 +100,14 @@ class ContactPhase:
 
         # One that has just begun to slide is pushed by a force that grew past friction.
         begins = jerk if is_zero(body.v) else None
-        doubt = f"whether a cart stops in the contact of {self.gap.shown}"
+        doubt = said("whether a cart stops in the contact of {pair}", pair=self.gap.shown)
         tau = first_root(speed, rate, horizon, doubt, curve=begins)
         if tau is not None:
             yield tau, "halt", body
 
     def _slips(self, body: Body, way: int, horizon: Ball) -> Iterator[tuple[Ball, str, Body]]:
         load = body.force(self.begun)
-        doubt = f"whether friction holds a cart in the contact of {self.gap.shown}"
+        doubt = said("whether friction holds a cart in the contact of {pair}", pair=self.gap.shown)
         for end in (1, -1):
 
             def room(tau: Ball, end: int = end) -> Ball:

@@ -16,8 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from flint import arb
-
+from sim.certify.arithmetic import arb
 from sim.certify.balls import Ball, NotProvableError, is_zero
 
 Function = Callable[[Ball], Ball]

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from fractions import Fraction
 
-from sim.certify.balls import ZERO
+from sim.certify.balls import ZERO, upper
+from sim.certify.band import Seen
 from sim.certify.bodies import Body, Gap
 from sim.certify.inputs import Inputs
 from sim.certify.instants import Instant, instant
@@ -37,9 +39,6 @@ class Told:
     when: Instant
     kind: str
     bodies: tuple[str, ...]
-
-
-COUPLED = "coupled contacts have no bound yet"
 
 
 class Row:
@@ -76,6 +75,17 @@ class Row:
         self.told: list[Told] = []
         self.doubt = ""  # about the order of two events that are independent
         self.happened = 0
+        self.seen: Seen = {}
+
+    def look(self, t: float) -> None:
+        """Keep where everything is at a time up to which no motion ends."""
+        now = instant(t)
+        if all(upper(body.begun.ball) <= Fraction(t) for body in self.bodies):
+            places = [
+                way + body.way(body.begun, now)
+                for way, body in zip(self.moved, self.bodies, strict=True)
+            ]
+            self.seen[t] = (places, [body.speed(now) for body in self.bodies])
 
     def settle(self, bodies: Iterable[Body], now: Instant) -> None:
         """Bring bodies to `now`, and the gaps around them."""

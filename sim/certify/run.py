@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from sim.certify.balls import ZERO, NoBoundError
+from collections import deque
+from collections.abc import Sequence
+
+from sim.certify.balls import ZERO, NoBoundError, lower
 from sim.certify.contacts import Contacts
 from sim.certify.row import Next
+from sim.scene.said import said
 
 MOST_EVENTS = 10_000
 """Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
@@ -13,8 +17,12 @@ MOST_EVENTS = 10_000
 class BallRun(Contacts):
     """A scene on its way from 0 to its end."""
 
-    def go(self) -> None:
-        """To the end. Raises NoBoundError; `told` then holds what was proved before."""
+    def go(self, most: int = MOST_EVENTS, instants: Sequence[float] = ()) -> None:
+        """To the end, in at most so many changes; `seen` then holds the `instants` [s], in order.
+
+        Raises NoBoundError; `told` then holds what was proved before.
+        """
+        waiting = deque(instants)
         self._start()
         switches = self.switches()
         while True:
@@ -22,13 +30,17 @@ class BallRun(Contacts):
             coming += [one for gap in self.gaps for one in self.of_gap(gap)]
             coming += self.halts() + [self._now(one) for one in switches[:1]]
             first = self.first(coming)
+            if waiting:
+                known = min((lower(one.when.ball) for one in coming), default=waiting[-1])
+                while waiting and waiting[0] <= known:
+                    self.look(waiting.popleft())
             if first is None:
                 break
             if first.kind == "switch":
                 switches = switches[1:]
             self.happened += 1
-            if self.happened > MOST_EVENTS:
-                raise NoBoundError(f"there are more than {MOST_EVENTS} changes")
+            if self.happened > most:
+                raise NoBoundError(said("there are more than {most} changes", most=str(most)))
             self._happen(first)
         self.settle(self.bodies, self.until)
         self.tell(self.until, "end", tuple(self.names))

@@ -13,15 +13,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from flint import arb
-
 from sim.certify import damping
+from sim.certify.arithmetic import arb
 from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.oscillation import Line
 from sim.certify.phases import ContactPhase
 from sim.certify.roots import first_root
+from sim.scene.said import said
 
 Damped = Callable[[Ball], tuple[Ball, bool]]
 
@@ -41,9 +41,9 @@ class Touch:
         contact = gap.contact
         law, restitution = contact.law, contact.restitution
         if contact.stiffness is None or restitution is None:
-            raise NoBoundError(f"{law} has no duration")
+            raise NoBoundError(said("{what} has no bound yet", what=law))
         if law != BUMPER and law not in DAMPED:
-            raise NoBoundError(f"{law} has no bound yet")
+            raise NoBoundError(said("{what} has no bound yet", what=law))
         self.gap, self.law, self.begun = gap, law, now
         self.k, self.e = exact(contact.stiffness), exact(restitution)
         self.fresh = is_zero(gap.room)
@@ -73,12 +73,12 @@ class Touch:
         elif is_zero(closing) or closing < 0:
             self._spring_back(-self.gap.room)
         else:
-            raise NotProvableError(f"whether {self.gap.shown} are pressed together")
+            raise NotProvableError(said("whether {pair} are pressed together", pair=self.gap.shown))
 
     def _spring_back(self, greatest: Ball) -> None:
         square = self.e * self.e
         if is_zero(square):
-            raise NoBoundError("a bumper that does not spring back is pressed at the start")
+            raise NoBoundError(said("a bumper that does not spring back is pressed at the start"))
         self.stage = "back"
         self.gap.memory = greatest
         self.line = Line(self.k / square, ZERO, (1 - square) * greatest)
@@ -93,7 +93,9 @@ class Touch:
         if self.at_no_force and not self.fresh:
             push = -self.k * self.gap.room - self.line.gamma * self.gap.rate
             if not push > 0:
-                raise NotProvableError(f"whether {self.gap.shown} push each other at the start")
+                raise NotProvableError(
+                    said("whether {pair} push each other at the start", pair=self.gap.shown)
+                )
 
     def force(self) -> Ball:
         """N, at `since` of the gap."""
@@ -106,7 +108,7 @@ class Touch:
         if known is not None:
             return known
         swing, line = phase.swing, self.line
-        doubt = f"how the contact of {self.gap.shown} ends"
+        doubt = said("how the contact of {pair} ends", pair=self.gap.shown)
         if self.stage == "press" and not self.elastic:
             tau = first_root(lambda t: swing.at(t)[1], lambda t: swing.all(t)[2], horizon, doubt)
             return None if tau is None else (tau, "turn")
@@ -142,11 +144,11 @@ class Touch:
             lambda t: -phase.swing.at(t)[1],
             lambda t: -phase.swing.all(t)[2],
             until,
-            f"whether {self.gap.shown} are pressed again",
+            said("whether {pair} are pressed again", pair=self.gap.shown),
         )
         if again is not None:
             raise NotProvableError(
-                f"{self.gap.shown} are pressed again as their bumper springs back"
+                said("{pair} are pressed again as their bumper springs back", pair=self.gap.shown)
             )
 
     def see_peak(self, phase: ContactPhase, tau: Ball, now: Instant, cause: str) -> None:
@@ -170,7 +172,7 @@ class Touch:
                 lambda t: swing.force(t)[1],
                 lambda t: swing.line.kappa * swing.all(t)[2] + swing.line.gamma * swing.all(t)[3],
                 tau,
-                f"when the force between {self.gap.shown} is greatest",
+                said("when the force between {pair} is greatest", pair=self.gap.shown),
             )
         at = (now, tau) if when is None else (phase.begun.after(when), when)
         self.peaks.append((at[0], swing.force(at[1])[0]))
@@ -182,7 +184,9 @@ class Touch:
             if best is None or force > best[1]:
                 best = (when, force)
             elif not force < best[1] and when is not best[0]:
-                raise NotProvableError(f"when the force between {self.gap.shown} is greatest")
+                raise NotProvableError(
+                    said("when the force between {pair} is greatest", pair=self.gap.shown)
+                )
         return best[0] if best is not None and best[1] > 0 else None
 
     def turn(self) -> bool:

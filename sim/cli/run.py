@@ -200,15 +200,9 @@ def _written(name: str, description: Scene, *, as_json: bool, as_csv: bool) -> N
 
 
 def _certificate(description: Scene) -> dict[str, Any]:
-    """Its JSON object; needs a package that not everybody has."""
-    try:
-        from sim.certify.certificate import certify, document
-    except ModuleNotFoundError as error:
-        if error.name != "flint":
-            raise
-        raise click.UsageError(
-            "--certify needs the package python-flint: pip install 'newtons-carts[certify]'"
-        ) from None
+    """Its JSON object."""
+    from sim.certify.certificate import certify, document
+
     return document(certify(description))
 
 

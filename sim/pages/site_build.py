@@ -216,8 +216,9 @@ class SiteBuild:
         try:
             assets = site / site_files.ASSETS
             (assets / "carts.js").write_bytes(site_files.scene_script())
-            (assets / "tour.js").write_bytes(site_files.own_script("tour"))
-            packages = set(self.packages)
+            for name in ("tour", "proof"):
+                (assets / f"{name}.js").write_bytes(site_files.own_script(name))
+            packages = {*self.packages, runtime.PROOF}
             if any(needs.classroom for needs in self.needs.values()):
                 (assets / "class.js").write_bytes(site_files.class_script())
                 (assets / practice_keys.FILE).write_bytes(

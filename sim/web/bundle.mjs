@@ -15,6 +15,7 @@ const ENTRIES = {
   "dist/hosted.js": "src/hosted-main.js",
   "dist/tools.js": "src/tools-main.js",
   "dist/tour.js": "src/tour-main.js",
+  "dist/proof.js": "src/proof-main.js",
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",
   "dist/worlds.js": "src/worlds-main.js",

@@ -15,6 +15,15 @@ LEFT_OUT = ("peak", "end")
 """Kinds of events that the oracle does not look for."""
 
 
+NO_BOUND = {
+    *("drag-linear", "drag-quadratic", "drag-steady-speed", "magnets-collision", "magnets-repel"),
+    *("hertz-cradle", "hertz-pair", "release-and-friction", "release-explosion"),
+    *("release-by-a-spring", "release-while-moving", "spring-and-push", "spring-damped"),
+    *("spring-pair", "spring-to-wall", "push-a-train", "touching-row", "triple-hit"),
+}
+"""Scenes of the registry without a certificate: other effects, Hertz, three bodies at once."""
+
+
 def exactly(number: mpf) -> Fraction:
     """Every digit of it."""
     sign, mantissa, exponent, _ = number._mpf_  # mpf(number) would round it

@@ -18,17 +18,9 @@ from sim.dynamics.loop.run import run
 from sim.pages.hard_cases import ALL, HardCase
 from sim.scene import Scene, SceneError, read_scene
 from tests import registry
-from tests.certify.held import misses
+from tests.certify.held import NO_BOUND, misses
 from tests.certify.random_scenes import plain
 from tests.reference.many_digits import UnsupportedError
-
-NO_BOUND = {
-    *("drag-linear", "drag-quadratic", "drag-steady-speed", "magnets-collision", "magnets-repel"),
-    *("hertz-cradle", "hertz-pair", "release-and-friction", "release-explosion"),
-    *("release-by-a-spring", "release-while-moving", "spring-and-push", "spring-damped"),
-    *("spring-pair", "spring-to-wall", "push-a-train", "touching-row", "triple-hit"),
-}
-"""Scenes of the registry without a certificate: other effects, Hertz, three bodies at once."""
 
 SLOW_CASES = (
     "pi-hard-2",
@@ -111,6 +103,20 @@ def test_a_cart_that_a_wall_stops_dead_is_told_to_stop_where_friction_holds_it()
     })  # fmt: skip
     found = document(certify(scene))
     assert [event["kind"] for event in found["events"]] == ["contact", "stop", "end"]
+    assert misses(scene, found) == []
+
+
+def test_friction_that_holds_one_of_a_pair_changes_the_damping_of_the_other() -> None:
+    """Critical for two masses is not critical for one: found among ten thousand random scenes."""
+    scene = read_scene({
+        "carts": {"A": {"mass": 6.606, "position": 0.2},
+                  "B": {"mass": 0.396, "position": 0.586, "velocity": -0.5}},
+        "track": {"right": "wall", "length": 1.31}, "until": 1.2,
+        "contact": {"law": "paper", "restitution": 0, "stiffness": 112},
+        "effects": [{"friction": {"coefficient": 0.0125, "static": 0.0232}}],
+    })  # fmt: skip
+    found = document(certify(scene))
+    assert [event["kind"] for event in found["events"]] == ["contact", "start", "stop", "end"]
     assert misses(scene, found) == []
 
 
@@ -225,15 +231,6 @@ def test_the_command_prints_the_interface() -> None:
     assert "The order of the events is proved." in text
     wrong = CliRunner().invoke(main, ["run", path, "--certify", "--method", "rk4"])
     assert wrong.exit_code == 2
-
-
-def test_without_the_package_the_command_says_what_is_missing() -> None:
-    code = (
-        "import sys; sys.modules['flint'] = None\n"
-        "from sim.cli import main; main(['run', 'tests/scenes/instant.yml', '--certify'])"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert done.returncode == 2 and "newtons-carts[certify]" in done.stderr
 
 
 def test_nothing_of_it_is_in_a_page_or_in_an_ordinary_run() -> None:

@@ -176,7 +176,7 @@ def test_versions_are_compared_by_their_numbers() -> None:
 def test_a_wheel_has_a_runtime_for_everything_that_a_page_may_ask_for() -> None:
     from sim.pages.runtime import pins, ready
 
-    extras = {runtime.CLASSROOM, runtime.TEACHER, runtime.MEASURED}
+    extras = {runtime.CLASSROOM, runtime.TEACHER, runtime.MEASURED, runtime.PROOF}
     assert ready.SETS[-1] == {*pins.PACKAGES, *extras, runtime.OWN_LAW, runtime.WORLDS}
     assert [len(one) for one in ready.SETS] == sorted(len(one) for one in ready.SETS)
 

@@ -8,7 +8,10 @@ from functools import cache
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "catalogues"
-INNER = ("sim/scene", "sim/effects", "sim/laws", "sim/dynamics", "sim/worlds", "sim/mine")
+INNER = tuple(
+    f"sim/{layer}"
+    for layer in ("scene", "effects", "laws", "dynamics", "worlds", "mine", "certify")
+)
 """Layers that know no languages and say their sentences as templates: see sim.scene.said."""
 
 ENGLISH = "en"

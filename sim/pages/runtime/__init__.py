@@ -6,7 +6,7 @@ How and why: docs/developers/runtime.md.
 
 from .cache import default_cache
 from .node import RuntimePackError
-from .ours import CLASSROOM, MEASURED, OWN_LAW, TEACHER, WORLDS
+from .ours import CLASSROOM, MEASURED, OWN_LAW, PROOF, TEACHER, WORLDS
 from .pack import RuntimeFacts, pack
 from .ready import DamagedError, write_ready
 from .sources import MissingSourceError
@@ -19,6 +19,7 @@ __all__ = [
     "ERRORS",
     "MEASURED",
     "OWN_LAW",
+    "PROOF",
     "TEACHER",
     "WORLDS",
     "DamagedError",

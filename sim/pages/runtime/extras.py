@@ -9,12 +9,14 @@ from .ours import (
     CLASSROOM,
     MEASURED,
     OWN_LAW,
+    PROOF,
     TEACHER,
     WORLDS,
     Ours,
     read_classroom,
     read_measured,
     read_own_law,
+    read_proof,
     read_worlds,
 )
 from .teacher import read_teacher
@@ -25,6 +27,7 @@ EXTRAS = {
     MEASURED: read_measured,
     WORLDS: read_worlds,
     OWN_LAW: read_own_law,
+    PROOF: read_proof,
 }
 
 

@@ -26,6 +26,7 @@ IMPORTS = {
     "newtons-carts-measured": ["sim.measured"],
     "newtons-carts-worlds": ["sim.worlds"],
     "newtons-carts-law": ["sim.mine"],
+    "newtons-carts-proof": ["sim.certify"],
     "numpy": ["numpy"],
     "scipy": ["scipy"],
 }

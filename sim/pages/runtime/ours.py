@@ -27,6 +27,8 @@ WORLDS_ENTRY = "bridge/worlds_answer.py"
 """With this and the layer `worlds` a page runs what is impossible, where a scene names it."""
 LAW_ENTRY = "bridge/law_answer.py"
 """With this and the layer `mine` a page runs and judges laws that its reader writes."""
+PROOF_ENTRY = "bridge/certify_answer.py"
+"""With this and the layer `certify` a page proves digits, once a reader asks for it."""
 NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js"}
 """In the folder of an effect beside what runs: a page carries no proofs, docs and scenes."""
 ENTRY = "sim.bridge.pyodide_entry"
@@ -36,6 +38,7 @@ TEACHER = "newtons-carts-teacher"
 MEASURED = "newtons-carts-measured"
 WORLDS = "newtons-carts-worlds"
 OWN_LAW = "newtons-carts-law"
+PROOF = "newtons-carts-proof"
 ENCODINGS = tuple(f"encodings.{name}" for name in ("utf_8_sig", "utf_16", "cp1252"))
 """In which spreadsheets and old editors save a table."""
 APART = (
@@ -87,7 +90,7 @@ class Ours:
 
 def read_ours(package: Path, version: str) -> Ours:
     """Return the layers for the page of the package in folder `package`."""
-    entries = (CLASSROOM_ENTRY, MEASURED_ENTRY, WORLDS_ENTRY, LAW_ENTRY)
+    entries = (CLASSROOM_ENTRY, MEASURED_ENTRY, WORLDS_ENTRY, LAW_ENTRY, PROOF_ENTRY)
     others = [package / entry for entry in entries]
     found = [p for p in _layers(package, LAYERS) if p not in others]
     return _ours(package, version, NAME, [package / "__init__.py", *found])
@@ -117,6 +120,12 @@ def read_own_law(package: Path, version: str) -> Ours:
     """Return what a page has beside `read_ours` on which somebody writes a law."""
     found = [package / LAW_ENTRY, *_layers(package, ("mine",))]
     return _ours(package, version, OWN_LAW, found)
+
+
+def read_proof(package: Path, version: str) -> Ours:
+    """Return what a page has beside `read_ours` once a reader asks which digits are proved."""
+    found = [package / PROOF_ENTRY, *_layers(package, ("certify",))]
+    return _ours(package, version, PROOF, found)
 
 
 def _layers(package: Path, layers: Iterable[str]) -> list[Path]:

@@ -15,35 +15,35 @@ from typing import Any
 from . import pins
 from .cache import Cache, key_of, sha256
 from .contents import Contents, make_contents
-from .extras import read_extras
+from .extras import EXTRAS, read_extras
 from .node import RuntimePackError
 from .ours import (
     CLASSROOM,
     MEASURED,
     OWN_LAW,
+    PROOF,
     TEACHER,
     WORLDS,
     Ours,
-    read_classroom,
-    read_measured,
     read_ours,
-    read_own_law,
-    read_worlds,
     text_bytes,
 )
 from .sources import core_files, package_wheels
 from .stdlib import core_folder
 from .teacher import own_files
 
-SETS: tuple[frozenset[str], ...] = (
-    frozenset(),
-    frozenset({TEACHER}),
-    frozenset({WORLDS, TEACHER}),
-    frozenset({"numpy", TEACHER}),
-    frozenset({OWN_LAW, WORLDS, TEACHER}),
-    frozenset({"numpy", "scipy", TEACHER}),
-    frozenset({"numpy", "scipy", MEASURED, TEACHER}),
-    frozenset({"numpy", "scipy", CLASSROOM, MEASURED, OWN_LAW, WORLDS, TEACHER}),
+SETS: tuple[frozenset[str], ...] = tuple(
+    frozenset({PROOF, *more})
+    for more in (
+        (),
+        (TEACHER,),
+        (WORLDS, TEACHER),
+        ("numpy", TEACHER),
+        (OWN_LAW, WORLDS, TEACHER),
+        ("numpy", "scipy", TEACHER),
+        ("numpy", "scipy", MEASURED, TEACHER),
+        ("numpy", "scipy", CLASSROOM, MEASURED, OWN_LAW, WORLDS, TEACHER),
+    )
 )
 """From small to large. A site takes the first that has all it needs."""
 
@@ -116,7 +116,7 @@ def _entry(path: Path) -> dict[str, Any]:
 
 def _sources(ours: Ours, package: Path) -> str:
     """What the sets were made from; of teacher mode its own files, not the packages below it."""
-    extras = (read_classroom, read_measured, read_worlds, read_own_law)
+    extras = (read for name, read in EXTRAS.items() if name != TEACHER)
     own = (read(package, ours.version) for read in extras)
     teacher = sorted(sha256(text_bytes(path)) for path in own_files(package))
     return key_of(ours.key, *(extra.key for extra in own), *teacher)

@@ -5446,6 +5446,25 @@
   // src/shared/ask-scene.js
   var ASKED = "carts-asked";
 
+  // src/shared/bring.js
+  function bring(name2, address) {
+    const known2 = () => (
+      /** @type {any} */
+      globalThis[name2] ?? null
+    );
+    if (known2()) return Promise.resolve(known2());
+    return new Promise((resolve) => {
+      const script = document.createElement("script");
+      script.src = address;
+      script.onload = () => resolve(known2());
+      script.onerror = () => {
+        script.remove();
+        resolve(null);
+      };
+      document.head.append(script);
+    });
+  }
+
   // src/scene/how/words.js
   var LOCKED = tr(
     "Make your prediction and lock it first. Then you can see how the run is computed."
@@ -5696,6 +5715,7 @@
 
   // src/scene/how/how.js
   var PACKAGES2 = ["numpy", "scipy"];
+  var PROOF = besideScript("proof.js");
   var REST = 400;
   var How = class {
     /** @type {HowPanel | null} */
@@ -5708,6 +5728,8 @@
     #timer = 0;
     #measuring = {};
     // an owner of its own: a measurement is no newer run
+    /** @type {import("../../proof/proof.js").Proof | null} */
+    #proof = null;
     /**
      * @param {HTMLElement} root @param {import("../scene-view.js").SceneView} view
      * @param {import("../../runtime/client.js").Client} client
@@ -5726,6 +5748,7 @@
     async follow(run) {
       this.#exact = run;
       this.#turn += 1;
+      this.#proof?.forget();
       this.#opened();
       if (this.#panel?.choice) await this.#step();
       else this.#showExact();
@@ -5747,15 +5770,24 @@
       if (!this.details.open) return;
       const place4 = need(this.details, ".carts-how-body");
       if (!isTold(run)) {
-        this.#panel = null;
+        this.#panel = this.#proof = null;
         place4.replaceChildren(html("p", "", LOCKED));
         return;
       }
-      this.#panel ??= new HowPanel(place4, canHaveScipy(), () => void this.#chosen());
+      if (!this.#panel) {
+        this.#panel = new HowPanel(place4, canHaveScipy(), () => void this.#chosen());
+        void this.#offerProof(this.#panel, place4);
+      }
       this.#panel.show(run, this.view.baked.view.decimals.t ?? 2);
       if (this.#panel.choice) return;
       say(this.#panel.cost, this.client.state === "failed" ? NO_PYTHON : MEASURING);
       this.#timer = setTimeout(() => void this.#measure(), this.view.player.playing ? REST : 0);
+    }
+    /** @param {HowPanel} panel @param {Element} place */
+    async #offerProof(panel, place4) {
+      const Proof = await bring("cartsProof", PROOF);
+      if (!Proof || panel !== this.#panel) return;
+      this.#proof = new Proof(this.view, place4, this.client, this.message);
     }
     async #measure() {
       const turn = this.#turn;
@@ -8435,6 +8467,9 @@ ${lines4.join("\n")}
     #dots = [];
     /** @type {Run | null} a run that is drawn pale behind the one that is shown */
     behind = null;
+    /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
+    drawn = () => {
+    };
     #pressed = false;
     // “with sign”, “as a ledger”
     #t = 0;
@@ -8566,6 +8601,7 @@ ${lines4.join("\n")}
       });
       this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
+      this.drawn(this, this.#plane);
       this.#cursor();
       if (this.#stacked) {
         this.ledger?.draw(this.#plane);
@@ -9926,6 +9962,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var SceneView = class {
     /** @type {Run | null} another run, seen pale behind the one that is shown */
     behind = null;
+    /** @type {GraphView["drawn"]} */
+    #drawn = () => {
+    };
     /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
@@ -9985,6 +10024,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
       this.#zoom();
       this.player.seek(this.player.time);
+    }
+    /** Every graph is drawn anew, and with it what `drawn` adds. @param {GraphView["drawn"]} drawn */
+    redraw(drawn2) {
+      this.#drawn = drawn2;
+      for (const graph2 of this.drawing.graphs) {
+        graph2.drawn = drawn2;
+        graph2.show(this.run, this.player.time);
+      }
     }
     /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
     draggable(acts) {
@@ -10055,6 +10102,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       graphs.push(graph2);
       graph2.enable();
       graph2.behind = this.behind;
+      graph2.drawn = this.#drawn;
       graph2.grow(this.player.seen);
       graph2.show(this.run, this.player.time);
       this.#zoom();

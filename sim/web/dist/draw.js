@@ -14302,6 +14302,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
     #dots = [];
     /** @type {Run | null} a run that is drawn pale behind the one that is shown */
     behind = null;
+    /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
+    drawn = () => {
+    };
     #pressed = false;
     // “with sign”, “as a ledger”
     #t = 0;
@@ -14433,6 +14436,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
       this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
+      this.drawn(this, this.#plane);
       this.#cursor();
       if (this.#stacked) {
         this.ledger?.draw(this.#plane);

@@ -884,6 +884,25 @@
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
+  // src/shared/bring.js
+  function bring(name, address) {
+    const known = () => (
+      /** @type {any} */
+      globalThis[name] ?? null
+    );
+    if (known()) return Promise.resolve(known());
+    return new Promise((resolve) => {
+      const script2 = document.createElement("script");
+      script2.src = address;
+      script2.onload = () => resolve(known());
+      script2.onerror = () => {
+        script2.remove();
+        resolve(null);
+      };
+      document.head.append(script2);
+    });
+  }
+
   // src/measured/films.js
   var NAMED = /\.(mp4|m4v|mov|qt|webm|mkv|avi|3gp)$/i;
   var SCRIPT = "film.js";
@@ -920,7 +939,9 @@
     /** @returns {Promise<Script | null>} after what was shown before is gone */
     async #script() {
       this.end();
-      const script2 = await loaded(this.base);
+      const { search } = new URL(this.base);
+      const address = new URL(SCRIPT + search, this.base).href;
+      const script2 = await bring("cartsFilm", address);
       this.tell(script2 ? "" : tr("What reads films is missing: this page was not copied whole."));
       return script2;
     }
@@ -953,23 +974,6 @@
   function mayFilm() {
     const hosted = location.protocol.startsWith("http") && isSecureContext;
     return hosted && Boolean(navigator.mediaDevices) && typeof MediaRecorder === "function";
-  }
-  function loaded(base) {
-    const known = () => (
-      /** @type {any} */
-      globalThis.cartsFilm ?? null
-    );
-    if (known()) return Promise.resolve(known());
-    return new Promise((resolve) => {
-      const script2 = document.createElement("script");
-      script2.src = new URL(SCRIPT + new URL(base).search, base).href;
-      script2.onload = () => resolve(known());
-      script2.onerror = () => {
-        script2.remove();
-        resolve(null);
-      };
-      document.head.append(script2);
-    });
   }
 
   // src/measured/grid.js

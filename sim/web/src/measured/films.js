@@ -1,6 +1,7 @@
 /** Films of carts: known by their name, read by a script of their own that comes only when one is chosen. */
 
 import { tr } from "../../../view/language.js";
+import { bring } from "../shared/bring.js";
 import { need } from "../shared/dom.js";
 
 /** @typedef {{at: (time: number, places: Record<string, number>) => void, end: () => void}} Session */
@@ -46,7 +47,10 @@ export class Films {
   /** @returns {Promise<Script | null>} after what was shown before is gone */
   async #script() {
     this.end();
-    const script = await loaded(this.base);
+    const { search } = new URL(this.base);
+    const address = new URL(SCRIPT + search, this.base).href;
+    /** @type {Script | null} */
+    const script = await bring("cartsFilm", address);
     this.tell(script ? "" : tr("What reads films is missing: this page was not copied whole."));
     return script;
   }
@@ -84,20 +88,4 @@ export class Films {
 function mayFilm() {
   const hosted = location.protocol.startsWith("http") && isSecureContext;
   return hosted && Boolean(navigator.mediaDevices) && typeof MediaRecorder === "function";
-}
-
-/** @param {string} base @returns {Promise<Script | null>} null: it is not there */
-function loaded(base) {
-  const known = () => /** @type {any} */ (globalThis).cartsFilm ?? null;
-  if (known()) return Promise.resolve(known()); // a page in one file has it inside
-  return new Promise((resolve) => {
-    const script = document.createElement("script");
-    script.src = new URL(SCRIPT + new URL(base).search, base).href;
-    script.onload = () => resolve(known());
-    script.onerror = () => {
-      script.remove();
-      resolve(null);
-    };
-    document.head.append(script);
-  });
 }

@@ -22,6 +22,8 @@ const HALTS = new Set(["contact", "peak", "separate", "stick", "release"]);
 export class SceneView {
   /** @type {Run | null} another run, seen pale behind the one that is shown */
   behind = null;
+  /** @type {GraphView["drawn"]} */
+  #drawn = () => {};
 
   /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
   constructor(root, baked) {
@@ -86,6 +88,15 @@ export class SceneView {
     this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
     this.#zoom();
     this.player.seek(this.player.time);
+  }
+
+  /** Every graph is drawn anew, and with it what `drawn` adds. @param {GraphView["drawn"]} drawn */
+  redraw(drawn) {
+    this.#drawn = drawn;
+    for (const graph of this.drawing.graphs) {
+      graph.drawn = drawn;
+      graph.show(this.run, this.player.time);
+    }
   }
 
   /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
@@ -164,6 +175,7 @@ export class SceneView {
     graphs.push(graph);
     graph.enable();
     graph.behind = this.behind;
+    graph.drawn = this.#drawn;
     graph.grow(this.player.seen);
     graph.show(this.run, this.player.time);
     this.#zoom();

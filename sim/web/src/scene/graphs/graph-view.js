@@ -32,6 +32,8 @@ export class GraphView {
   #dots = [];
   /** @type {Run | null} a run that is drawn pale behind the one that is shown */
   behind = null;
+  /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
+  drawn = () => {};
   #pressed = false; // “with sign”, “as a ledger”
   #t = 0; // s, the instant shown
   #seen = Infinity; // s, as far as the run was watched
@@ -164,6 +166,7 @@ export class GraphView {
     });
     this.#lines(run);
     ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
+    this.drawn(this, this.#plane);
     this.#cursor();
     if (this.#stacked) {
       this.ledger?.draw(this.#plane);

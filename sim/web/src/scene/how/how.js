@@ -4,6 +4,8 @@
  */
 
 import { fromWire, isTold } from "../../../../view/trajectory.js";
+import { besideScript } from "../../runtime/page-python.js";
+import { bring } from "../../shared/bring.js";
 import { html, need, say } from "../../shared/dom.js";
 import { refusal } from "../../shared/waiting.js";
 import { HowPanel } from "./panel.js";
@@ -12,6 +14,7 @@ import * as words from "./words.js";
 /** @typedef {import("../../../../view/types.js").Run} Run */
 
 const PACKAGES = ["numpy", "scipy"];
+const PROOF = besideScript("proof.js"); // read when a reader opens the box, and not before
 const REST = 400; // ms without another run before it is measured
 
 export class How {
@@ -24,6 +27,8 @@ export class How {
   #turn = 0;
   #timer = 0;
   #measuring = {}; // an owner of its own: a measurement is no newer run
+  /** @type {import("../../proof/proof.js").Proof | null} */
+  #proof = null;
 
   /**
    * @param {HTMLElement} root @param {import("../scene-view.js").SceneView} view
@@ -43,6 +48,7 @@ export class How {
   async follow(run) {
     this.#exact = run;
     this.#turn += 1;
+    this.#proof?.forget();
     this.#opened();
     if (this.#panel?.choice) await this.#step();
     else this.#showExact();
@@ -67,15 +73,26 @@ export class How {
     if (!this.details.open) return;
     const place = need(this.details, ".carts-how-body");
     if (!isTold(run)) {
-      this.#panel = null;
+      this.#panel = this.#proof = null;
       place.replaceChildren(html("p", "", words.LOCKED));
       return;
     }
-    this.#panel ??= new HowPanel(place, canHaveScipy(), () => void this.#chosen());
+    if (!this.#panel) {
+      this.#panel = new HowPanel(place, canHaveScipy(), () => void this.#chosen());
+      void this.#offerProof(this.#panel, place);
+    }
     this.#panel.show(run, this.view.baked.view.decimals.t ?? 2);
     if (this.#panel.choice) return;
     say(this.#panel.cost, this.client.state === "failed" ? words.NO_PYTHON : words.MEASURING);
     this.#timer = setTimeout(() => void this.#measure(), this.view.player.playing ? REST : 0);
+  }
+
+  /** @param {HowPanel} panel @param {Element} place */
+  async #offerProof(panel, place) {
+    /** @type {typeof import("../../proof/proof.js").Proof | null} */
+    const Proof = await bring("cartsProof", PROOF);
+    if (!Proof || panel !== this.#panel) return;
+    this.#proof = new Proof(this.view, place, this.client, this.message);
   }
 
   async #measure() {

@@ -1,0 +1,75 @@
+"""Digits that are proved, of one scene, asked for by a reader.
+
+    {"id": 9, "kind": "certify", "scene": {...}, "set": {...}}
+
+is answered by `certificate` (see `sim.certify.certificate.document`; its reason as a template),
+`seconds` of the proof and of the exact run on this computer, and `band`: null, or where inputs have
+a tolerance `t`, and by cart `x` and `v` as [least, most] at each of those times.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Mapping
+from time import perf_counter
+from typing import Any
+
+from sim.bridge.protocol import plain_of
+from sim.certify.balls import bounds
+from sim.certify.certificate import Certificate, certify, document
+from sim.dynamics.loop.run import run
+from sim.scene import Scene, read_scene
+from sim.scene.said import wire
+
+LONG_ENOUGH = 0.02
+"""s. A browser's clock steps by up to a thousandth."""
+
+INSTANTS = 96
+"""A graph is some 300 units wide: one every three of them."""
+
+MOST_CHANGES = 200
+"""Of a run whose digits are proved in a page: some seconds there."""
+
+
+def certify_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
+    """Header without numbers; raises SceneError or UnsolvedError for what cannot be run."""
+    scene = read_scene(plain_of(request))
+    exact = _seconds(scene)
+    begun = perf_counter()
+    found = certify(scene, most=MOST_CHANGES, instants=_instants(scene))
+    told = document(found)
+    told["reason"] = wire(told["reason"])
+    seconds = {"exact": exact, "proof": perf_counter() - begun}
+    return {"certificate": told, "seconds": seconds, "band": _band(scene, found)}, array("d")
+
+
+def _seconds(scene: Scene) -> float:
+    """Of one exact run, from as many as a browser's clock can tell."""
+    begun, count, passed = perf_counter(), 0, 0.0
+    while passed < LONG_ENOUGH:
+        run(scene)
+        count, passed = count + 1, perf_counter() - begun
+    return passed / count
+
+
+def _instants(scene: Scene) -> list[float]:
+    """s. At which the band of a tolerant scene is drawn."""
+    return [scene.until * k / INSTANTS for k in range(INSTANTS + 1)] if scene.tolerances else []
+
+
+def _band(scene: Scene, found: Certificate) -> dict[str, Any] | None:
+    if not found.seen:
+        return None
+    names = [cart.name for cart in scene.carts]
+    rows = [
+        {name: bounds(ball) for name, ball in zip(names, balls, strict=True)}
+        for which in (0, 1)
+        for balls in (row[which] for row in found.seen.values())
+    ]
+    count = len(found.seen)
+    x, v = rows[:count], rows[count:]
+    return {
+        "t": list(found.seen),
+        "x": {name: [row[name] for row in x] for name in names},
+        "v": {name: [row[name] for row in v] for name in names},
+    }

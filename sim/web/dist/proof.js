@@ -1,0 +1,292 @@
+"use strict";
+(() => {
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // ../view/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      return `${mantissa} × 10${superscript(power)}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
+  }
+  function trim(text) {
+    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // src/shared/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    return made;
+  }
+  function html(tag, className = "", text = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+  var TEXT = 3;
+  function say(element, text) {
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text) only.nodeValue = text;
+    } else if (element.textContent !== text) element.textContent = text;
+  }
+
+  // src/shared/waiting.js
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error(tr("This value does not work."));
+    const message = told(first.message);
+    return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
+  }
+
+  // ../view/graph.js
+  var LEFT = 52;
+  var RIGHT = 350;
+  var TOP = 8;
+  var BOTTOM = 129;
+  function timeX(plane, t) {
+    return LEFT + (t - plane.time.low) * ((RIGHT - LEFT) / (plane.time.high - plane.time.low));
+  }
+  function valueY(plane, value) {
+    return BOTTOM - (value - plane.value.low) * ((BOTTOM - TOP) / (plane.value.high - plane.value.low));
+  }
+
+  // ../view/markers.js
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // src/proof/band.js
+  function drawBand(band, { root, quantity, per, camera }, plane) {
+    root.querySelector('[data-part="band"]')?.remove();
+    if (!band || quantity !== "x" && quantity !== "v") return;
+    const seen = (value, t) => quantity === "x" ? value - camera * t : (value - camera) / per;
+    const front = root.querySelector('[data-part="curves"]');
+    const clip = front?.getAttribute("clip-path") ?? "none";
+    const group = svg("g", { "data-part": "band", "clip-path": clip, "aria-hidden": "true" });
+    Object.values(band[quantity]).forEach((bounds, cart) => {
+      const d = outline(bounds, band.t, plane, seen);
+      group.append(svg("path", { class: `carts-band carts-${styleOf(cart)}`, d }));
+    });
+    front?.before(group);
+  }
+  function outline(bounds, times, plane, seen) {
+    const at = (k, side) => {
+      const t = Number(times[k]);
+      return `${px(timeX(plane, t))} ${px(valueY(plane, seen(bounds[k]?.[side] ?? 0, t)))}`;
+    };
+    const order = bounds.map((_, k) => k);
+    const up = order.map((k) => at(k, 1));
+    const down = order.reverse().map((k) => at(k, 0));
+    return `M${[...up, ...down].join("L")}Z`;
+  }
+
+  // src/proof/rows.js
+  var MANY = 8;
+  var MORE = 3;
+  var FINEST = 17;
+  function rows({ final, events }) {
+    const times = events.filter(({ kind }) => kind !== "end").map(({ t, kind, bodies }) => row(tr("t: {event}", { event: named(kind, bodies) }), t, "s"));
+    const ends = Object.keys(final.x).flatMap((cart) => [
+      row(
+        tr("x of {cart} at the end", { cart }),
+        /** @type {Bounds} */
+        final.x[cart],
+        "m"
+      ),
+      row(
+        tr("v of {cart} at the end", { cart }),
+        /** @type {Bounds} */
+        final.v[cart],
+        "m/s"
+      )
+    ]);
+    return [...times, ...ends];
+  }
+  function named(kind, bodies) {
+    const names = bodies.map((name) => name === "left" || name === "right" ? tr("the wall") : name);
+    const [one = "", other = ""] = names;
+    if (kind === "contact") return tr("{one} and {other} touch", { one, other });
+    if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });
+    if (kind === "separate") return tr("{one} and {other} part", { one, other });
+    if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
+    if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
+    if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
+    return `${kind} ${names.join(", ")}`;
+  }
+  function row(label, bounds, unit) {
+    const line = html("tr");
+    const head = html("th", "", label);
+    head.setAttribute("scope", "row");
+    line.append(head);
+    const sure = sureDigits(bounds);
+    for (const bound of shown(bounds, sure)) {
+      line.append(html("td", "carts-proof-bound", `${bound} ${unit}`));
+    }
+    line.append(html("td", "", Number.isFinite(sure) ? String(sure) : tr("all")));
+    return line;
+  }
+  function shown(bounds, sure) {
+    const [low, high] = bounds.map(Number);
+    const size = Math.max(Math.abs(low ?? 0), Math.abs(high ?? 0));
+    if (sure > MANY || !size) return bounds;
+    const decimals = Math.max(0, sure + MORE - Math.floor(Math.log10(size)));
+    const unit = 10 ** decimals;
+    return [
+      ((Math.floor(Number(low) * unit) - 1) / unit).toFixed(decimals),
+      ((Math.ceil(Number(high) * unit) + 1) / unit).toFixed(decimals)
+    ];
+  }
+  function sureDigits([low, high]) {
+    const [a, b] = [Number(low), Number(high)];
+    if (a === b) return Infinity;
+    for (let digits = FINEST; digits > 0; digits -= 1) {
+      if (Number(a.toPrecision(digits)) === Number(b.toPrecision(digits))) return digits;
+    }
+    return 0;
+  }
+
+  // src/proof/proof.js
+  var PACKAGES = ["newtons-carts-proof"];
+  var Proof = class {
+    #turn = 0;
+    /** @type {Band | null} */
+    #band = null;
+    #owner = {};
+    // of its own: a proof is no newer run
+    /**
+     * @param {import("../scene/scene-view.js").SceneView} view @param {Element} place where it stands
+     * @param {import("../runtime/client.js").Client} client
+     * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
+     */
+    constructor(view, place, client, message) {
+      this.view = view;
+      this.client = client;
+      this.message = message;
+      this.button = html("button", "carts-button carts-proof-go", tr("Prove these digits"));
+      this.button.setAttribute("type", "button");
+      this.button.addEventListener("click", () => void this.#prove());
+      this.note = html("p", "carts-how-note carts-proof-note");
+      this.note.setAttribute("role", "status");
+      this.body = html("tbody");
+      this.table = html("div", "carts-scroll");
+      this.table.hidden = true;
+      this.table.append(tableWith(this.body));
+      const box = html("div", "carts-proof");
+      box.append(
+        html("p", "carts-how-head", tr("How many of these digits are sure?")),
+        this.button,
+        this.note,
+        this.table
+      );
+      place.append(box);
+    }
+    /** Another run is there: what was proved is no longer of it. */
+    forget() {
+      this.#turn += 1;
+      this.table.hidden = true;
+      this.#show(null);
+      say(this.note, "");
+    }
+    /** @param {Band | null} band null: none */
+    #show(band) {
+      if (!band && !this.#band) return;
+      this.#band = band;
+      this.view.redraw((graph, plane) => drawBand(band, graph, plane));
+    }
+    async #prove() {
+      this.forget();
+      const turn = this.#turn;
+      say(this.note, tr("Computed once more, with bounds that are rounded outwards …"));
+      try {
+        await this.client.need(PACKAGES);
+        const { header } = await this.client.ask(
+          this.#owner,
+          () => this.message({ kind: "certify" })
+        );
+        if (turn !== this.#turn) return;
+        if (!header.ok) throw refusal(header.problems ?? []);
+        this.#tell(
+          /** @type {any} */
+          header
+        );
+      } catch (error) {
+        if (turn === this.#turn) say(
+          this.note,
+          /** @type {Error} */
+          error.message
+        );
+      }
+    }
+    /** @param {{certificate: Certificate, seconds: {exact: number, proof: number}, band: Band | null}} answer */
+    #tell({ certificate, seconds, band }) {
+      const { order, reason, final } = certificate;
+      const known = Object.keys(final.x).length > 0;
+      const lines = [
+        known ? tr("The truth lies between these bounds, for the inputs as they are given.") : tr("No bound for the end: {why}.", { why: told(reason) }),
+        order === "proved" ? tr("The order of the events is proved.") : known && tr("Their order is not: {why}.", { why: told(reason) }),
+        band && tr("The inputs have a tolerance: the graphs of x and v show as a band what it allows."),
+        tr("That took {ratio} times as long as the run.", {
+          ratio: short(seconds.proof / seconds.exact, 2)
+        })
+      ];
+      say(this.note, lines.filter(Boolean).join(" "));
+      this.table.hidden = !known && certificate.events.length === 0;
+      this.body.replaceChildren(...rows(certificate));
+      this.#show(band);
+    }
+  };
+  function tableWith(body) {
+    const table = html("table", "carts-table carts-proof-told");
+    const head = html("tr");
+    for (const text of ["", tr("not less than"), tr("not more than"), tr("sure digits")]) {
+      const cell = html(text ? "th" : "td", "", text);
+      if (text) cell.setAttribute("scope", "col");
+      head.append(cell);
+    }
+    const heads = html("thead");
+    heads.append(head);
+    table.append(heads, body);
+    return table;
+  }
+
+  // src/proof-main.js
+  globalThis.cartsProof = Proof;
+})();

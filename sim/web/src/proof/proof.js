@@ -1,0 +1,122 @@
+/**
+ * Digits that are proved, in “How is this computed?”: a button, and then two bounds for the end of every
+ * cart and for every event. Python proves them (`sim/certify`), in a package that comes with the first
+ * press. Where inputs have a tolerance the graphs show a band of what it allows.
+ */
+
+import { told, tr } from "../../../view/language.js";
+import { short } from "../../../view/numbers.js";
+import { html, say } from "../shared/dom.js";
+import { refusal } from "../shared/waiting.js";
+import { drawBand } from "./band.js";
+import { rows } from "./rows.js";
+
+/** @typedef {import("./rows.js").Certificate} Certificate */
+/** @typedef {import("./band.js").Band} Band */
+
+const PACKAGES = ["newtons-carts-proof"];
+
+export class Proof {
+  #turn = 0;
+  /** @type {Band | null} */
+  #band = null;
+  #owner = {}; // of its own: a proof is no newer run
+
+  /**
+   * @param {import("../scene/scene-view.js").SceneView} view @param {Element} place where it stands
+   * @param {import("../runtime/client.js").Client} client
+   * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
+   */
+  constructor(view, place, client, message) {
+    this.view = view;
+    this.client = client;
+    this.message = message;
+    this.button = html("button", "carts-button carts-proof-go", tr("Prove these digits"));
+    this.button.setAttribute("type", "button");
+    this.button.addEventListener("click", () => void this.#prove());
+    this.note = html("p", "carts-how-note carts-proof-note");
+    this.note.setAttribute("role", "status");
+    this.body = html("tbody");
+    this.table = html("div", "carts-scroll");
+    this.table.hidden = true;
+    this.table.append(tableWith(this.body));
+    const box = html("div", "carts-proof");
+    box.append(
+      html("p", "carts-how-head", tr("How many of these digits are sure?")),
+      this.button,
+      this.note,
+      this.table,
+    );
+    place.append(box);
+  }
+
+  /** Another run is there: what was proved is no longer of it. */
+  forget() {
+    this.#turn += 1;
+    this.table.hidden = true;
+    this.#show(null);
+    say(this.note, "");
+  }
+
+  /** @param {Band | null} band null: none */
+  #show(band) {
+    if (!band && !this.#band) return;
+    this.#band = band;
+    this.view.redraw((graph, plane) => drawBand(band, graph, plane));
+  }
+
+  async #prove() {
+    this.forget();
+    const turn = this.#turn;
+    say(this.note, tr("Computed once more, with bounds that are rounded outwards …"));
+    try {
+      await this.client.need(PACKAGES);
+      const { header } = await this.client.ask(this.#owner, () =>
+        this.message({ kind: "certify" }),
+      );
+      if (turn !== this.#turn) return;
+      if (!header.ok) throw refusal(header.problems ?? []);
+      this.#tell(/** @type {any} */ (header));
+    } catch (error) {
+      if (turn === this.#turn) say(this.note, /** @type {Error} */ (error).message);
+    }
+  }
+
+  /** @param {{certificate: Certificate, seconds: {exact: number, proof: number}, band: Band | null}} answer */
+  #tell({ certificate, seconds, band }) {
+    const { order, reason, final } = certificate;
+    const known = Object.keys(final.x).length > 0;
+    const lines = [
+      known
+        ? tr("The truth lies between these bounds, for the inputs as they are given.")
+        : tr("No bound for the end: {why}.", { why: told(reason) }),
+      order === "proved"
+        ? tr("The order of the events is proved.")
+        : known && tr("Their order is not: {why}.", { why: told(reason) }),
+      band &&
+        tr("The inputs have a tolerance: the graphs of x and v show as a band what it allows."),
+      tr("That took {ratio} times as long as the run.", {
+        ratio: short(seconds.proof / seconds.exact, 2),
+      }),
+    ];
+    say(this.note, lines.filter(Boolean).join(" "));
+    this.table.hidden = !known && certificate.events.length === 0;
+    this.body.replaceChildren(...rows(certificate));
+    this.#show(band);
+  }
+}
+
+/** @param {Element} body */
+function tableWith(body) {
+  const table = html("table", "carts-table carts-proof-told");
+  const head = html("tr");
+  for (const text of ["", tr("not less than"), tr("not more than"), tr("sure digits")]) {
+    const cell = html(text ? "th" : "td", "", text);
+    if (text) cell.setAttribute("scope", "col");
+    head.append(cell);
+  }
+  const heads = html("thead");
+  heads.append(head);
+  table.append(heads, body);
+  return table;
+}

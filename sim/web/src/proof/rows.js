@@ -1,0 +1,76 @@
+/** The rows of a certificate: what it is of, its two bounds, and how many digits they agree in. */
+
+import { tr } from "../../../view/language.js";
+import { html } from "../shared/dom.js";
+
+/** @typedef {[string, string]} Bounds decimal text, never rounded inwards */
+/**
+ * @typedef {{final: {x: Record<string, Bounds>, v: Record<string, Bounds>}, order: string, reason: any,
+ *   events: {t: Bounds, kind: string, bodies: string[]}[]}} Certificate
+ */
+
+const MANY = 8; // sure digits: all of a bound is shown
+const MORE = 3; // digits beside the sure ones
+const FINEST = 17; // digits that tell one double from the next
+
+/** @param {Certificate} certificate @returns {Element[]} events in their order, then the end */
+export function rows({ final, events }) {
+  const times = events
+    .filter(({ kind }) => kind !== "end")
+    .map(({ t, kind, bodies }) => row(tr("t: {event}", { event: named(kind, bodies) }), t, "s"));
+  const ends = Object.keys(final.x).flatMap((cart) => [
+    row(tr("x of {cart} at the end", { cart }), /** @type {Bounds} */ (final.x[cart]), "m"),
+    row(tr("v of {cart} at the end", { cart }), /** @type {Bounds} */ (final.v[cart]), "m/s"),
+  ]);
+  return [...times, ...ends];
+}
+
+/** @param {string} kind @param {string[]} bodies */
+function named(kind, bodies) {
+  const names = bodies.map((name) => (name === "left" || name === "right" ? tr("the wall") : name));
+  const [one = "", other = ""] = names;
+  if (kind === "contact") return tr("{one} and {other} touch", { one, other });
+  if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });
+  if (kind === "separate") return tr("{one} and {other} part", { one, other });
+  if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
+  if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
+  if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
+  return `${kind} ${names.join(", ")}`;
+}
+
+/** @param {string} label @param {Bounds} bounds @param {string} unit */
+function row(label, bounds, unit) {
+  const line = html("tr");
+  const head = html("th", "", label);
+  head.setAttribute("scope", "row");
+  line.append(head);
+  const sure = sureDigits(bounds);
+  for (const bound of shown(bounds, sure)) {
+    line.append(html("td", "carts-proof-bound", `${bound} ${unit}`));
+  }
+  line.append(html("td", "", Number.isFinite(sure) ? String(sure) : tr("all")));
+  return line;
+}
+
+/** Of wide bounds some digits more than are sure, rounded outwards. @param {Bounds} bounds @param {number} sure */
+function shown(bounds, sure) {
+  const [low, high] = bounds.map(Number);
+  const size = Math.max(Math.abs(low ?? 0), Math.abs(high ?? 0));
+  if (sure > MANY || !size) return bounds;
+  const decimals = Math.max(0, sure + MORE - Math.floor(Math.log10(size)));
+  const unit = 10 ** decimals; // one unit further out than the nearest: a product may be rounded
+  return [
+    ((Math.floor(Number(low) * unit) - 1) / unit).toFixed(decimals),
+    ((Math.ceil(Number(high) * unit) + 1) / unit).toFixed(decimals),
+  ];
+}
+
+/** How many leading digits two bounds have in common, rounded as one would write them. @param {Bounds} bounds */
+export function sureDigits([low, high]) {
+  const [a, b] = [Number(low), Number(high)];
+  if (a === b) return Infinity;
+  for (let digits = FINEST; digits > 0; digits -= 1) {
+    if (Number(a.toPrecision(digits)) === Number(b.toPrecision(digits))) return digits;
+  }
+  return 0;
+}

@@ -1,0 +1,101 @@
+"""What a tolerance allows, over time: every run that it allows lies inside, and not much else."""
+
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+from typing import Any
+
+from sim.bridge.protocol import answer
+from sim.certify.band import MOST_PIECES, pieces
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample
+from sim.scene import read_scene
+
+PAIR: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": "0.50(1) kg", "position": "0.3 m", "velocity": "0.6 m/s"},
+        "B": {"mass": "1.5 kg ± 20 g", "position": "1.200(5) m"},
+    },
+    "contact": {"restitution": 0.9, "stiffness": "150 N/m"},
+    "until": "4 s",
+}
+ENDS = {"A.mass": (0.49, 0.51), "B.mass": (1.48, 1.52), "B.position": (1.195, 1.205)}
+ROUNDING = 1e-12
+"""m and m/s. What the engine's own rounding makes of a number of size 1."""
+
+
+def proved(scene: dict[str, Any], **more: Any) -> dict[str, Any]:
+    header, numbers = answer({"id": 1, "kind": "certify", "scene": scene, **more})
+    assert header["ok"] and not len(numbers)
+    return header
+
+
+def allowed(chosen: tuple[float, ...]) -> dict[str, Any]:
+    carts = {name: dict(cart) for name, cart in PAIR["carts"].items()}
+    for path, value in zip(ENDS, chosen, strict=True):
+        cart, key = path.split(".")
+        carts[cart][key] = value
+    return PAIR | {"carts": carts}
+
+
+def test_every_run_that_the_tolerances_allow_lies_in_the_band() -> None:
+    band = proved(PAIR)["band"]
+    assert len(band["t"]) > 60
+    choices = [(low, (low + high) / 2, high) for low, high in ENDS.values()]
+    for chosen in itertools.product(*choices):
+        done = run(read_scene(allowed(chosen)))
+        for k, t in enumerate(band["t"]):
+            for kind, numbers in zip("xv", sample(done, t), strict=True):
+                for name, number in zip(PAIR["carts"], numbers, strict=True):
+                    low, high = band[kind][name][k]
+                    assert low - ROUNDING <= number <= high + ROUNDING, (name, kind, t)
+
+
+def test_the_band_of_one_tolerant_mass_is_less_than_twice_as_wide_as_it_must_be() -> None:
+    scene = PAIR | {"carts": {**PAIR["carts"], "B": {"mass": 1.5, "position": 1.2}}}
+    low, high = proved(scene)["band"]["v"]["A"][-1]
+
+    def after(m: float) -> float:
+        return (m - 0.9 * 1.5) / (m + 1.5) * 0.6
+
+    assert low <= after(0.49) and after(0.51) <= high
+    assert high - low < 2 * (after(0.51) - after(0.49))
+
+
+def test_a_number_that_a_reader_sets_has_no_tolerance_any_more() -> None:
+    exact = {"A.mass": 0.5, "B.mass": 1.5, "B.position": 1.2}
+    assert proved(PAIR, set=exact)["band"] is None
+    low, high = map(float, proved(PAIR, set=exact)["certificate"]["final"]["v"]["A"])
+    assert high - low < 1e-14
+
+
+def test_pieces_are_all_of_a_tolerance_and_never_more_than_promised() -> None:
+    for count in range(1, 7):
+        halves = {f"C{k}.mass": Fraction(1, 100) for k in range(count)}
+        found = list(pieces(halves))
+        assert len(found) <= MOST_PIECES
+        first = [spans["C0.mass"] for spans in found]
+        assert min(low for low, _ in first) == -Fraction(1, 100)
+        assert max(high for _, high in first) == Fraction(1, 100)
+        assert sum(high - low for low, high in set(first)) == Fraction(1, 50)
+
+
+def test_a_reason_goes_to_the_page_as_a_template() -> None:
+    scene = PAIR | {"contact": {"law": "hertz", "restitution": 0.9, "stiffness": 1e4}}
+    told = proved(scene)["certificate"]
+    assert told["reason"] == {"code": "{what} has no bound yet", "values": {"what": "hertz"}}
+
+
+def test_too_many_changes_for_a_page_are_refused_by_number() -> None:
+    row = {"A": {"mass": 1, "position": 0.2, "velocity": 1}, "B": {"mass": 1, "position": 0.6}}
+    box = {"left": "wall", "right": "wall", "length": 1}
+    scene = {
+        "carts": row,
+        "track": box,
+        "until": 900,
+        "contact": {"law": "instant", "restitution": 1},
+    }
+    told = proved(scene)["certificate"]
+    assert told["order"] == "not-provable"
+    assert told["reason"]["code"] == "there are more than {most} changes"
