@@ -1,5 +1,5 @@
 // The least page that runs Python: what a widget does, without a widget.
-import { startRuntime } from "../../sim/web/src/runtime/runtime.js";
+import { startRuntime } from "../../../sim/web/src/runtime/runtime.js";
 
 const { packages = "", request = '{"id": 1, "kind": "run"}' } = document.body.dataset;
 const base = new URL("runtime/", document.currentScript?.src ?? document.baseURI).href;
