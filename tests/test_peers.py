@@ -31,7 +31,9 @@ def test_the_versions_are_those_of_the_locks() -> None:
     lines = (ROOT / "requirements.lock").read_text(encoding="utf-8").splitlines()
     (pymunk,) = (line.split("==")[1].split()[0] for line in lines if line.startswith("pymunk=="))
     told = {one["engine"]: one["version"] for one in DOCUMENT["engines"][1:]}
-    assert told == locked | {"pymunk": pymunk}
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    (mujoco,) = (one.partition("==")[2] for one in project["optional-dependencies"]["peers"])
+    assert told == locked | {"pymunk": pymunk, "MuJoCo": mujoco}
 
 
 def test_the_engines_are_development_dependencies_only() -> None:

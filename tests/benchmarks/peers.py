@@ -1,5 +1,6 @@
 """Other engines on the same scenes in one run: what they deliver, and what that takes.
 
+    pip install 'newtons-carts[peers]'
     make bench AREA=peers
 
 writes `peers.json` and the table of docs/accuracy/peers.md anew. The engines are development
@@ -41,7 +42,7 @@ Ends = list[list[list[float]]]
 
 def rows() -> list[dict[str, Any]]:
     """Measure, write file and page, and give the rows of the benchmark."""
-    from tests.benchmarks import _peers_pymunk
+    from tests.benchmarks import _peers_mujoco, _peers_pymunk
 
     scenes = [
         {"name": s.name, "phases": [s.phase(k).plain() for k in range(s.phases)]} for s in SCENES
@@ -52,7 +53,7 @@ def rows() -> list[dict[str, Any]]:
     )  # fmt: skip
     versions = {name.rpartition("/")[2].removesuffix("-compat"): _npm_version(name) for name in NPM}
     found = [one | {"version": versions[one["engine"]]} for one in json.loads(done.stdout)]
-    found.append(_peers_pymunk.results(SCENES, DT))
+    found += [_peers_pymunk.results(SCENES, DT), _peers_mujoco.results(SCENES)]
     document = measured(found)
     FILE.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     PAGE.write_text(with_table(PAGE.read_text(encoding="utf-8"), document), encoding="utf-8")

@@ -32,7 +32,7 @@ def test_a_lesson_works_from_disk(site: Path, window: Session, lesson: str) -> N
     worked(visit(window, (site / "worksheets" / f"{lesson}.html").as_uri()), lesson)
 
 
-@pytest.mark.parametrize("lesson", LESSONS)
+@pytest.mark.parametrize("lesson", LESSONS[:3])  # what differs there is not the lesson
 def test_a_lesson_works_from_a_server(
     hosted_site: Path, window: Session, site_server: Callable[[Path], str], lesson: str
 ) -> None:

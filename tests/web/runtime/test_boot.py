@@ -87,6 +87,7 @@ def test_nothing_of_the_payload_stays_in_the_page(open_page: OpenPage, boot_site
     assert page.evaluate("document.querySelectorAll('script[src*=runtime]').length") == 0
 
 
+@pytest.mark.one_browser
 def test_progress_only_grows(open_page: OpenPage, boot_site: Path) -> None:
     page = open_page(boot_site / "index.html")
     booted(page)
@@ -95,6 +96,7 @@ def test_progress_only_grows(open_page: OpenPage, boot_site: Path) -> None:
     assert fractions[-1] == 1
 
 
+@pytest.mark.one_browser
 def test_answers_come_in_the_order_of_the_requests(open_page: OpenPage, boot_site: Path) -> None:
     page = open_page(boot_site / "index.html")
     booted(page)
@@ -105,6 +107,7 @@ def test_answers_come_in_the_order_of_the_requests(open_page: OpenPage, boot_sit
     assert ids == [[1, False], [2, False], [3, False]]
 
 
+@pytest.mark.one_browser
 def test_each_start_has_its_own_random_numbers(open_page: OpenPage, free_site: Path) -> None:
     seen = {booted(open_page(free_site / "index.html"))["header"]["random"] for _ in range(3)}
     assert len(seen) == 3
@@ -162,6 +165,7 @@ def test_a_missing_file_is_named_as_missing(
     assert result["waited"] < TOLD_WITHIN
 
 
+@pytest.mark.one_browser
 def test_a_page_whose_package_was_not_packed_says_so(open_page: OpenPage, boot_site: Path) -> None:
     page = write_page(boot_site, name="numpy.html", packages="numpy")
     result = booted(open_page(page))
@@ -252,6 +256,7 @@ def test_an_endless_run_is_ended(open_page: OpenPage, free_site: Path) -> None:
     assert lost["waited"] < TOLD_WITHIN
 
 
+@pytest.mark.one_browser
 def test_an_error_in_python_leaves_python_alive(open_page: OpenPage, free_site: Path) -> None:
     page = open_page(free_site / "index.html")
     booted(page)

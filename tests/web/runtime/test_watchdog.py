@@ -14,6 +14,8 @@ from tests.web.site.pages_of import pages
 
 pytestmark = pytest.mark.browser
 
+AGAIN = pytest.mark.one_browser  # the same sentence as for the first of them
+
 LESSON = "worksheets/newtons-first-law.html"
 SOON = 3000  # ms after which nobody may still believe that the page works
 LEFT_OUT = shutil.ignore_patterns("runtime", "search", "javascripts", "images")
@@ -38,7 +40,9 @@ def breaks(file: Path) -> None:
 
 
 @pytest.mark.parametrize("script", ["answers.js", "carts.js"])
-@pytest.mark.parametrize("fault", [missing, cut, too_new, breaks])
+@pytest.mark.parametrize(
+    "fault", [missing, *(pytest.param(f, marks=AGAIN) for f in (cut, too_new, breaks))]
+)
 def test_a_script_that_does_not_run_is_told_and_the_boxes_stay_closed(
     fault: Callable[[Path], None], script: str, site: Path, open_page: OpenPage, tmp_path: Path
 ) -> None:

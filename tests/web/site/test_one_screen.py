@@ -73,7 +73,10 @@ def opened(site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int]
     )
 
 
-@pytest.mark.parametrize("lesson", LESSONS)
+@pytest.mark.parametrize(
+    "lesson",
+    [*LESSONS[:2], *(pytest.param(name, marks=pytest.mark.one_browser) for name in LESSONS[2:])],
+)
 def test_on_a_laptop_everything_one_plays_with_is_seen_together(
     site: Path, open_page: OpenPage, lesson: str
 ) -> None:

@@ -79,6 +79,7 @@ def test_equal_sites_give_equal_zips(package: Path, tmp_path: Path) -> None:
     assert again.read_bytes() == (tmp_path / "site.zip").read_bytes()
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_a_platform_is_told_that_the_lessons_were_opened_and_for_how_long(
     package: Path, site_server: Callable[[Path], str], open_page: OpenPage
@@ -130,6 +131,7 @@ def test_what_was_handed_in_makes_it_complete_and_nothing_else_does(
     assert page.evaluate("window.API.cmi.core.score.raw") == ""
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 @pytest.mark.parametrize("before", ["passed", "failed", "completed"])
 def test_what_the_platform_has_settled_is_not_taken_back(
@@ -153,6 +155,7 @@ def test_the_package_listens_to_what_the_lessons_tell() -> None:
         assert any(f'CustomEvent("{name}"' in path.read_text(encoding="utf-8") for path in sources)
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_without_a_platform_the_lessons_open_all_the_same(
     package: Path, site_server: Callable[[Path], str], open_page: OpenPage

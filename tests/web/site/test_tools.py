@@ -37,6 +37,7 @@ def watch(page: Page) -> tuple[Locator, Locator, Locator]:
     return tool.locator("output"), tool.locator("[data-act=stop]"), tool.locator("[data-act=zero]")
 
 
+@pytest.mark.one_browser
 def test_a_stopwatch_counts_the_time_of_the_carts(page: Page) -> None:
     read, press, zero = watch(page)
     seek(page, 0.5)
@@ -55,6 +56,7 @@ def test_a_stopwatch_counts_the_time_of_the_carts(page: Page) -> None:
     expect(read).to_have_text("0.00")
 
 
+@pytest.mark.one_browser
 def test_time_that_is_pulled_back_is_never_counted_below_zero(page: Page) -> None:
     read, press, _ = watch(page)
     seek(page, 1.0)
@@ -95,6 +97,7 @@ def test_the_ruler_agrees_with_the_numbers_under_the_track(page: Page) -> None:
     expect(stage.locator(".carts-tape text")).to_have_text(f"{read.inner_text()} m")
 
 
+@pytest.mark.one_browser
 def test_the_ruler_is_moved_with_the_keyboard_too(page: Page) -> None:
     tool = page.locator("#after-the-hand [data-tool=ruler]")
     before = float(tool.locator("output").inner_text())
