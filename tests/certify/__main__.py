@@ -17,7 +17,7 @@ from sim.certify.certificate import certify, document
 from sim.scene import SceneError, read_scene
 from tests.certify.held import misses
 from tests.certify.random_scenes import plain
-from tests.reference.many_digits import UnsupportedError
+from tests.reference.digit_pairs import UnsupportedError
 
 
 def verdict(seed: int) -> tuple[str, list[str]]:

@@ -9,7 +9,9 @@ from mpmath import mpf
 
 from sim.certify.certificate import ORDER
 from sim.scene import Scene
-from tests.reference.many_digits import NOTHING, Digits, UnsupportedError, integrate
+from tests.reference.digit_pairs import UnsupportedError
+from tests.reference.digit_row import NOTHING
+from tests.reference.many_digits import Digits, integrate
 
 LEFT_OUT = ("peak", "end")
 """Kinds of events that the oracle does not look for."""

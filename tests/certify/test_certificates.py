@@ -20,7 +20,7 @@ from sim.scene import Scene, SceneError, read_scene
 from tests import registry
 from tests.certify.held import NO_BOUND, misses
 from tests.certify.random_scenes import plain
-from tests.reference.many_digits import UnsupportedError
+from tests.reference.digit_pairs import UnsupportedError
 
 SLOW_CASES = (
     "pi-hard-2",

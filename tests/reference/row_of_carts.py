@@ -246,16 +246,3 @@ class Row:
             return
         mu = self.mu(k)
         self.part(k, mu * (math.sqrt(s * s + 2 * energy / mu) + s))
-
-    def quickest(self) -> float:
-        """s. A step in which nothing happens that six looks would miss."""
-        rate = 10.0
-        for k, branch in self.branches.items():
-            if branch is not None and branch.state not in ("open", "idle"):
-                rate = max(rate, branch.rates(self.mu(k)))
-        for k, e in self.acting.links:
-            if e.kind == "spring":
-                mu = self.mu(k)
-                rate = max(rate, math.sqrt(e.numbers["stiffness"] / mu))
-                rate = max(rate, e.numbers.get("damping", 0.0) / mu)
-        return 0.4 / rate

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from sim.lesson.form import Form
-from sim.lesson.handin import decode
-from sim.pages.extension import Page as MadePage
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import KEEP_FILES, answer_everything, saved, saved_file
-from tests.web.question.question_site import BANK, question_site, questions_page, ready
+from tests.web.question.question_site import question_site, ready
 
 pytestmark = pytest.mark.browser
 
@@ -177,71 +173,6 @@ def test_a_damaged_or_foreign_file_changes_nothing(
     ready(page)
     expect(page.locator("#why textarea")).to_have_value("mine")
     assert saved_file(page)["items"] == good["items"]
-
-
-def forms() -> dict[str, Form]:
-    made: MadePage = questions_page("test", (BANK / "test.md").read_text(encoding="utf-8"), BANK)[1]
-    return {quiz.form.form: quiz.form for quiz in made.items.quizzes}
-
-
-def hand_in(page: Page, form: str) -> None:
-    quiz = page.locator(f'carts-quiz[data-form="{form}"]')
-    quiz.locator(".carts-quiz-hand-in").click()
-    quiz.get_by_role("button", name="Hand in", exact=True).click()
-    expect(quiz.locator(".carts-quiz-done")).to_contain_text("Handed in on")
-
-
-def test_a_form_is_taken_before_and_after_and_handed_in(
-    open_page: OpenPage, question_site: Path
-) -> None:
-    page = ready(open_page(question_site / "test.html"))
-    continue_as(page, "BLUE-FOX-27")
-    pre, post = (page.locator(f'carts-quiz[data-form="{form}"]') for form in ("pre", "post"))
-    expect(post.locator("carts-question").first).to_be_hidden()
-    pre.get_by_label("forwards").check()
-    pre.locator(".carts-q-sure").first.get_by_label("a guess").check()
-    expect(pre.locator(".carts-quiz-left")).to_have_text("1 not answered yet")
-    expect(pre.get_by_role("button", name="Check")).to_have_count(0)
-    hand_in(page, "pre")
-    expect(pre.locator("carts-question").first).to_be_hidden()
-    page.locator(".carts-bar-open").click()
-    expect(page.get_by_role("dialog")).to_contain_text("kept and not shown")
-    assert "forwards" not in page.get_by_role("dialog").inner_text()
-    page.keyboard.press("Escape")
-
-    post.locator(".carts-quiz-word").fill("FALCO")
-    post.locator(".carts-quiz-open").click()
-    expect(post.locator(".carts-quiz-why")).to_contain_text("not the word")
-    post.locator(".carts-quiz-word").fill(" falcon ")
-    post.locator(".carts-quiz-open").click()
-    post.get_by_label("zero").check()
-    post.get_by_label("equal to that on the other").check()
-    hand_in(page, "post")
-    page.reload()
-    ready(page)
-    expect(pre.locator(".carts-quiz-done")).to_contain_text("Hand-in code:")
-
-    files: list[dict[str, Any]] = [saved_file(page, k) for k in range(2)]
-    by_form = {content["form"]: content for content in files}
-    chosen = {
-        form: {item["id"]: item["value"] for item in content["items"]}
-        for form, content in by_form.items()
-    }
-    assert chosen == {
-        "pre": {"net-force": "a"},
-        "post": {"net-force": "b", "light-boat": "c"},
-    }
-    described = forms()
-    for form, content in by_form.items():
-        facts = described[form].facts()
-        options = [count for _, count in facts["items"]]
-        codes = decode(options, content["code"], f"{form}:{facts['hash']}")
-        assert codes == ((1, 0) if form == "pre" else (2, 3))
-
-    pre.locator(".carts-quiz-word").fill("harbour")
-    pre.locator(".carts-quiz-open").click()
-    expect(pre.get_by_label("forwards")).to_be_visible()
-    expect(pre.get_by_label("forwards")).to_be_disabled()
 
 
 @pytest.mark.one_browser

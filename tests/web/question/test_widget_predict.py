@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
-import shutil
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import CHOICE, live, lock, on_scene, widget_site, write_page
+from tests.web.scene.widget_site import live, lock, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 
@@ -165,58 +163,6 @@ def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
     )
 
 
-@pytest.mark.one_browser
-def test_the_next_student_can_start_again(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "choice.html"), "choice")
-    again, asked = page.locator("#choice .carts-again"), page.locator("#choice .carts-forget")
-    expect(again).to_be_hidden()
-    page.get_by_label("It turns back", exact=True).check()
-    page.locator("#choice .carts-lock").click()
-    expect(page.locator("#choice .carts-results")).to_be_visible()
-    on_scene(page, "el.time = 3", name="choice")
-    again.click()
-    expect(asked).to_contain_text("Forget this prediction?")
-    page.get_by_role("button", name="Keep it").click()
-    expect(asked).to_be_hidden()
-    expect(again).to_be_focused()
-    again.click()
-    page.get_by_role("button", name="Forget it").click()
-    for _ in range(2):  # in the page, and after a reload
-        expect(page.locator("#choice .carts-results")).to_be_hidden()
-        expect(page.locator("#choice .carts-play")).to_be_disabled()
-        expect(page.get_by_label("It turns back", exact=True)).not_to_be_checked()
-        expect(page.get_by_label("It turns back", exact=True)).to_be_enabled()
-        expect(again).to_be_hidden()
-        told = on_scene(page, "return [el.trajectory, el.plan, el.time]", name="choice")
-        assert told == [None, [], 0]
-        page.reload()
-    live(page, "choice")
-    page.get_by_label("It stops", exact=True).check()
-    page.locator("#choice .carts-lock").click()
-    expect(page.locator("#choice .carts-results")).to_be_visible()
-    again.click()
-    page.get_by_role("button", name="Forget it").click()
-    page.get_by_label("It turns back", exact=True).check()  # a second time in the same page
-    page.locator("#choice .carts-lock").click()
-    expect(page.locator("#choice .carts-results")).to_be_visible()
-    expect(page.locator("#choice .carts-play")).to_be_enabled()
-
-
-def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site: Path) -> None:
-    page = open_page(widget_site / "arrows.html")
-    page.locator(".carts-guess [type=text]:enabled").first.wait_for()
-    guess(page, "A", 2)
-    expect(page.locator("#arrows .carts-saved")).to_have_text("Saved.")
-    page.reload()
-    expect(page.locator('.carts-guess[data-on="A"] [type=text]')).to_have_value("2.0")
-    guess(page, "B", 6)
-    lock(page, "arrows")
-    expect(page.locator("#arrows .carts-compared")).to_be_visible(timeout=20_000)
-    page.reload()
-    expect(page.locator("#arrows .carts-compared")).to_contain_text("2.0 N", timeout=20_000)
-    expect(page.locator("#arrows .carts-lock")).to_be_hidden()
-
-
 def test_a_curve_is_typed_or_drawn_and_compared_by_features(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -274,76 +220,3 @@ def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Pat
     expect(page.locator("#words .carts-saved")).to_have_text("Saved.")
     page.reload()
     expect(page.locator("#words .carts-words")).to_have_value("It turns back, <b>I think</b>.")
-
-
-@pytest.mark.one_browser
-def test_without_python_a_prediction_is_kept_and_the_reader_told(
-    open_page: OpenPage, widget_site: Path, tmp_path: Path
-) -> None:
-    site = tmp_path / "broken"
-    shutil.copytree(widget_site, site)
-    shutil.rmtree(site / "assets" / "carts" / "runtime")
-    page = open_page(site / "choice.html")
-    page.wait_for_selector('#choice[data-state="failed"]', timeout=10_000)
-    page.get_by_label("It turns back", exact=True).check()
-    expect(page.locator("#choice .carts-saved")).to_have_text("Saved.")
-    page.locator("#choice .carts-lock").click()
-    expect(page.locator("#choice .carts-predict-error")).to_contain_text("prediction is kept")
-
-
-@pytest.mark.one_browser
-def test_after_talking_a_prediction_is_changed_once_and_explained(
-    open_page: OpenPage, widget_site: Path
-) -> None:
-    talk = {**CHOICE, "id": "talk", "predict": {**CHOICE["predict"], "talk": True}}
-    path = write_page(widget_site, "talk", talk)
-    page = live(open_page(path), "talk")
-    scene = page.locator("#talk")
-    scene.locator("input[type=radio]").first.check()
-    scene.locator(".carts-lock").click()
-    expect(scene.locator(".carts-talk")).to_be_visible()
-    expect(scene.locator(".carts-results")).to_be_hidden()  # nothing is told yet
-    expect(scene.locator("input[type=radio]").first).to_be_disabled()
-    expect(scene.locator(".carts-saved")).to_have_text("Saved.")
-    page.reload()
-    live(page, "talk")
-    scene.locator(".carts-talk-change").click()
-    scene.locator("input[type=radio]").nth(1).check()
-    lock(page, "talk")
-    expect(scene.locator(".carts-compared")).to_contain_text(
-        "First you said: It stops. After talking you said: It turns back."
-    )
-    scene.locator(".carts-why textarea").fill("B pushes A to the left.")
-    expect(scene.locator(".carts-saved")).to_have_text("Saved.")
-    page.reload()
-    expect(scene.locator(".carts-why textarea")).to_have_value("B pushes A to the left.")
-
-
-@pytest.mark.one_browser
-def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
-    open_page: OpenPage, widget_site: Path
-) -> None:
-    first, second = CHOICE, {**CHOICE, "id": "second"}
-    page = open_page(
-        write_page(widget_site, "class", first, second), viewport={"width": 1024, "height": 768}
-    )
-    live(page, "choice")
-    live(page, "second")
-    scene = page.locator("#choice")
-    scene.locator(".carts-play").evaluate("el => el.closest('carts-scene').focus()")
-    scene.locator(".carts-project").click()
-    size = scene.locator(".carts-ask").evaluate("el => parseFloat(getComputedStyle(el).fontSize)")
-    assert size >= 28
-    for box, hands in zip(scene.locator(".carts-hands input").all(), ("18", "6"), strict=True):
-        box.fill(hands)
-    expect(scene.locator(".carts-hands").first).to_contain_text("18 of 24")
-    scene.locator(".carts-project-bar button").first.click()  # Reveal
-    expect(scene.locator(".carts-results")).to_be_visible()
-    scene.locator(".carts-project-bar button", has_text="Next").click()
-    expect(scene).not_to_have_class(re.compile("carts-projector"))
-    expect(page.locator("#second")).to_have_class(re.compile("carts-projector"))
-    page.keyboard.press("p")
-    expect(page.locator("#second")).not_to_have_class(re.compile("carts-projector"))
-    page.reload()
-    live(page, "choice")
-    expect(scene.locator(".carts-results")).to_be_hidden()  # nothing was kept

@@ -2,61 +2,19 @@
 
 from __future__ import annotations
 
-import json
-import shutil
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from sim.pages.runtime.payload import write_payload
 from tests.web.conftest import OpenPage
-from tests.web.runtime.boot_site import STRICT, build_site, write_page, write_stand_in
+from tests.web.runtime.boot_site import STRICT, write_page
+from tests.web.runtime.booted import RUNTIME, booted, read_index, scripts, write_index
 
 pytestmark = pytest.mark.browser
 
-RUNTIME = Path("assets") / "carts" / "runtime"
-TOLD_WITHIN = 10_000  # ms, promised to the reader
-
 Server = Callable[[Path], str]
-
-
-@pytest.fixture(scope="session")
-def boot_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_site(tmp_path_factory.mktemp("boot") / "site with space, ü & 100 %")
-
-
-@pytest.fixture(scope="session")
-def free_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A site whose Python does what it is told, with numpy and scipy at hand."""
-    folder = tmp_path_factory.mktemp("free")
-    source = write_stand_in(folder / "source")
-    return build_site(folder / "site", packages=frozenset({"numpy", "scipy"}), source=source)
-
-
-@pytest.fixture
-def broken_site(boot_site: Path, tmp_path: Path) -> Path:
-    """A copy of the site to damage."""
-    return shutil.copytree(boot_site, tmp_path / "site")
-
-
-def booted(page: Any) -> dict[str, Any]:
-    return dict(page.evaluate("window.booted"))
-
-
-def scripts(site: Path, name: str) -> list[Path]:
-    return sorted((site / RUNTIME).glob(f"{name}.*.js"))
-
-
-def read_index(site: Path) -> dict[str, Any]:
-    text = (site / RUNTIME / "index.js").read_text(encoding="utf-8")
-    return dict(json.loads(text.partition("=")[2].rstrip().rstrip(";")))
-
-
-def write_index(site: Path, index: dict[str, Any]) -> None:
-    text = f"self.__cartsRuntime = {json.dumps(index)};\n"
-    (site / RUNTIME / "index.js").write_text(text, encoding="utf-8")
 
 
 def test_python_answers_from_a_double_clicked_file(open_page: OpenPage, boot_site: Path) -> None:
@@ -133,127 +91,6 @@ def test_a_snapshot_of_another_pyodide_means_the_plain_way(
     result = booted(open_page(broken_site / "index.html"))
     assert result["start"] == "plain"
     assert result["header"]["ok"] is True
-
-
-AGAIN = pytest.mark.one_browser  # the same code as for the first of them
-LOADED = ["pyodide.js", *(pytest.param(n, marks=AGAIN) for n in ("pyodide.asm.wasm", "python.zip"))]
-
-
-@pytest.mark.parametrize("name", LOADED)
-def test_a_truncated_file_is_named_as_damaged(
-    open_page: OpenPage, broken_site: Path, name: str
-) -> None:
-    part = scripts(broken_site, name)[0]
-    text = part.read_bytes()
-    part.write_bytes(text[: len(text) // 2])
-    result = booted(open_page(broken_site / "index.html"))
-    assert result["reason"] == "payload-damaged"
-    assert "damaged" in result["message"]
-    assert result["waited"] < TOLD_WITHIN
-
-
-@pytest.mark.parametrize("name", ["index", *LOADED])
-def test_a_missing_file_is_named_as_missing(
-    open_page: OpenPage, broken_site: Path, name: str
-) -> None:
-    (
-        broken_site / RUNTIME / "index.js" if name == "index" else scripts(broken_site, name)[0]
-    ).unlink()
-    result = booted(open_page(broken_site / "index.html"))
-    assert result["reason"] == "payload-missing"
-    assert "missing" in result["message"]
-    assert result["waited"] < TOLD_WITHIN
-
-
-@pytest.mark.one_browser
-def test_a_page_whose_package_was_not_packed_says_so(open_page: OpenPage, boot_site: Path) -> None:
-    page = write_page(boot_site, name="numpy.html", packages="numpy")
-    result = booted(open_page(page))
-    assert result["reason"] == "not-packed"
-    assert "without Python" in result["message"]
-
-
-def test_wasm_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
-    page = write_page(boot_site, name="refused.html", csp=STRICT.replace(" 'wasm-unsafe-eval'", ""))
-    result = booted(open_page(page))
-    assert result["reason"] == "wasm-refused"
-    assert result["waited"] < TOLD_WITHIN
-
-
-def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
-    csp = STRICT.replace("worker-src blob:", "worker-src 'none'")
-    result = booted(open_page(write_page(boot_site, name="no-worker.html", csp=csp)))
-    assert result["reason"] == "worker-refused"
-    assert result["waited"] < TOLD_WITHIN
-
-
-@pytest.mark.parametrize(
-    ("lost", "reason"), [("WebAssembly", "no-wasm"), ("DecompressionStream", "too-old")]
-)
-def test_an_older_browser_is_told(
-    open_page: OpenPage, boot_site: Path, lost: str, reason: str
-) -> None:
-    (boot_site / "older.js").write_text(f"delete window.{lost};\n", encoding="utf-8")
-    page = write_page(boot_site, name="older.html", before='<script src="older.js"></script>')
-    result = booted(open_page(page))
-    assert result["reason"] == reason
-    assert result["waited"] < TOLD_WITHIN
-
-
-def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
-    """First that it takes long, as of a computer that is only slow; then that it is given up."""
-    (boot_site / "dying.js").write_text(
-        "window.Worker = class extends Worker {\n"
-        "  constructor(...given) { super(...given); setTimeout(() => this.terminate(), 50); }\n"
-        "};\n"
-        "window.bootPatience = 12;\n",
-        encoding="utf-8",
-    )
-    page = open_page(
-        write_page(boot_site, name="dying.html", before='<script src="dying.js"></script>')
-    )
-    assert booted(page)["reason"] == "stalled"
-    assert page.evaluate("window.slowAfter") < TOLD_WITHIN
-
-
-def test_a_worker_killed_later_is_told_and_can_be_replaced(
-    open_page: OpenPage, boot_site: Path
-) -> None:
-    page = open_page(boot_site / "index.html")
-    booted(page)
-    lost = page.evaluate(
-        """async () => {
-             const told = new Promise((resolve) => { runtime.onlost = resolve; });
-             const before = waited;
-             runtime.worker.terminate();
-             const reason = await runtime.request({ kind: "run" }).catch((e) => e.reason);
-             return { reason, told: (await told).reason, waited: waited - before };
-           }"""
-    )
-    assert lost["reason"] == lost["told"] == "worker-lost"
-    assert lost["waited"] < TOLD_WITHIN
-    again = page.evaluate(
-        """async () => {
-             const runtime = await startRuntime({ base: runtimeBase });
-             return (await runtime.request({ id: 9, kind: "run" })).header.id;
-           }"""
-    )
-    assert again == 9
-
-
-def test_an_endless_run_is_ended(open_page: OpenPage, free_site: Path) -> None:
-    page = open_page(free_site / "index.html")
-    booted(page)
-    lost = page.evaluate(
-        """async () => {
-             const before = waited;
-             const request = { run: "[0 for i in iter(int, 1)]" };
-             const reason = await runtime.request(request).catch((e) => e.reason);
-             return { reason, waited: waited - before };
-           }"""
-    )
-    assert lost["reason"] == "worker-lost"
-    assert lost["waited"] < TOLD_WITHIN
 
 
 @pytest.mark.one_browser
