@@ -61,7 +61,7 @@ def test_predictions_are_counted_with_their_reasons_and_curves_are_kept() -> Non
     assert rows["arrows"]["n"] == 3
     assert rows["arrows"]["locked"] == 0
     assert rows["curve"]["curves"] == [[0, 2, k, 2, 0] for k in range(3)]
-    html, text = report_html(report), report_as_text(report)
+    html, text = report_html(report), report_as_text(report, {})
     assert html.count('class="drawn"') == 3
     assert "What, choice?" in html
     assert "3 × the same on both" in text
@@ -137,7 +137,7 @@ def test_who_left_a_question_open_is_not_among_those_who_answered_it() -> None:
     report = report_of(files, keys(source, ("pre",)))
     row = next(csv.DictReader(io.StringIO(items_csv(report).removeprefix("\ufeff"))))
     assert (row["answered by"], row["open"]) == ("5", "1")
-    assert "partly" in row and "partly" in report_as_text(report)
+    assert "partly" in row and "partly" in report_as_text(report, {})
 
 
 def challenge(student: str, runs: int, found: int, values: str = "") -> dict[str, Any]:
@@ -166,7 +166,7 @@ def test_what_students_tried_with_runs_of_their_own_is_told() -> None:
     assert rows["reading"]["said"] == [{"said": "A.mass 2", "count": 1}]  # who changed nothing: not
     assert rows["found-force"]["said"][0]["said"].startswith("mean force on A")
     assert [item["id"] for item in form["items"]] == ["read"]  # the others are no questions
-    html, text = report_html(report), report_as_text(report)
+    html, text = report_html(report), report_as_text(report, {})
     assert "3 students tried 17 runs; 1 found one." in html
     assert "3 students tried 17 runs; 1 found one." in text
     nobody = report_html(report_of(files[:2]))

@@ -11,9 +11,9 @@ from sim.classroom.files.reading import Read
 from sim.classroom.handouts.class_sheet import sheet_html
 from sim.classroom.handouts.slip import slips
 from sim.classroom.handouts.slip_page import slips_html
-from sim.classroom.handouts.wording import telling
 from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import Asked, class_report, sorted_files
+from sim.classroom.show.html_parts import telling
 from sim.classroom.show.standalone import whole_file
 from sim.scene.said import in_words, template
 

@@ -81,8 +81,7 @@ def _group(
     if form.of == 0:
         return row
     if n < FEWEST:
-        few = say.many(n, "student")
-        return {**row, "sentence": f"{few}: no statistics for fewer than {FEWEST}."}
+        return {**row, "sentence": say.too_few(n, FEWEST)}
     found = spread_of_totals(totals)
     interval = found.interval() if inference and found.sd else None
     low, high = interval or (None, None)
