@@ -11,6 +11,7 @@ from sim.classroom.refusal import FEW
 from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
 from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.numerals import signed
+from sim.classroom.report.second_thoughts import changed_of, tries_of
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import NO_QUESTIONS
 from sim.lesson.kinds.number import NEAR, Number, Wrong
@@ -61,6 +62,8 @@ def _row(
         "n": len(answers),
         "answered": sum(not is_empty(a.value) for a in answers),
         "sure": _sure(answers, keyed),
+        "tries": tries_of(answers),
+        "changed": changed_of(answers, keyed),
         "right": verdicts["right"],
         "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.report.numerals import number, signed
+from sim.classroom.report.second_thoughts import thoughts
 from sim.classroom.report.sentences import TITLES
 from sim.classroom.show.html_parts import Tell, listed, person, table, text
 from sim.classroom.show.own_runs import own_runs_html
@@ -90,7 +91,7 @@ def _item(item: Row, tell: Tell) -> str:
         for choice in item["choices"]
     ]
     head = [template("letter"), template("answer"), template("chosen"), OFTEN_THINK]
-    facts = [item["sentence"], *item["notes"]]
+    facts = [item["sentence"], *thoughts(item), *item["notes"]]
     if item["point_biserial"] is not None:
         facts.append(said("Correlation with the other questions, rough: {r}.",
                           r=signed(item["point_biserial"])))  # fmt: skip

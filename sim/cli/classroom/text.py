@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from sim.classroom.report.numerals import number
+from sim.classroom.report.second_thoughts import thoughts
 from sim.classroom.report.sentences import counted, unmarked
 from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside
@@ -107,6 +108,14 @@ def _items(form: Mapping[str, Any], tell: Tell) -> str:
     parts = [
         made,
         _lines(form["sentences"], tell),
+        _lines(
+            [
+                said("{name}: {says}", name=item["label"], says=says)
+                for item in form["items"]
+                for says in thoughts(item)
+            ],
+            tell,
+        ),
         _lines([row["sentence"] for row in form["beliefs"]], tell),
         f"{tell(template('What to talk about first'))}:\n{talk}" if talk else "",
     ]
