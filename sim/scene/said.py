@@ -57,6 +57,14 @@ def listed_or(items: Sequence[str]) -> str:
     return said("{first} or {last}", first=listed_or(items[:-1]), last=items[-1])
 
 
+def commas(items: Sequence[str]) -> str:
+    """A, B, C; of thousands too, for it is halved and not told one in the other."""
+    if len(items) < 2:
+        return items[0] if items else ""
+    middle = len(items) // 2
+    return said("{first}, {then}", first=commas(items[:middle]), then=commas(items[middle:]))
+
+
 def joined(*sentences: str) -> str:
     """Sentences one after the other, as one; empty ones are left out."""
     found = [sentence for sentence in sentences if sentence]

@@ -14,7 +14,7 @@ from sim.classroom.report.sentences import TITLES, unmarked
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import Tell, listed, person, table, telling, text
 from sim.classroom.show.questions import form_html
-from sim.scene.said import Said, joined, said, template
+from sim.scene.said import Said, commas, joined, said, template
 
 Row = Mapping[str, Any]
 MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
@@ -35,8 +35,8 @@ def report_html(report: Row, words: Mapping[str, str] = ENGLISH) -> str:
 def _count(files: Row, tell: Tell) -> str:
     made = f'<p class="carts-class-count">{tell(say.counted(files))}</p>'
     if lost := len(files["refused"]) + files["refused_more"]:
-        names = ", ".join(str(row["name"]) for row in files["refused"][:MOST_LOST])
-        names += " …" if lost > MOST_LOST else ""
+        names = commas([row["name"] for row in files["refused"][:MOST_LOST]])
+        names = said("{names} …", names=names) if lost > MOST_LOST else names
         unread = (
             said("1 file could not be read: {names}", names=names) if lost == 1
             else said("{n} files could not be read: {names}", n=f"{lost}", names=names)
@@ -140,10 +140,7 @@ def interval(group: Row) -> str:
 def _waiting(form: Row) -> str:
     """Answers in words that nobody has marked yet."""
     labels = {item["id"]: item["label"] for item in form["items"]}
-    names = [labels.get(name, name) for name in form["unread"]]
-    waiting: str = names[0]
-    for name in names[1:]:
-        waiting = said("{first}, {then}", first=waiting, then=name)
+    waiting = commas([labels.get(name, name) for name in form["unread"]])
     return said("Form {form}: {questions} wait to be read by you and are in no total yet.",
                 form=form["form"], questions=waiting)  # fmt: skip
 
@@ -184,7 +181,7 @@ def _gains(rows: Sequence[Row], tell: Tell) -> str:
             signed(row["d"]) if row.get("d") is not None else "–",
         ])  # fmt: skip
         found = [*row["sentences"], *row["refusals"]]
-        found += [Said(words, {"names": ", ".join(row[name])})
+        found += [Said(words, {"names": commas(row[name])})
                   for name, words in ALONE.items() if row[name]]  # fmt: skip
         says += [of_group(row["group"], one) for one in found] if len(rows) > 1 else found
     head = [template("group"), template("took both"), template("before"), template("after"),

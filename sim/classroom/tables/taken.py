@@ -16,7 +16,7 @@ WORTH_SEEN = 1
 TOTALS_ONLY = template("is for totals; this table has marks of questions, so put a row MAX into it")
 """What the most marks of a test cannot be told of."""
 
-ALONE = "test"
+ALONE = template("test")
 """The form of a table that tells of one test only."""
 
 
