@@ -105,7 +105,7 @@ def _blank(sentence: str) -> str:
 OWN = re.compile(
     r"\b(?:[ABW]-\d+|W|item-\d+|why-\d+|[tknxdpL]\d+|carts|Carts|tests|pre|post|delayed|worksheet|"
     r"json|zip|csv|Marks|speed|why|Why|guess|choice|arrows|curve|challenge|found|force|reading|Question|answer|"
-    r"right|of|Made|up|mass|alpha|delta)\b|m/s|marks\d*\.csv"
+    r"right|of|Made|up|mass|alpha|delta)\b|kg|m/s|marks\d*\.csv"
 )
 """Names of files, items, lessons and forms, texts of authors and students, and Greek letters."""
 
