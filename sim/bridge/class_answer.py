@@ -113,7 +113,7 @@ def _made(request: Mapping[str, Any]) -> Report:
 
 
 def _paper(request: Mapping[str, Any]) -> dict[str, Any]:
-    """Slips or the sheet of the class, to be printed by the page."""
+    """Slips, the sheet of the class or the key, to be printed by the page."""
     files, keys, _, asked = _given(request)
     wanted = Handout(
         what=str(request["what"]),

@@ -216,6 +216,17 @@ def test_a_file_that_is_left_out_does_not_count(page: Page) -> None:
 
 
 @pytest.mark.one_browser
+def test_the_key_that_was_dropped_is_printed_without_any_answers(page: Page) -> None:
+    expect(page.locator(".carts-class-print-key")).to_be_hidden()
+    choose(page, [KEY])
+    page.evaluate("() => { window.print = () => { window.printed = true; }; }")
+    page.locator(".carts-class-print-key").click()
+    expect(page.locator(".carts-class-paper .carts-sheet")).to_have_count(2, timeout=60_000)
+    assert page.evaluate("window.printed")
+    assert "both forces" in (page.locator(".carts-class-paper").text_content() or "")
+
+
+@pytest.mark.one_browser
 def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     from sim.lesson.handin import encode
 

@@ -421,7 +421,7 @@
     const language = codes.find((c) => c === own) ?? codes.find((c) => c.split("-")[0] === base);
     return { language: language ?? "en", words: spoken[language ?? ""]?.words ?? {} };
   }
-  function papers({ noAnswers, ask, say: say2 }) {
+  function papers({ noAnswers, keys, ask, say: say2 }) {
     const root = html("div", "carts-class-papers");
     const shown = html("div", "carts-class-paper");
     const spoken = languages();
@@ -453,7 +453,8 @@
       try {
         say2(tr("Making the pages …"));
         const wanted = { what, language: pick.value, words: spoken[pick.value]?.words ?? {} };
-        const header = await ask({ do: "paper", ...wanted, answers: answers.checked });
+        const dropped = what === "key" ? { keys: keys() } : {};
+        const header = await ask({ do: "paper", ...wanted, ...dropped, answers: answers.checked });
         shown.innerHTML = header.html;
         shown.lang = pick.value;
         say2("");
@@ -472,9 +473,14 @@
       pick,
       label
     );
-    root.append(row2);
+    const key = button(tr("Print answers and rubrics"), make("key"), "carts-class-print-key");
+    const ofTeacher = html("p", "carts-class-row");
+    ofTeacher.append(key);
+    root.append(row2, ofTeacher);
     const draw = () => {
-      root.hidden = noAnswers();
+      row2.hidden = noAnswers();
+      ofTeacher.hidden = !keys().length;
+      root.hidden = row2.hidden && ofTeacher.hidden;
       shown.replaceChildren();
     };
     return { root, shown, draw };
@@ -859,6 +865,7 @@
         });
         const paper = papers({
           noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+          keys: () => this.classroom.keys,
           ask: (wanted) => this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
           say: (text) => say(this.#status, text)
         });

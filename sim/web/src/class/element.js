@@ -66,6 +66,7 @@ export function classElement(client) {
       });
       const paper = papers({
         noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+        keys: () => this.classroom.keys,
         ask: (wanted) =>
           this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
         say: (text) => say(this.#status, text),

@@ -23,10 +23,10 @@ export function spokenHere() {
 }
 
 /**
- * @param {{noAnswers: () => boolean, ask: (wanted: Record<string, unknown>) => Promise<Record<string, any>>,
+ * @param {{noAnswers: () => boolean, keys: () => string[], ask: (wanted: Record<string, unknown>) => Promise<Record<string, any>>,
  *   say: (text: string) => void}} given
  */
-export function papers({ noAnswers, ask, say }) {
+export function papers({ noAnswers, keys, ask, say }) {
   const root = html("div", "carts-class-papers");
   const shown = html("div", "carts-class-paper");
   const spoken = languages();
@@ -45,12 +45,13 @@ export function papers({ noAnswers, ask, say }) {
   answers.type = "checkbox";
   const label = html("label", "carts-class-choice");
   label.append(answers, " ", tr("slips with the right answers"));
-  /** @param {"slips" | "sheet"} what */
+  /** @param {"slips" | "sheet" | "key"} what */
   const make = (what) => async () => {
     try {
       say(tr("Making the pages …"));
       const wanted = { what, language: pick.value, words: spoken[pick.value]?.words ?? {} };
-      const header = await ask({ do: "paper", ...wanted, answers: answers.checked });
+      const dropped = what === "key" ? { keys: keys() } : {}; // not what can be practised
+      const header = await ask({ do: "paper", ...wanted, ...dropped, answers: answers.checked });
       shown.innerHTML = header.html; // escaped where it was made
       shown.lang = pick.value;
       say("");
@@ -66,9 +67,14 @@ export function papers({ noAnswers, ask, say }) {
     pick,
     label,
   );
-  root.append(row);
+  const key = button(tr("Print answers and rubrics"), make("key"), "carts-class-print-key");
+  const ofTeacher = html("p", "carts-class-row");
+  ofTeacher.append(key);
+  root.append(row, ofTeacher);
   const draw = () => {
-    root.hidden = noAnswers();
+    row.hidden = noAnswers();
+    ofTeacher.hidden = !keys().length;
+    root.hidden = row.hidden && ofTeacher.hidden;
     shown.replaceChildren(); // of other answers by now
   };
   return { root, shown, draw };
