@@ -2,11 +2,11 @@
 
     {"id": 8, "kind": "class", "do": "read", "files": [{"name": "a.zip", "base64": "…"}], "from": 0}
     {"id": 9, "kind": "class", "do": "report", "records": [[record, "7a"], …], "keys": […], …}
-    {"id": 10, "kind": "class", "do": "save", "what": "html", …as for a report}
+    {"id": 10, "kind": "class", "do": "save", "what": "html", "language": "ms", …as for a report}
     {"id": 11, "kind": "class", "do": "paper", "what": "slips", "language": "ms", "words": {…}, …}
 
 A report or a save with `tables` [{"name", "base64", "form"}], and `most`, is about these tables of
-marks.
+marks. `words`, of a report, a save and a paper: each English sentence in the language of the page.
 
 Reading answers with what is in the files, as rows that the page keeps: this side forgets
 everything. A slice ends after SLICE seconds; `next` says where to go on, or is null.
@@ -33,6 +33,7 @@ from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
 from sim.classroom.show.standalone import standalone
 from sim.classroom.tables.dropped import dropped_report
+from sim.scene.said import from_wire, in_words, wire
 
 SLICE = 0.4
 """s. How long a page waits for a slice of files."""
@@ -67,7 +68,7 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
         "records": [as_record(read) for read in reading.files],
         "keys": [key.as_file() for key in reading.keys],
         "marks": marks_file(reading.given)["marks"],
-        "refused": [[row.name, row.reason] for row in reading.refused],
+        "refused": [[wire(row.name), wire(row.reason)] for row in reading.refused],
         "next": following,
     }
 
@@ -96,7 +97,8 @@ def _given(
     files = [(from_record(row), str(group)) for row, group in request["records"]]
     typed, bad = read_codes(str(request.get("codes") or ""), keys)
     files += [(read, groups[0]) for read in typed]
-    refused = [Refused(str(name), str(reason)) for name, reason in request.get("refused") or []]
+    refused = [Refused(from_wire(name), from_wire(reason))
+               for name, reason in request.get("refused") or []]  # fmt: skip
     asked = Asked(
         groups=groups,
         given=given_marks(request.get("marks") or []),
@@ -111,7 +113,7 @@ def _made(request: Mapping[str, Any]) -> Report:
 
 
 def _paper(request: Mapping[str, Any]) -> dict[str, Any]:
-    """Slips or the sheet of the class, to be printed by the page."""
+    """Slips, the sheet of the class or the key, to be printed by the page."""
     files, keys, _, asked = _given(request)
     wanted = Handout(
         what=str(request["what"]),
@@ -129,29 +131,36 @@ def _tables(request: Mapping[str, Any]) -> Report:
 
 def _report(request: Mapping[str, Any]) -> dict[str, Any]:
     """The report as HTML, and what the page itself needs of it."""
+    told = request.get("words") or {}
     if request.get("tables"):
         report = _tables(request)
-        return {"html": report_html(report), "words": []}
+        return {"html": report_html(report, told), "words": []}
     report = _made(request)
     words = [
-        {"lesson": lesson["lesson"], "form": form["form"], **question}
+        {"lesson": lesson["lesson"], "form": form["form"], **_shown(question, told)}
         for lesson in report["lessons"]
         for form in lesson["forms"]
         for question in form["words"]
         if question["answers"]
     ]
-    return {"html": report_html(report), "counted": report["files"]["counted"], "words": words,
-            "inference": report["inference"]}  # fmt: skip
+    return {"html": report_html(report, told), "counted": report["files"]["counted"],
+            "words": words, "inference": report["inference"]}  # fmt: skip
+
+
+def _shown(question: dict[str, Any], words: Mapping[str, str]) -> dict[str, Any]:
+    """A question to be read, with what each student is called in the language of the page."""
+    return {**question, "answers": [{**one, "shown": in_words(one["student"], words)}
+                                    for one in question["answers"]]}  # fmt: skip
 
 
 def _save(request: Mapping[str, Any]) -> dict[str, Any]:
     """The report as a file: html, csv, items or json."""
     report = _tables(request) if request.get("tables") else _made(request)
-    what = request.get("what")
+    what, words = request.get("what"), request.get("words") or {}
     if what == "html":
-        return {"text": standalone(report)}
+        return {"text": standalone(report, words, str(request.get("language") or "en"))}
     if what == "csv":
-        return {"text": students_csv(report)}
+        return {"text": students_csv(report, words)}
     if what == "items":
-        return {"text": items_csv(report)}
+        return {"text": items_csv(report, words)}
     return {"text": json.dumps(report, ensure_ascii=False, allow_nan=False)}

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from sim.scene.said import Said, said, template
+
 FEWEST = 5
 """Students. Below, answers are listed and nothing is computed from them."""
 
@@ -19,16 +21,20 @@ class RefusalError(ValueError):
     """This statistic has no honest value for these numbers; the message says why."""
 
 
-def numbers(values: Sequence[float], what: str = "marks") -> tuple[float, ...]:
+def numbers(values: Sequence[float]) -> tuple[float, ...]:
     """The values as floats; refuses what is missing, not a number or endless."""
     found = tuple(math.nan if value is None else float(value) for value in values)
     missing = sum(not math.isfinite(value) for value in found)
     if missing:
-        raise RefusalError(f"{missing} of {len(found)} {what} are missing or are no numbers")
+        raise RefusalError(said("{missing} of {all} marks are missing or are no numbers",
+                                missing=str(missing), all=str(len(found))))  # fmt: skip
     return found
 
 
-def at_least(count: int, needed: int, who: str = "students") -> None:
-    """Refuses a group that is too small."""
+STUDENTS = template("{n} students: at least {needed} are needed")
+
+
+def at_least(count: int, needed: int, says: str = STUDENTS) -> None:
+    """Refuses a group that is too small; `says`: a template with the places n and needed."""
     if count < needed:
-        raise RefusalError(f"{count} {who}: at least {needed} are needed")
+        raise RefusalError(Said(says, {"n": str(count), "needed": str(needed)}))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Sequence
 from typing import Any
 
@@ -18,15 +19,30 @@ MOST_LINES = 200
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Aligned columns; numbers to the right, words to the left."""
-    widths = [max(len(row[k]) for row in [header, *rows]) for k in range(len(header))]
+    widths = [max(columns_of(row[k]) for row in [header, *rows]) for k in range(len(header))]
     lines = []
     for row in [header, *rows]:
         cells = [
-            cell.rjust(width) if _is_number(rows, k) else cell.ljust(width)
+            _padded(cell, width, right=_is_number(rows, k))
             for k, (cell, width) in enumerate(zip(row, widths, strict=True))
         ]
         lines.append("  ".join(cells).rstrip())
     return "\n".join(lines)
+
+
+def columns_of(text: str) -> int:
+    """How many columns of a terminal a text takes: Chinese letters two, marks on a letter none."""
+    return sum(
+        0
+        if unicodedata.category(c) in ("Mn", "Me")
+        else 1 + (unicodedata.east_asian_width(c) in "WF")
+        for c in text
+    )
+
+
+def _padded(cell: str, width: int, *, right: bool) -> str:
+    space = " " * (width - columns_of(cell))
+    return f"{space}{cell}" if right else f"{cell}{space}"
 
 
 def _is_number(rows: Sequence[Sequence[str]], k: int) -> bool:

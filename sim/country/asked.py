@@ -12,6 +12,7 @@ from sim.classroom.summary.of_answers import meta_of
 from sim.country.cells import Cell
 from sim.country.refusal import CountryError
 from sim.country.rows import BETWEEN, OPTIONS
+from sim.scene.said import said
 
 MOST_ITEMS = 2_000
 """Questions of a form, as in a summary."""
@@ -33,7 +34,7 @@ def asked_in(cells: Sequence[Cell], key: KeyedForm | None) -> Asked:
     for cell in cells:
         by_item.setdefault(cell["item"], []).append(cell)
     if len(by_item) > MOST_ITEMS:
-        raise CountryError(f"a form with more than {MOST_ITEMS:,} questions")
+        raise CountryError(said("a form with more than {most} questions", most=f"{MOST_ITEMS:,}"))
     if key is not None and by_item.keys() <= key.items.keys():
         return Asked(tuple(map(meta_of, item_rows([], key, ()))))
     order = sorted(by_item, key=lambda name: (_place(by_item[name]), name))

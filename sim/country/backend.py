@@ -16,6 +16,7 @@ from typing import Any
 
 from sim.country.refusal import CountryError
 from sim.country.schema import NAMES
+from sim.scene.said import said
 
 DUCKDB = "duckdb://"
 SPARK = "spark://"
@@ -94,7 +95,8 @@ def answers_in(backend: Any, places: Sequence[str]) -> Any:
             raise CountryError(f"{place}: {_first_line(error)}") from None
         missing = [name for name in NAMES if name not in table.columns]
         if missing:
-            raise CountryError(f"{place}: this is no table of answers: no column {missing[0]}")
+            raise CountryError(said("{place}: this is no table of answers: no column {column}",
+                                    place=place, column=missing[0]))  # fmt: skip
         tables.append(table.select(*NAMES))
     return ibis.union(*tables) if len(tables) > 1 else tables[0]
 
@@ -103,7 +105,7 @@ def _files(place: str) -> str:
     if not Path(place).is_dir():
         return place
     if not any(Path(place).glob("*.parquet")):
-        raise CountryError(f"{place}: there is no Parquet file in this folder")
+        raise CountryError(said("{place}: there is no Parquet file in this folder", place=place))
     return f"{place}/*.parquet"
 
 

@@ -15,6 +15,7 @@ from sim.country.counted import FORM, judged, sheets_of
 from sim.country.refusal import CountryError
 from sim.country.said import beliefs_in, predictions_in
 from sim.lesson.answer_file import PREDICTIONS
+from sim.scene.said import said
 
 MOST_CELLS = 2_000_000
 """Different rows of a count. A class of questions has thousands; a table with more is no such."""
@@ -143,9 +144,9 @@ def _rows(table: Any) -> list[Cell]:
 def _read(table: Any) -> Iterator[Cell]:
     found = table.limit(MOST_CELLS + 1).to_pyarrow()
     if found.num_rows > MOST_CELLS:
-        raise CountryError(
-            f"there are more than {MOST_CELLS:,} different kinds of answers: is this a table of "
-            "the answers of lessons?"
-        )
+        raise CountryError(said(
+            "there are more than {most} different kinds of answers: is this a table of the answers "
+            "of lessons?", most=f"{MOST_CELLS:,}",
+        ))  # fmt: skip
     for batch in found.to_batches(max_chunksize=10_000):
         yield from batch.to_pylist()

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from sim.scene.said import template
+
 
 class CountryError(ValueError):
     """This table cannot be used; the message is for people."""
 
 
-MISSING = "this needs more packages: pip install 'newtons-carts[country]'"
+MISSING = template("this needs more packages: pip install 'newtons-carts[country]'")
 """Where the extra `country` is not installed."""
 
 PACKAGES = frozenset({"ibis", "pyarrow", "duckdb", "pandas", "pyspark"})

@@ -17,12 +17,19 @@ from sim.country.said import belief_rows_of, prediction_rows_of
 from sim.country.sums import cells_of, groups_of, lessons_of
 from sim.country.topics import topic_rows_of, topics_in
 from sim.lesson.csv_text import safe_text
+from sim.scene.said import Said, said, template
 
 SAYS = {
-    "same": ("same-file", "hold the answers of another file of their code word: these count once"),
-    "again": ("saved-again", "were saved by students who saved again: the last one counts"),
-    "doubled": ("doubled-id", "share a code word and differ: none of them counts"),
-}
+    "same": ("same-file", template(
+        "{n} files hold the answers of another file of their code word: these count once. Is that "
+        "what happened? One of them:")),
+    "again": ("saved-again", template(
+        "{n} files were saved by students who saved again: the last one counts. Is that what "
+        "happened? One of them:")),
+    "doubled": ("doubled-id", template(
+        "{n} files share a code word and differ: none of them counts. Is that what happened? One "
+        "of them:")),
+}  # fmt: skip
 
 
 def read_table(
@@ -36,7 +43,9 @@ def read_table(
     except Exception as error:  # a table of somebody else's, a backend with errors of its own
         text = next(iter(str(error).splitlines()), "")[:200]
         name = type(error).__name__
-        raise CountryError(f"this table cannot be read ({name}: {text})") from error
+        raise CountryError(
+            said("this table cannot be read ({error}: {text})", error=name, text=text)
+        ) from error
 
 
 def _read(
@@ -48,10 +57,11 @@ def _read(
     }
     counts = counts_of(answers, topics_in(of_forms))
     for cell in counts.broken:
-        raise CountryError(
-            f"{cell['file']}: {cell['rows']} of its {cell['sheet_rows']} rows are there. Is a "
-            "part of the table missing, or does it stand here twice?"
-        )
+        raise CountryError(said(
+            "{file}: {n} of its {all} rows are there. Is a part of the table missing, or does it "
+            "stand here twice?",
+            file=cell["file"], n=f"{cell['rows']}", all=f"{cell['sheet_rows']}",
+        ))  # fmt: skip
     lessons = lessons_of(counts, of_forms)
     groups, _ = groups_of(counts)
     read = Read(
@@ -77,17 +87,16 @@ def _flags(counts: Counts) -> list[Flag]:
         found: list[Cell] = [cell for cell in counts.claims if cell["claim"] == claim]
         if found:
             n = sum(cell["n"] for cell in found)
-            text = f"{n:,} files {words}. Is that what happened? One of them:"
+            text = Said(words, {"n": f"{n:,}"})
             flags.append(Flag(code, text, tuple(cell["of"] for cell in found)))
     if counts.nameless:
-        text = f"{counts.nameless:,} files have no code word: each counts as a person of its own."
+        text = said("{n} files have no code word: each counts as a person of its own.",
+                    n=f"{counts.nameless:,}")  # fmt: skip
         flags.append(Flag("no-code", text, ()))
     foreign = sum(cell["n"] for cell in counts.totals if cell["foreign"])
     if foreign:
-        text = (
-            f"{foreign:,} files hold answers to another wording of a question. They are listed "
-            "and not counted."
-        )
+        text = said("{n} files hold answers to another wording of a question. They are listed and "
+                    "not counted.", n=f"{foreign:,}")  # fmt: skip
         flags.append(Flag("foreign-version", text, ()))
     return flags
 
@@ -101,4 +110,5 @@ def _notes(counts: Counts) -> list[str]:
     )
     if not left:
         return []
-    return [f"{left:,} files were written without the key that others had: they are not counted."]
+    return [said("{n} files were written without the key that others had: they are not counted.",
+                 n=f"{left:,}")]  # fmt: skip

@@ -11,7 +11,7 @@ from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.report.beliefs import OFTEN, belief_row
-from sim.classroom.report.predictions import MOST
+from sim.classroom.report.most_said import MOST
 from sim.country.counted import FORM
 from sim.country.rows import BETWEEN
 from sim.lesson.answer_file import PREDICTIONS

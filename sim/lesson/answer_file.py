@@ -53,6 +53,8 @@ class Item:
     tries: int
     own: float | None = None
     set: Mapping[str, Any] = NOTHING_SET  # what was changed in the run it was read off
+    right: int | None = None  # press on Check at which it was right first; 0: none; None: not told
+    before: Mapping[str, Any] = NOTHING_SET  # the answer (value) when the run beside it was watched
     more: Mapping[str, str]
 
 
@@ -142,12 +144,27 @@ def _item(row: object) -> Item:
         tries=row["tries"],
         own=float(own) if isinstance(own, (int, float)) and abs(own) < LARGEST else None,
         set=_settings(row.get("set")),
+        right=_right(row),
+        before=_before(row.get("before")),
         more={
             name: row[name]
             for name in TEXTS
             if isinstance(row.get(name), str) and len(row[name]) <= LONGEST
         },
     )
+
+
+def _right(row: Mapping[str, Any]) -> int | None:
+    right = row.get("right")
+    told = isinstance(right, int) and not isinstance(right, bool) and 0 <= right <= row["tries"]
+    return right if told else None
+
+
+def _before(value: object) -> Mapping[str, Any]:
+    """What was answered at the run; only what it was, not how it was said."""
+    if not isinstance(value, dict) or not is_plain(value) or value.get("value") is None:
+        return NOTHING_SET
+    return {"value": value["value"]}
 
 
 def _settings(value: object) -> Mapping[str, Any]:

@@ -11,6 +11,8 @@ from __future__ import annotations
 import binascii
 from collections.abc import Sequence
 
+from sim.scene.said import said
+
 ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
 ANSWER_BITS, CHECK_BITS, LETTERS = 44, 16, 12
 _READ_AS = str.maketrans({"O": "0", "I": "1", "L": "1"})
@@ -43,7 +45,7 @@ def decode(options: Sequence[int], code: str, form_hash: str) -> tuple[int, ...]
     """The chosen answers; raises `HandInError` for a code that is not this form's."""
     text = "".join(c for c in code.upper().translate(_READ_AS) if c.isalnum())
     if len(text) != LETTERS or any(c not in ALPHABET for c in text):
-        raise HandInError(f"a hand-in code has {LETTERS} letters and digits")
+        raise HandInError(said("a hand-in code has {n} letters and digits", n=f"{LETTERS}"))
     whole = 0
     for c in text:
         whole = whole << 5 | ALPHABET.index(c)

@@ -44,6 +44,7 @@ def answers_schema() -> dict[str, Any]:
             "value": {}, "first": _TIME, "last": _TIME, "tries": {"type": "integer", "minimum": 0},
             "unit": _TEXT, "sure": _TEXT, "said": _TEXT, "asked": _TEXT, "locked": _TEXT,
             "own": {"type": "number"}, "set": {"type": "object"},
+            "right": {"type": "integer", "minimum": 0}, "before": {"type": "object"},
         },
     }  # fmt: skip
     properties = {

@@ -11,6 +11,7 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
 from sim.pages import effect_pages, lessons_only
+from sim.pages.language import ENGLISH, of_page, speaking, words
 from sim.pages.site_files import SEARCH_FROM_DISK, search_from_disk
 from sim.pages.text.lesson_places import shown
 from sim.pages.translate.translation import Translation
@@ -79,7 +80,9 @@ def put_ready_pages(
     about = config.site_description or ""
     inside = {path.relative_to(folder).as_posix(): path for path in paths}
     lessons = {f"{folder.name}/{name}": path for name, path in inside.items()}
+    language = of_page(None, "", str(config.theme.get("language") or ENGLISH))
     for name in sorted(names):
-        text = lessons_only.ready_page(name, config.site_name, about, lessons)
+        with speaking(words(language)):
+            text = lessons_only.ready_page(name, config.site_name, about, lessons)
         if text is not None:
             files.append(File.generated(config, name, content=text))

@@ -16,6 +16,8 @@ from urllib.parse import quote
 
 import yaml
 
+from sim.pages.language import tr
+
 HOME = "index.md"
 CLASS_RESULTS = "class-results.md"
 
@@ -50,20 +52,33 @@ EXTENSIONS: Mapping[str, Mapping[str, Any]] = {
 
 _CLASS_PAGE = """\
 ---
-title: Class results
-description: Drop the answer files of a class here. Nothing leaves this computer.
+title: {title}
+description: {about}
 hide: [toc]
 ---
 
-# Class results
+# {title}
 
-Drop the answer files of your students here: single files, several at once, or a zip. With the
-answers of a test also its **key file** (`carts key` writes it). Nothing leaves this computer.
+{how}
 
 <div><carts-class id="class-results">
-<p>This part needs JavaScript. On the command line <code>carts class</code> does the same.</p>
+<p>{script}</p>
 </carts-class></div>
 """
+
+
+def _class_page() -> str:
+    """The page in the language that is spoken now."""
+    return _CLASS_PAGE.format(
+        title=tr("Class results"),
+        about=tr("Drop the answer files of a class here. Nothing leaves this computer."),
+        how=tr(
+            "Drop the answer files of your students here: single files, several at once, or a zip. "
+            "With the answers of a test also its **key file** (`carts key` writes it). Nothing "
+            "leaves this computer."
+        ),
+        script=tr("This part needs JavaScript. On the command line “carts class” does the same."),
+    )
 
 
 def fill_in(config: Any) -> None:
@@ -89,7 +104,7 @@ def ready_page(name: str, title: str, about: str, lessons: Mapping[str, Path]) -
     `lessons`: their files by their address in the site.
     """
     if name == CLASS_RESULTS:
-        return _CLASS_PAGE
+        return _class_page()
     if name == HOME:
         return "\n".join(_home(title, about, lessons))
     return None
@@ -116,7 +131,9 @@ def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
         yield f"## [{name}]({quote(address)})"
         yield ""
         words = [_plain(str(head["description"]))] if head.get("description") else []
-        words += [f"{head['minutes']} minutes."] if isinstance(head.get("minutes"), int) else []
+        words += (
+            [tr("{n} minutes.", n=head["minutes"])] if isinstance(head.get("minutes"), int) else []
+        )
         yield from ([" ".join(words), ""] if words else [])
 
 

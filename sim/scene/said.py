@@ -50,6 +50,35 @@ def listed(items: Sequence[str]) -> str:
     return said("{first} and {last}", first=listed(items[:-1]), last=items[-1])
 
 
+def listed_or(items: Sequence[str]) -> str:
+    """A, B or C as “A or B or C”."""
+    if len(items) < 2:
+        return "".join(items) if not items else items[0]
+    return said("{first} or {last}", first=listed_or(items[:-1]), last=items[-1])
+
+
+def commas(items: Sequence[str]) -> str:
+    """A, B, C; of thousands too, for it is halved and not told one in the other."""
+    if len(items) < 2:
+        return items[0] if items else ""
+    middle = len(items) // 2
+    return said("{first}, {then}", first=commas(items[:middle]), then=commas(items[middle:]))
+
+
+def joined(*sentences: str) -> str:
+    """Sentences one after the other, as one; empty ones are left out."""
+    found = [sentence for sentence in sentences if sentence]
+    if len(found) < 2:
+        return found[0] if found else ""
+    return said("{first} {then}", first=joined(*found[:-1]), then=found[-1])
+
+
+def reason_of(error: Exception) -> str:
+    """What an error says, as it was said: `str()` would make plain English of it."""
+    told = error.args[0] if error.args else ""
+    return told if isinstance(told, str) else str(error)
+
+
 def in_words(text: str, words: Mapping[str, str]) -> str:
     """The sentence, or a word, in a language; `words`: what each English sentence is in it."""
     if not isinstance(text, Said):

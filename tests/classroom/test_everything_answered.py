@@ -11,6 +11,7 @@ from sim.classroom.files.reading import Reading, Source
 from sim.classroom.files.records import as_record, from_record
 from sim.classroom.report.class_csv import items_csv
 from sim.classroom.report.report import Asked, class_report
+from sim.classroom.report.settings import told_settings
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
 from sim.lesson.bank import read_bank
@@ -61,7 +62,7 @@ def test_predictions_are_counted_with_their_reasons_and_curves_are_kept() -> Non
     assert rows["arrows"]["n"] == 3
     assert rows["arrows"]["locked"] == 0
     assert rows["curve"]["curves"] == [[0, 2, k, 2, 0] for k in range(3)]
-    html, text = report_html(report), report_as_text(report)
+    html, text = report_html(report), report_as_text(report, {})
     assert html.count('class="drawn"') == 3
     assert "What, choice?" in html
     assert "3 × the same on both" in text
@@ -137,12 +138,23 @@ def test_who_left_a_question_open_is_not_among_those_who_answered_it() -> None:
     report = report_of(files, keys(source, ("pre",)))
     row = next(csv.DictReader(io.StringIO(items_csv(report).removeprefix("\ufeff"))))
     assert (row["answered by"], row["open"]) == ("5", "1")
-    assert "partly" in row and "partly" in report_as_text(report)
+    assert "partly" in row and "partly" in report_as_text(report, {})
 
 
 def challenge(student: str, runs: int, found: int, values: str = "") -> dict[str, Any]:
     row = prediction("x", {"runs": runs, "found": found, "values": values}, "")
     return worksheet(student, [row | {"id": "break", "type": "challenge", "asked": "Twice?"}])
+
+
+def test_settings_are_told_with_the_unit_of_each_number() -> None:
+    told = told_settings({
+        "B.velocity": -0.5, "A.mass": "0.2 kg", "friction.coefficient": 0.02, "until": 3,
+        "push.force": 1.5, "contact.restitution": 0.5, "contact.law": "bumper", "drag.active": True,
+    })  # fmt: skip
+    assert told == (
+        "A.mass 0.2 kg, B.velocity -0.5 m/s, contact.law bumper, contact.restitution 0.5, "
+        "drag.active True, friction.coefficient 0.02, push.force 1.5 N, until 3 s"
+    )
 
 
 def test_what_students_tried_with_runs_of_their_own_is_told() -> None:
@@ -163,10 +175,12 @@ def test_what_students_tried_with_runs_of_their_own_is_told() -> None:
     tried = rows["challenge"]
     assert (tried["n"], tried["runs"], tried["found"]) == (3, 17, 1)
     assert tried["said"] == [{"said": "mass of A 1 kg", "count": 1}]
-    assert rows["reading"]["said"] == [{"said": "A.mass 2", "count": 1}]  # who changed nothing: not
+    assert rows["reading"]["said"] == [
+        {"said": "A.mass 2 kg", "count": 1}
+    ]  # who changed nothing: not
     assert rows["found-force"]["said"][0]["said"].startswith("mean force on A")
     assert [item["id"] for item in form["items"]] == ["read"]  # the others are no questions
-    html, text = report_html(report), report_as_text(report)
+    html, text = report_html(report), report_as_text(report, {})
     assert "3 students tried 17 runs; 1 found one." in html
     assert "3 students tried 17 runs; 1 found one." in text
     nobody = report_html(report_of(files[:2]))

@@ -51,7 +51,7 @@ def test_every_flag_is_a_question() -> None:
 def test_equal_files_are_counted_and_asked_about() -> None:
     made = report(answers(BANK, "FOX", "pre", ALL), answers(BANK, "OWL", "pre", ALL, start=5))
     (flag,) = made["flags"]
-    assert flag["sentence"].startswith("Same answers in two files. Partners and good students do")
+    assert flag["sentence"].startswith("Same answers in 2 files. Partners and good students do")
     assert flag["files"] == ("0.json", "1.json")
     assert made["files"]["counted"] == 2
 

@@ -140,6 +140,16 @@ def test_no_student_stands_on_the_page_of_the_class() -> None:
     assert html.count("carts-sheet-bar") > 8
 
 
+def test_the_key_on_paper_has_answers_reasons_and_rubrics() -> None:
+    key = read_key_file(keys(RICH, ("pre",)))
+    html = handout([], key, Asked(), Handout(what="key", words={}))
+    assert "Right: neither" in html and "Right: −0.25 m/s" in html
+    assert "They are a pair." in html and "<b>2</b> yes" in html
+    assert "that on <A>" not in html and html.count("<li>") == len(RICH.items)
+    malay = handout([], key, Asked(), Handout(what="key", words=words("ms")))
+    assert "Betul: neither" in malay and "Sebelum pelajaran" in malay
+
+
 def test_first_ideas_stand_on_the_page_with_how_many_had_them() -> None:
     files = [answers(RICH, f"FOX-{k}", "pre", {"first": "ab"[k > 1]}) for k in range(6)]
     assert "Ben (4); Ana (2)" in made_html("sheet", files, RICH)

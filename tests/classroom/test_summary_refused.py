@@ -76,7 +76,7 @@ def test_mutated_summaries_are_added_or_refused_and_never_break() -> None:
         whole, _ = merged([("good", read_summary(seed.encode())), ("bad", found)])
         report = document(whole.lessons, whole.groups, Read(unit="summaries", read=2, counted=2))
         bits(report)
-        report_as_text(report)
+        report_as_text(report, {})
         assert "<b>x" not in report_html(report)
     assert read > 100
 

@@ -131,7 +131,7 @@ def test_more_right_answers_than_moodle_knows_shares_of_are_named(tmp_path: Path
 def test_a_question_that_leads_elsewhere_says_so(tmp_path: Path) -> None:
     _, said = one_question(tmp_path, f"{LONG}\nask: 'See [the rule](index.md).'")
     assert "one: its links lead to pages of this site" in said
-    assert "<text>It is</text>" in one_question(tmp_path, f"{LONG}\nask: Why?")[0]
+    assert "<text><![CDATA[It is]]></text>" in one_question(tmp_path, f"{LONG}\nask: Why?")[0]
 
 
 def facts(q: Portable) -> dict[str, object]:
@@ -223,6 +223,21 @@ def _answer(sign: str, part: str) -> tuple[str, float, str]:
         )
     )
     return plain(text), round(percent, 3), plain(said)
+
+
+def test_texts_stand_as_they_are_for_moodle_drops_blanks_between_escaped_signs() -> None:
+    """Its reader (lib/xmlize.php) leaves pieces of text out that are blank, and gets a new piece at
+    every escaped sign: `a &lt; &amp; b` comes in as `a <& b`."""
+    pairs = (("*A* & *B*", "<em>on</em> <em>C</em> &amp; D"), ("E", "F"), ("G", "H"))
+    made = moodle_xml("A & < B", [
+        Portable(id="p", shape="pairs", ask="<b>x</b> <i>y</i>", marks=1, pairs=pairs),
+        Portable(id="s", shape="short", ask="?", marks=1, answers=(("a < & > b", 100.0, ""),)),
+        Portable(id="e", shape="essay", ask="?", marks=1, start="The < & >", rubric={1: "& &"}),
+    ])  # fmt: skip
+    plain = re.sub(r"<!\[CDATA\[.*?\]\]>", "", made, flags=re.DOTALL)
+    assert "&" not in plain
+    assert "<text><![CDATA[on C & D]]></text>" in made  # a list to choose from shows no marks
+    assert "<text><![CDATA[a < & > b]]></text>" in made
 
 
 @pytest.mark.parametrize("name", BANKS)

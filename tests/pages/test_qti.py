@@ -1,9 +1,16 @@
 """QTI 3.0: a package of the right build, whose items give the marks and feedback of the pages.
 
 The published schemas are in no package that this project could install, so the rules below are
-kept by hand: of every element that is written, its attributes and what may stand in it, in order,
-after 1EdTech's QTI 3.0 Assessment, Section and Item model and its examples. Marks are checked by a
-small reader of response processing, which follows that model and not our writer.
+kept by hand: of every element that is written, its attributes and what may stand in it, in order.
+Read beside 1EdTech's own schema files: of items and tests the profile
+`imsqti_asiv3p0_sbacv1p0_v1p0.xsd`, of the manifest `imsqtiv3p0_imscpv1p2_v1p0.xsd`, both in the
+public repository oat-sa/qti-sdk. Compared type by type: AssessmentItem, -ItemRef, -Section, -Test,
+ResponseDeclaration, OutcomeDeclaration, DefaultValue, Mapping, OutcomeProcessing,
+ResponseCondition, ResponseIf, NumericLogic1toMany, OrderInteraction, MatchInteraction,
+SimpleMatchSet, SimpleChoice, SimpleAssociableChoice, ModalFeedback with its content body, content
+of a rubric, lists, breaks, and every type of the manifest. The others follow the model's document
+and its examples. Marks are checked by a small reader of response processing, which follows that
+model and not our writer.
 """
 
 from __future__ import annotations
@@ -39,6 +46,7 @@ PACKAGE = "http://www.imsglobal.org/xsd/qti/qtiv3p0/imscp_v1p1"
 
 FLOW = ("p|div|ul|ol|blockquote|pre|table|h[1-6]|hr|em|strong|b|i|code|sub|sup|span|br|a|img"
         "|qti-text-entry-interaction")  # fmt: skip
+STATIC = FLOW.replace("|qti-text-entry-interaction", "")  # choices, feedback: no interaction
 EXPRESSION = ("qti-variable|qti-correct|qti-base-value|qti-map-response|qti-match|qti-equal"
               "|qti-string-match|qti-not|qti-is-null|qti-sum|qti-test-variables")  # fmt: skip
 BLOCK = (r"p|div|ul|ol|blockquote|pre|table|h[1-6]|hr|qti-choice-interaction"
@@ -65,15 +73,15 @@ RULES: dict[str, tuple[str, str, str, bool]] = {
     "qti-choice-interaction": ("response-identifier shuffle max-choices", "",
                                "(qti-simple-choice )+", False),
     "qti-order-interaction": ("response-identifier shuffle", "", "(qti-simple-choice )+", False),
-    "qti-simple-choice": ("identifier", "", f"(({FLOW}) )*", True),
+    "qti-simple-choice": ("identifier", "", f"(({STATIC}) )*", True),
     "qti-match-interaction": ("response-identifier shuffle max-associations", "",
                               "qti-simple-match-set qti-simple-match-set ", False),
     "qti-simple-match-set": ("", "", "(qti-simple-associable-choice )+", False),
-    "qti-simple-associable-choice": ("identifier match-max", "", f"(({FLOW}) )*", True),
+    "qti-simple-associable-choice": ("identifier match-max", "", f"(({STATIC}) )*", True),
     "qti-text-entry-interaction": ("response-identifier", "expected-length", "", False),
     "qti-extended-text-interaction": ("response-identifier", "expected-lines", "", False),
     "qti-rubric-block": ("use view", "", "qti-content-body ", False),
-    "qti-content-body": ("", "", f"(({FLOW}) )*", True),
+    "qti-content-body": ("", "", f"(({STATIC}) )*", True),
     "qti-response-processing": ("", "", "(qti-response-condition )+", False),
     "qti-response-condition": ("", "", "qti-response-if (qti-response-else-if )*", False),
     "qti-response-if": ("", "", f"({EXPRESSION}) (qti-set-outcome-value )+", False),
@@ -113,6 +121,20 @@ RULES: dict[str, tuple[str, str, str, bool]] = {
     "a": ("href", "", f"(({FLOW}) )*", True), "img": ("src alt", "", "", False),
     "br": ("", "", "", False), "hr": ("", "", "", False),
 }  # fmt: skip
+COUNT, YES_NO, DOUBLE = r"\d+", "true|false", r"-?\d+(\.\d+)?(e[+-]?\d+)?"
+BASE = "directedPair|float|identifier|string"
+# What an attribute may say, where the schema lists it.
+VALUES: dict[str, str] = {
+    "cardinality": "single|multiple|ordered", "base-type": BASE, "shuffle": YES_NO,
+    "adaptive": YES_NO, "time-dependent": YES_NO, "visible": YES_NO, "case-sensitive": YES_NO,
+    "max-choices": COUNT, "max-associations": COUNT, "match-max": COUNT, "expected-lines": COUNT,
+    "expected-length": COUNT, "default-value": DOUBLE, "mapped-value": DOUBLE,
+    "normal-minimum": DOUBLE, "normal-maximum": DOUBLE.removeprefix("-?"),
+    "external-scored": "human|externalMachine", "show-hide": "show|hide", "view": "scorer",
+    "use": "scoring", "navigation-mode": "linear|nonlinear",
+    "submission-mode": "individual|simultaneous", "tolerance-mode": "exact|absolute|relative",
+    "tolerance": f"{DOUBLE} {DOUBLE}",
+}  # fmt: skip
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]*")
 XSI = "{http://www.w3.org/2001/XMLSchema-instance}"
 
@@ -130,6 +152,8 @@ def mistakes(node: Element) -> list[str]:
     given = {a for a in node.attrib if not a.startswith(XSI)}
     found = [f"{name}: {a} is missing" for a in set(must.split()) - given]
     found += [f"{name}: {a} is not known" for a in given - {*must.split(), *may.split()}]
+    found += [f"{name}: {a} says {value}" for a, value in node.attrib.items()
+              if a in VALUES and not re.fullmatch(VALUES[a], value)]  # fmt: skip
     children = "".join(f"{local(child)} " for child in node)
     if not re.fullmatch(inside, children):
         found.append(f"{name}: {children} in it")
@@ -186,6 +210,8 @@ def test_the_manifest_names_every_file_once_and_nothing_else(name: str) -> None:
     files = unpacked(BANKS[name])
     root = ElementTree.fromstring(files["imsmanifest.xml"])
     assert [local(part) for part in root] == ["metadata", "organizations", "resources"]
+    names = [node.get("identifier") for node in root.iter() if node.get("identifier")]
+    assert len(names) == len(set(names)) and all(NAME.fullmatch(str(one)) for one in names)
     places = {"p": PACKAGE}
     assert root.findtext("p:metadata/p:schema", "", places) == "QTI Package"
     assert root.findtext("p:metadata/p:schemaversion", "", places) == "3.0.0"

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sim.lesson.answer_file import MOST_BYTES
+from sim.scene.said import reason_of, said, template
 
 MOST_ENTRIES = 20_000
 """Entries of one zip, folders included."""
@@ -24,6 +25,11 @@ LONGEST_NAME = 200
 READ_AT_ONCE = 1 << 16
 _ENCRYPTED = 0x1
 _IGNORED = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
+
+
+PASSWORD = template("this file has a password: make the zip without one")
+PACKED = template("this zip is packed in a way that is not known here: make an ordinary one")
+TOO_LARGE = template("this file is too large to be a file of answers")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,10 +56,10 @@ def entries(name: str, content: bytes, *, deep: bool = True) -> Iterator[Entry]:
         _check_entries(content)
         archive = zipfile.ZipFile(io.BytesIO(content))
     except _DamagedError as error:
-        yield Entry(name, None, str(error))
+        yield Entry(name, None, reason_of(error))
         return
     except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, IndexError):
-        yield Entry(name, None, "this zip is damaged: make it again")
+        yield Entry(name, None, template("this zip is damaged: make it again"))
         return
     unpacked = 0
     with archive:
@@ -63,7 +69,7 @@ def entries(name: str, content: bytes, *, deep: bool = True) -> Iterator[Entry]:
             found, reason = _content(archive, entry)
             unpacked += len(found or b"")
             if unpacked > MOST_UNPACKED:
-                much = "this zip unpacks to far too much: the rest was not read"
+                much = template("this zip unpacks to far too much: the rest was not read")
                 yield Entry(name, None, much)
                 return
             inner = f"{name}/{shown(entry.filename)}"
@@ -81,6 +87,10 @@ class _DamagedError(ValueError):
     """A zip that is not even opened."""
 
 
+def _too_many() -> str:
+    return said("this zip has more than {most} entries: that is no class", most=f"{MOST_ENTRIES:,}")
+
+
 def _check_entries(content: bytes) -> None:
     """Refuses a zip with far too many entries, before anything is built from its list.
 
@@ -93,32 +103,32 @@ def _check_entries(content: bytes) -> None:
     size = int.from_bytes(content[at + 12 : at + 16], "little")
     wide = count == 0xFFFF or size == 0xFFFF_FFFF
     if wide or count > MOST_ENTRIES or size > 1_000 * MOST_ENTRIES:
-        raise _DamagedError(f"this zip has more than {MOST_ENTRIES:,} entries: that is no class")
+        raise _DamagedError(_too_many())
     # A record that tells less than there is: each entry of the list takes at least 46 bytes.
     if content.count(b"PK\x01\x02") > 2 * MOST_ENTRIES:
-        raise _DamagedError(f"this zip has more than {MOST_ENTRIES:,} entries: that is no class")
+        raise _DamagedError(_too_many())
 
 
 def _content(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> tuple[bytes | None, str]:
     """The bytes of an entry, or the reason why there are none. What it claims is not believed."""
     if entry.flag_bits & _ENCRYPTED:
-        return None, "this file has a password: make the zip without one"
+        return None, PASSWORD
     if entry.file_size > MOST_BYTES:
-        return None, "this file is too large to be a file of answers"
+        return None, TOO_LARGE
     if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        return None, "this zip is packed in a way that is not known here: make an ordinary one"
+        return None, PACKED
     parts, size = [], 0
     try:
         with archive.open(entry) as stream:
             while part := stream.read(READ_AT_ONCE):
                 size += len(part)
                 if size > MOST_BYTES:
-                    return None, "this file is too large to be a file of answers"
+                    return None, TOO_LARGE
                 parts.append(part)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, NotImplementedError):
-        return None, "this file in the zip is damaged"
+        return None, template("this file in the zip is damaged")
     except RuntimeError:
-        return None, "this file has a password: make the zip without one"
+        return None, PASSWORD
     return b"".join(parts), ""
 
 

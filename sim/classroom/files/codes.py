@@ -16,6 +16,7 @@ from sim.classroom.files.reading import Read, Refused
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.handin import HandInError, decode
 from sim.lesson.opening import FORMS
+from sim.scene.said import listed_or, reason_of, said, template
 
 _CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
 MOST_LINES = 2000
@@ -30,7 +31,7 @@ def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[
             continue
         found = _line(line, forms)
         if isinstance(found, str):
-            refused.append(Refused(f"typed: {shown(line)[:60]}", found))
+            refused.append(Refused(said("typed: {line}", line=shown(line)[:60]), found))
         else:
             read.append(found)
     return read, refused
@@ -39,29 +40,29 @@ def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[
 def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
     match = _CODE.search(line)
     if not match:
-        return (
+        return template(
             "a line is: code word, form, hand-in code; for example BLUE-FOX-27 pre 7K2M-Q9ZD-03HX"
         )
     words = line[: match.start()].replace(",", " ").replace(";", " ").split()
     wanted = words.pop().lower() if words and words[-1].lower() in FORMS else ""
     if not words:
-        return "the student's code word is missing in front of the code"
+        return template("the student's code word is missing in front of the code")
     fitting = []
-    problem = "there is no key for it: choose the key file as well"
+    problem = template("there is no key for it: choose the key file as well")
     for form in forms:
         if wanted and form.form != wanted:
             continue
         try:
             chosen = decode([count for _, count in form.options], match.group(), form.hash)
         except HandInError as error:
-            problem = str(error)
+            problem = reason_of(error)
         else:
             fitting.append((form, chosen))
     if not fitting:
         return problem
     if len(fitting) > 1:
-        names = " or ".join(form.form for form, _ in fitting)
-        return f"this code fits several forms: write {names} in front of it"
+        names = listed_or([form.form for form, _ in fitting])
+        return said("this code fits several forms: write {forms} in front of it", forms=names)
     return _read(" ".join(words), match.group().strip(), *fitting[0])
 
 
@@ -79,4 +80,5 @@ def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> Re
         site=form.site, lesson=form.lesson, lesson_hash="", student=shown(student)[:60],
         form=form.form, created="", saved="", handed=None, code=code, items=tuple(items),
     )  # fmt: skip
-    return Read(f"typed: {shown(student)[:60]} {form.form}", answers)
+    line = f"{shown(student)[:60]} {form.form}"
+    return Read(said("typed: {line}", line=line), answers)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from sys import intern
 from typing import TypeGuard
 
-from sim.classroom.files.archive import entries, is_zip, shown
+from sim.classroom.files.archive import TOO_LARGE, entries, is_zip, shown
 from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
@@ -23,6 +23,7 @@ from sim.lesson.answer_file import (
     Item,
     read_answer_file,
 )
+from sim.scene.said import reason_of, said, template
 
 MOST_FILES = 20_000
 """Files of one reading: a year of a large school."""
@@ -110,7 +111,7 @@ def outcomes(sources: Iterable[Source], most: int = MOST_FILES) -> Iterator[Outc
         for outcome in _of_source(source):
             count += 1
             if count > most:
-                reason = f"more than {most:,} files: the rest was not read"
+                reason = said("more than {most} files: the rest was not read", most=f"{most:,}")
                 yield Refused(shown(source.name), reason)
                 return
             yield outcome
@@ -131,19 +132,20 @@ def of_file(name: str, content: bytes) -> Outcome:
     """What one file that is no zip holds."""
     name = shown(name)
     if len(content) > MOST_BYTES:
-        return Refused(name, "this file is too large to be a file of answers")
+        return Refused(name, TOO_LARGE)
     if is_zip(content):
-        return Refused(name, "too many zips inside each other: unpack them first")
+        return Refused(name, template("too many zips inside each other: unpack them first"))
     try:
         text = content.decode("utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8")
     except UnicodeDecodeError:
-        return Refused(name, "this is no text file, so it holds no answers")
+        return Refused(name, template("this is no text file, so it holds no answers"))
     try:
         return Read(name, _slim(read_answer_file(text)))
     except AnswerFileError as error:
-        return _of_teacher(name, text, str(error))
+        return _of_teacher(name, text, reason_of(error))
     except Exception as error:  # whatever one file does, the others of the class are read
-        return Refused(name, f"this file cannot be read ({type(error).__name__})")
+        kind = type(error).__name__
+        return Refused(name, said("this file cannot be read ({error})", error=kind))
 
 
 def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:
@@ -151,9 +153,9 @@ def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:
     try:
         return read_marks(text) if f'"{MARKS}"' in text else read_key_file(text)
     except MarksFileError as error:
-        return Refused(name, str(error))
+        return Refused(name, reason_of(error))
     except KeyFileError as error:
-        return Refused(name, str(error) if '"newtons-carts-key"' in text else otherwise)
+        return Refused(name, reason_of(error) if '"newtons-carts-key"' in text else otherwise)
 
 
 def _slim(answers: AnswerFile) -> AnswerFile:

@@ -12,7 +12,20 @@ def as_record(read: Read) -> list[Any]:
     """One file as a list of plain values."""
     f = read.answers
     items = [
-        [i.id, i.hash, i.type, i.value, i.own, dict(i.set), dict(i.more), i.first, i.last, i.tries]
+        [
+            i.id,
+            i.hash,
+            i.type,
+            i.value,
+            i.own,
+            dict(i.set),
+            dict(i.more),
+            i.first,
+            i.last,
+            i.tries,
+            i.right,
+            dict(i.before),
+        ]
         for i in f.items
     ]
     return [
@@ -33,8 +46,8 @@ def from_record(row: list[Any]) -> Read:
 
 
 def _item(row: list[Any]) -> Item:
-    name, digest, kind, value, own, changed, more, first, last, tries = row
+    name, digest, kind, value, own, changed, more, first, last, tries, right, before = row
     return Item(
         id=name, hash=digest, type=kind, value=value, own=own, first=first, last=last, tries=tries,
-        set=changed, more=more,
+        set=changed, more=more, right=right, before=before,
     )  # fmt: skip

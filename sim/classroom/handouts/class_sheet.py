@@ -10,9 +10,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sim.classroom.handouts.belief_map import belief_map
-from sim.classroom.handouts.wording import FORMS, Tell, cut, numbers
-from sim.classroom.report.sentences import number
-from sim.classroom.show.html_parts import table, text
+from sim.classroom.handouts.wording import FORMS, cut, numbers
+from sim.classroom.report.numerals import number, students
+from sim.classroom.show.html_parts import Tell, table, text
 from sim.scene.said import said, template
 
 Row = Mapping[str, Any]
@@ -24,7 +24,7 @@ SHORT = 62
 """Characters of a question in the table: a line of it."""
 
 VERDICTS = {
-    "right": template("right"),
+    "right": template("answered right"),
     "partly": template("partly right"),
     "wrong": template("wrong"),
     "empty": template("left open"),
@@ -43,9 +43,8 @@ def sheet_html(report: Row, tell: Tell) -> str:
 
 
 def _page(lesson: Row, form: Row, tell: Tell) -> str:
-    students = said("1 student") if form["n"] == 1 else said("{n} students", n=str(form["n"]))
     name = f"{text(lesson['title'])} · {tell(FORMS[form['form']])}"
-    head = f"<header><h2>{name}</h2><span>{tell(students)}</span></header>"
+    head = f"<header><h2>{name}</h2><span>{tell(students(form['n']))}</span></header>"
     return f'<section class="carts-sheet">{head}{"".join(_parts(form, tell))}</section>'
 
 

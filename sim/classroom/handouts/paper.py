@@ -1,4 +1,4 @@
-"""Slips and sheet as files of their own, and as what a page prints."""
+"""Slips, sheet and key as files of their own, and as what a page prints."""
 
 from __future__ import annotations
 
@@ -9,21 +9,27 @@ from pathlib import Path
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.files.reading import Read
 from sim.classroom.handouts.class_sheet import sheet_html
+from sim.classroom.handouts.key_page import key_html
 from sim.classroom.handouts.slip import slips
 from sim.classroom.handouts.slip_page import slips_html
-from sim.classroom.handouts.wording import telling
 from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import Asked, class_report, sorted_files
+from sim.classroom.show.html_parts import telling
 from sim.classroom.show.standalone import whole_file
 from sim.scene.said import in_words, template
 
-TITLES = {"slips": template("Feedback slips"), "sheet": template("Page of the class")}
+TITLES = {
+    "slips": template("Feedback slips"),
+    "sheet": template("Page of the class"),
+    "key": template("Answers and rubrics"),
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Handout:
-    """What is wanted: `what` is slips or sheet; `words`: each English sentence in the language.
+    """What is wanted: `what` is slips, sheet or key, which needs no files.
 
+    `words`: each English sentence in the language.
     `answers`: slips with the right answers.
     """
 
@@ -38,6 +44,8 @@ def handout(
 ) -> str:
     """The HTML of a hand-out, without a page around it."""
     tell = telling(wanted.words)
+    if wanted.what == "key":
+        return key_html(keys, tell)
     if wanted.what == "sheet":
         return sheet_html(class_report(files, keys, (), asked), tell)
     of_files = Keys(keys)

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 
-from sim.classroom.show.html_parts import text
 from sim.classroom.show.prose import prose
-from sim.scene.said import in_words, template
-
-Tell = Callable[[str], str]
-"""A sentence of ours as HTML text, in the language of the paper."""
+from sim.scene.said import template
 
 FORMS = {
     "pre": template("Before the lesson"),
@@ -19,11 +15,6 @@ FORMS = {
 }
 LONGEST = 220
 """Characters of a question that are printed: as many as it takes to know it again."""
-
-
-def telling(words: Mapping[str, str]) -> Tell:
-    """`words`: what each English sentence is in the language; empty for English."""
-    return lambda sentence: text(in_words(sentence, words))
 
 
 def cut(words: str, most: int = LONGEST) -> str:

@@ -8,8 +8,9 @@ from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.report.marked import Marked
-from sim.classroom.report.sentences import many
+from sim.classroom.report.numerals import students as of_students
 from sim.lesson.mark import is_empty
+from sim.scene.said import joined, said
 
 OFTEN = 2
 """Items in which a student chose answers of one belief, before it is named."""
@@ -40,10 +41,10 @@ def belief_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[st
 
 def belief_row(tag: str, says: str, students: int, sure: int | None) -> dict[str, Any]:
     """A belief with how many hold it; `sure` None: nobody was asked."""
-    count = many(students, "student")
-    text = f"{count} chose answers in two items or more that go with: “{says}”"
+    text: str = said("{students} chose answers in two items or more that go with: “{belief}”",
+                students=of_students(students), belief=says)  # fmt: skip
     if sure is not None:
-        text += f" {sure} of them were sure of two or more."
+        text = joined(text, said("{n} of them were sure of two or more.", n=f"{sure}"))
     return {"belief": tag, "says": says, "students": students, "sure": sure, "sentence": text}
 
 

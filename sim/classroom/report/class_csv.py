@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.lesson.csv_text import csv_text
+from sim.scene.said import in_words, template
 
 STUDENT_COLUMNS = ("lesson", "form", "group", "student", "marks", "of", "open", "to read", "file")
 ITEM_COLUMNS = (
@@ -14,21 +15,41 @@ ITEM_COLUMNS = (
 )  # fmt: skip
 
 
-def students_csv(report: Mapping[str, Any]) -> str:
-    """Marks by student and form."""
+HEADS = {
+    "lesson": template("lesson"), "form": template("form"), "group": template("group"),
+    "student": template("code word"), "marks": template("marks"), "of": template("most marks"),
+    "open": template("left open"), "to read": template("to be read"), "file": template("file"),
+    "item": template("question"), "answered by": template("answered by"),
+    "right": template("answered right"), "partly": template("partly right"),
+    "wrong": template("wrong"), "difficulty": template("difficulty"),
+    "discrimination": template("discrimination"), "point-biserial": template("point-biserial"),
+    "chosen": template("chosen"),
+}  # fmt: skip
+"""What a column is called in another language; programs read the English names."""
+
+ENGLISH: Mapping[str, str] = {}
+
+
+def _heads(columns: Sequence[str], words: Mapping[str, str]) -> Sequence[str]:
+    return [in_words(HEADS[name], words) for name in columns] if words else columns
+
+
+def students_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:
+    """Marks by student and form; `words`: each English sentence in the language."""
     rows = [
         [
-            lesson["lesson"], form["form"], row["group"], row["student"], row["total"], form["of"],
-            " ".join(row["open"]), " ".join(row["waiting"]), row["file"],
+            lesson["lesson"], form["form"], in_words(row["group"], words),
+            in_words(row["student"], words), row["total"], form["of"],
+            " ".join(row["open"]), " ".join(row["waiting"]), in_words(row["file"], words),
         ]
         for lesson in report["lessons"]
         for form in lesson["forms"]
         for row in form["students"]
     ]  # fmt: skip
-    return csv_text(STUDENT_COLUMNS, rows)
+    return csv_text(_heads(STUDENT_COLUMNS, words), rows)
 
 
-def items_csv(report: Mapping[str, Any]) -> str:
+def items_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:
     """Numbers by item and form; full precision."""
     rows = [
         [
@@ -41,4 +62,4 @@ def items_csv(report: Mapping[str, Any]) -> str:
         for form in lesson["forms"]
         for item in form["items"]
     ]  # fmt: skip
-    return csv_text(ITEM_COLUMNS, rows)
+    return csv_text(_heads(ITEM_COLUMNS, words), rows)

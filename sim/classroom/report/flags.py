@@ -16,6 +16,7 @@ from sim.classroom.report.flags_of_origin import foreign, nameless
 from sim.classroom.report.flags_of_times import order, times
 from sim.classroom.report.marked import Marked
 from sim.lesson.mark import is_empty
+from sim.scene.said import joined, said, template
 
 FEWEST_EQUAL = 5
 """Equal answers in two files below this number say nothing."""
@@ -56,35 +57,37 @@ def _doubles(files: Sequence[Marked]) -> tuple[list[Marked], list[Marked], list[
             counted += same
             continue
         names = tuple(file.name for file in same)
-        who = f"{same[0].who}, form {same[0].file.form}"
+        who = same[0].place
         typed = any(not file.file.created for file in same)  # a hand-in code has no times
         distinct = {digest(file, times=not typed) for file in same}
         if len(distinct) == 1:
             counted.append(same[0])
             aside += same[1:]
-            text = f"{who}: is this the same file {_times_word(len(same))}? It is counted once."
+            text = said("{who}: is this the same file {times}? It is counted once.", who=who,
+                        times=_times_word(len(same)))  # fmt: skip
             flags.append(Flag("same-file", text, names))
         elif len({file.file.created for file in same}) == 1:
             latest = max(same, key=lambda file: file.file.saved)
             counted.append(latest)
             aside += [file for file in same if file is not latest]
-            text = (
-                f"{who}: is this one student who saved {_times_word(len(same))}? "
-                "The file saved last is counted."
-            )
+            text = said(
+                "{who}: is this one student who saved {times}? The file saved last is counted.",
+                who=who, times=_times_word(len(same)),
+            )  # fmt: skip
             flags.append(Flag("saved-again", text, names))
         else:
             aside += same
-            text = (
-                f"{who}: {len(same)} files have this code word. Are these two students, or one "
-                "who began again? None of them is counted until you leave all but one out."
-            )
+            text = said(
+                "{who}: {n} files have this code word. Are these two students, or one who began "
+                "again? None of them is counted until you leave all but one out.",
+                who=who, n=f"{len(same)}",
+            )  # fmt: skip
             flags.append(Flag("doubled-id", text, names))
     return counted, aside, flags
 
 
 def _times_word(count: int) -> str:
-    return "twice" if count == 2 else f"{count} times"
+    return said("twice") if count == 2 else said("{n} times", n=f"{count}")
 
 
 def digest(file: Marked, *, times: bool) -> str:
@@ -111,12 +114,14 @@ def _equal(files: Iterable[Marked]) -> list[Flag]:
         if len(same) < 2:
             continue
         names = tuple(file.name for file in same)
-        count = "two" if len(same) == 2 else str(len(same))
-        text = f"Same answers in {count} files. Partners and good students do this too. "
+        text: str = said("Same answers in {n} files. Partners and good students do this too.",
+                         n=f"{len(same)}")  # fmt: skip
         right = all(a.marks == a.worth for file in same for a in file.answers.values())
         if right and any(a.worth for a in same[0].answers.values()):
-            text += "Here all answers are right. "
+            text = joined(text, template("Here all answers are right."))
         if len({digest(file, times=True) for file in same}) == 1:
-            text += "The times are equal as well: is one a copy of the other? "
-        flags.append(Flag("equal-files", f"{text}Ask before you judge.", names))
+            copied = template("The times are equal as well: is one a copy of the other?")
+            text = joined(text, copied)
+        text = joined(text, template("Ask before you judge."))
+        flags.append(Flag("equal-files", text, names))
     return flags

@@ -6,6 +6,10 @@ from collections.abc import Sequence
 
 from sim.classroom.report.flag import Flag
 from sim.classroom.report.marked import Marked
+from sim.scene.said import said
+
+NAMED = 5
+"""Items or sites that a question names."""
 
 
 def foreign(files: Sequence[Marked]) -> list[Flag]:
@@ -14,21 +18,24 @@ def foreign(files: Sequence[Marked]) -> list[Flag]:
     other = [file for file in files if file.foreign]
     if other:
         items = sorted({name for file in other for name in file.foreign})
-        text = (
-            f"{len(other)} files hold answers to another wording of {', '.join(items[:5])}"
-            f"{' and others' if len(items) > 5 else ''}. Do file and key come from the same "
-            "version of the lesson? These files are listed and not counted."
-        )
+        named = ", ".join(items[:NAMED])
+        text = said(
+            "{n} files hold answers to another wording of {items}. Do file and key come from the "
+            "same version of the lesson? These files are listed and not counted.",
+            n=f"{len(other)}",
+            items=said("{items} and others", items=named) if len(items) > NAMED else named,
+        )  # fmt: skip
         flags.append(Flag("foreign-version", text, tuple(file.name for file in other)))
     flags += _versions(files)
     sites = sorted({file.file.site for file in files})
     if len(sites) > 1:
         most = max(sites, key=lambda site: sum(f.file.site == site for f in files))
         strangers = tuple(file.name for file in files if file.file.site != most)
-        text = (
-            f"Files of {len(sites)} sites: {', '.join(sites[:5])}. Did all students use the same "
-            "copy of the lessons? Each site has tables of its own."
-        )
+        text = said(
+            "Files of {n} sites: {sites}. Did all students use the same copy of the lessons? Each "
+            "site has tables of its own.",
+            n=f"{len(sites)}", sites=", ".join(sites[:NAMED]),
+        )  # fmt: skip
         flags.append(Flag("foreign-site", text, strangers))
     return flags
 
@@ -46,10 +53,11 @@ def _versions(files: Sequence[Marked]) -> list[Flag]:
         if len(versions) > 1:
             most = max(versions.values(), key=len)
             others = tuple(n for names in versions.values() if names is not most for n in names)
-            text = (
-                f"{len(versions)} versions of the lesson {lesson}. Was it changed meanwhile, or do "
-                "students have different copies? Answers to unchanged questions are counted."
-            )
+            text = said(
+                "{n} versions of the lesson {lesson}. Was it changed meanwhile, or do students "
+                "have different copies? Answers to unchanged questions are counted.",
+                n=f"{len(versions)}", lesson=lesson,
+            )  # fmt: skip
             flags.append(Flag("other-version", text, others))
     return flags
 
@@ -59,10 +67,11 @@ def nameless(files: Sequence[Marked]) -> list[Flag]:
     names = tuple(file.name for file in files if not file.file.student.strip())
     if not names:
         return []
-    one = len(names) == 1
     text = (
-        f"{'1 file has' if one else f'{len(names)} files have'} no code word: "
-        f"{'it counts' if one else 'each counts'} as a person of its own. Do you know whose "
-        f"{'it is' if one else 'they are'}? Then give {'it' if one else 'them'} a code word."
-    )
+        said("1 file has no code word: it counts as a person of its own. Do you know whose it is? "
+             "Then give it a code word.")
+        if len(names) == 1
+        else said("{n} files have no code word: each counts as a person of its own. Do you know "
+                  "whose they are? Then give them a code word.", n=f"{len(names)}")
+    )  # fmt: skip
     return [Flag("no-code", text, names)]

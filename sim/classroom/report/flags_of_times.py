@@ -7,6 +7,7 @@ from datetime import UTC, datetime, timedelta
 
 from sim.classroom.report.flag import Flag
 from sim.classroom.report.marked import Marked
+from sim.scene.said import said
 
 FEWEST = 5
 """Answers, before their pace says anything."""
@@ -36,18 +37,17 @@ def times(file: Marked, now: str) -> list[Flag]:
     strange = strange or any(last < first or (saved and last > saved) for first, last in moments)
     flags = []
     if strange or ahead:
-        text = (
-            f"{file.who}, form {f.form}: the times in this file cannot be right. Was the clock "
-            "of that laptop wrong, or was the file changed by hand?"
+        text = said(
+            "{who}: the times in this file cannot be right. Was the clock of that laptop wrong, or "
+            "was the file changed by hand?",
+            who=file.place,
         )
         flags.append(Flag("impossible-times", text, (file.name,)))
     elif len(moments) >= FEWEST:
         took = max(last for _, last in moments) - min(first for first, _ in moments)
         if took < HASTE * (len(moments) - 1):
-            text = (
-                f"{file.who}, form {f.form}: {len(moments)} answers in {took.seconds} s. "
-                "Was this only a try?"
-            )
+            text = said("{who}: {n} answers in {seconds} s. Was this only a try?", who=file.place,
+                        n=f"{len(moments)}", seconds=f"{took.seconds}")  # fmt: skip
             flags.append(Flag("in-haste", text, (file.name,)))
     return flags
 
@@ -73,9 +73,10 @@ def order(files: Sequence[Marked]) -> list[Flag]:
             pre, post = forms["pre"], forms["post"]
             begun, ended = moment_of(pre.file.created), moment_of(post.file.saved)
             if begun and ended and ended < begun:
-                text = (
-                    f"{post.who}: the form post was saved before the form pre was begun. "
-                    "Were the two forms mixed up, or is a clock wrong?"
+                text = said(
+                    "{who}: the form post was saved before the form pre was begun. Were the two "
+                    "forms mixed up, or is a clock wrong?",
+                    who=post.who,
                 )
                 flags.append(Flag("post-before-pre", text, (pre.name, post.name)))
     return flags

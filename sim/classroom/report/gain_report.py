@@ -12,6 +12,7 @@ from typing import Any
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
 from sim.classroom.report import sentences as say
+from sim.classroom.report import sentences_of_two as two
 from sim.classroom.report.pairing import Pairs
 from sim.classroom.statistics.adjusted import adjusted
 from sim.classroom.statistics.compare import (
@@ -26,9 +27,22 @@ from sim.classroom.statistics.gain import hake_gain
 from sim.classroom.statistics.pair_sums import PairSums
 from sim.classroom.statistics.ranks import signed_ranks
 from sim.classroom.statistics.spread import Spread
+from sim.scene.said import Said, reason_of, said, template
 
-D_WITHIN = "the gain divided by √((s₁² + s₂²)/2) of the two tests"
-D_BETWEEN = "the difference of the mean gains divided by their pooled standard deviation"
+NAMES = {
+    "gain": template("gain"),
+    "change": template("change"),
+    "wilcoxon": template("wilcoxon"),
+    "d": "d",
+    "baseline": template("baseline"),
+    "adjusted": template("adjusted difference"),
+    "welch": template("difference of the means"),
+    "paper_z": template("paper's Z"),
+    "clustered": template("by classes"),
+}
+"""What a number is called where there is none."""
+
+EDGES = {"before": template("Before: {says}"), "after": template("After: {says}")}
 
 
 class Told:
@@ -45,8 +59,7 @@ class Told:
             value, sentence = make()
         except RefusalError as refused:
             self.numbers[name] = None
-            reason = f"{name.replace('_', ' ')}: {refused}"
-            self.refusals.append(reason)
+            self.refusals.append(why_not(name, refused))
             return None
         self.numbers[name] = value
         if sentence:
@@ -57,6 +70,11 @@ class Told:
         """Adds a sentence without a number, once."""
         if sentence and sentence not in self.sentences:
             self.sentences.append(sentence)
+
+
+def why_not(name: str, refused: RefusalError) -> str:
+    """Why a number is not given."""
+    return said("{name}: {reason}", name=NAMES[name], reason=reason_of(refused))
 
 
 def gain_table(pairs: Pairs, *, inference: bool) -> dict[str, Any]:
@@ -86,18 +104,18 @@ def gain_row(
     n = sums.n
     row: dict[str, Any] = {"group": group, "n": n, "of": of, **lists, "pre": None, "post": None}
     if n < FEWEST:
-        missing = f"{n} students took both tests: no statistics for fewer than {FEWEST}."
+        missing = say.too_few_pairs(n, FEWEST)
         return {**row, **told.numbers, "sentences": [missing], "refusals": []}
     before, after = sums.before, sums.after
     row |= {"pre": asdict(before), "post": asdict(after)}
     told.tell("gain", lambda: _hake(before, after, of))
     told.numbers["gain_of_students"] = _of_students(sums)
     for zero, full, test in (
-        (sums.zero_before, sums.full_before, "Before"),
-        (sums.zero_after, sums.full_after, "After"),
+        (sums.zero_before, sums.full_before, "before"),
+        (sums.zero_after, sums.full_after, "after"),
     ):
         edge = say.of_edges(zero / n, full / n)
-        told.note(f"{test}: {edge}" if edge else "")
+        told.note(Said(EDGES[test], {"says": edge}) if edge else "")
     if inference:
         told.tell("change", lambda: _change(sums))
         told.tell("wilcoxon", lambda: _ranks(sums))
@@ -133,7 +151,7 @@ def _ranks(sums: PairSums) -> tuple[dict[str, Any], str]:
 
 def _within(before: Spread, after: Spread) -> tuple[float, str]:
     d = cohen_d_within(before, after)
-    return d, say.of_effect(d, D_WITHIN)
+    return d, say.of_effect(d, say.D_WITHIN)
 
 
 def comparison_table(one: Pairs, other: Pairs, *, classes: int, inference: bool) -> dict[str, Any]:
@@ -144,7 +162,7 @@ def comparison_table(one: Pairs, other: Pairs, *, classes: int, inference: bool)
     groups = (one.group, other.group)
     return comparison_row(
         groups, one.sums, other.sums, with_p=classes > 1, inference=inference,
-        says=say.ONE_CLASS if classes < 2 else "",
+        says=two.ONE_CLASS if classes < 2 else "",
     )  # fmt: skip
 
 
@@ -162,11 +180,7 @@ def comparison_row(
     row: dict[str, Any] = {"groups": list(groups), "n": [one.n, other.n], "p_shown": with_p}
     for group, sums in zip(groups, (one, other), strict=True):
         if sums.n < FEWEST:
-            text = (
-                f"{sums.n} students of “{group}” took both tests: no comparison "
-                f"with fewer than {FEWEST}."
-            )
-            return {**row, "sentences": [text], "refusals": []}
+            return {**row, "sentences": [two.too_few(sums.n, group, FEWEST)], "refusals": []}
     first, second = one.before, other.before
     told.tell("baseline", lambda: _baseline(first, second, groups, inference=inference))
     if inference:
@@ -174,7 +188,7 @@ def comparison_row(
     gains = [one.gain, other.gain]
     row["gain_spreads"] = [asdict(gain) for gain in gains]
     if inference:
-        told.tell("welch", lambda: _welch("Raw gains", gains, groups, with_p=with_p))
+        told.tell("welch", lambda: _welch(two.RAW_GAINS, gains, groups, with_p=with_p))
     told.tell("paper_z", lambda: _paper_z(gains))
     told.tell("d", lambda: _between(gains))
     told.note(says)
@@ -188,14 +202,14 @@ def _baseline(
     test = welch(first, second) if inference else None
     table = {"z": z.z, **({"difference": test.difference, "low": test.low, "high": test.high}
                           if test else {})}  # fmt: skip
-    return table, say.of_baseline(test, z, groups)
+    return table, two.of_baseline(test, z, groups)
 
 
 def _adjusted(
     one: PairSums, other: PairSums, groups: tuple[str, str], *, with_p: bool
 ) -> tuple[dict[str, Any], str]:
     found = adjusted(one.both, other.both)
-    text = say.of_difference("Adjusted for the start (ANCOVA)", found.test, groups, with_p=with_p)
+    text = two.of_difference(two.ADJUSTED, found.test, groups, with_p=with_p)
     return {"slope": found.slope, **asdict(found.test)}, text
 
 
@@ -203,18 +217,17 @@ def _welch(
     what: str, spreads: list[Spread], groups: tuple[str, str], *, with_p: bool
 ) -> tuple[dict[str, Any], str]:
     test: TTest = welch(*spreads)
-    return asdict(test), say.of_difference(what, test, groups, with_p=with_p)
+    return asdict(test), two.of_difference(what, test, groups, with_p=with_p)
 
 
 def _paper_z(gains: list[Spread]) -> tuple[dict[str, float], str]:
     found = paper_z(*gains)
-    text = f"The paper's Z of the raw gains, equation (4), is {say.signed(found.z)}."
-    return asdict(found), text
+    return asdict(found), two.of_paper_z(found.z)
 
 
 def _between(gains: list[Spread]) -> tuple[float, str]:
     d = cohen_d(*gains)
-    return d, say.of_effect(d, D_BETWEEN)
+    return d, say.of_effect(d, say.D_BETWEEN)
 
 
 def only_after_table(
@@ -222,7 +235,8 @@ def only_after_table(
 ) -> dict[str, Any]:
     """Two groups on a form that has no earlier one to compare with. Needs scipy."""
     told = Told()
-    told.tell("welch", lambda: _welch(f"Form {form}", spreads, groups, with_p=classes > 1))
+    told.tell("welch", lambda: _welch(said("Form {form}", form=form), spreads, groups,
+                                       with_p=classes > 1))  # fmt: skip
     told.tell("paper_z", lambda: _paper_z_of(spreads))
     return {"form": form, **told.numbers, "sentences": told.sentences, "refusals": told.refusals}
 

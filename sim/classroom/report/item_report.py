@@ -10,12 +10,13 @@ from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.refusal import FEW
 from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
 from sim.classroom.report.marked import Answer, Marked
-from sim.classroom.report.sentences import many
+from sim.classroom.report.numerals import signed
+from sim.classroom.report.second_thoughts import changed_of, tries_of
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import NO_QUESTIONS
 from sim.lesson.kinds.number import NEAR, Number, Wrong
 from sim.lesson.mark import is_empty
-from sim.scene.said import said
+from sim.scene.said import joined, said
 
 
 def item_rows(
@@ -61,6 +62,8 @@ def _row(
         "n": len(answers),
         "answered": sum(not is_empty(a.value) for a in answers),
         "sure": _sure(answers, keyed),
+        "tries": tries_of(answers),
+        "changed": changed_of(answers, keyed),
         "right": verdicts["right"],
         "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],
@@ -179,26 +182,49 @@ def item_sentence(row: dict[str, Any]) -> str:
     if not row["worth"] or not row["n"]:
         return ""
     if row["unread"]:
-        return f"{many(row['unread'], 'answer')} to be read by you, {row['empty']} left it open."
-    text = f"{row['right']} of {row['n']} answered it right"
+        left = f"{row['empty']}"
+        if row["unread"] == 1:
+            return said("1 answer to be read by you, {open} left it open.", open=left)
+        return said("{n} answers to be read by you, {open} left it open.", n=f"{row['unread']}",
+                    open=left)  # fmt: skip
+    return joined(_right(row), _certain(row), _chosen(row), _rough(row))
+
+
+def _right(row: dict[str, Any]) -> str:
+    values = {"right": f"{row['right']}", "n": f"{row['n']}"}
     if row["n"] >= FEW:
-        text += f" ({100 * row['right'] / row['n']:.0f} %)"
-    text += f", {row['empty']} left it open." if row["empty"] else "."
-    if row["sure"] and any(row["sure"].values()):
-        text += f" Sure and right: {row['sure']['right']}; sure and wrong: {row['sure']['wrong']}."
+        percent = f"{100 * row['right'] / row['n']:.0f}"
+        text = said("{right} of {n} answered it right ({percent} %)", percent=percent, **values)
+    else:
+        text = said("{right} of {n} answered it right", **values)
+    if row["empty"]:
+        return said("{sentence}, {open} left it open.", sentence=text, open=f"{row['empty']}")
+    return said("{sentence}.", sentence=text)
+
+
+def _certain(row: dict[str, Any]) -> str:
+    sure = row["sure"]
+    if not sure or not any(sure.values()):
+        return ""
+    return said("Sure and right: {right}; sure and wrong: {wrong}.", right=f"{sure['right']}",
+                wrong=f"{sure['wrong']}")  # fmt: skip
+
+
+def _chosen(row: dict[str, Any]) -> str:
+    """The wrong answer that was chosen most, and what is often thought with it."""
     wrong = [c for c in row["choices"] if not c.get("correct") and c["count"] > 1]
-    if wrong:
-        most = max(wrong, key=lambda c: c["count"])
-        chose = f"{most['count']} chose {most['label']}"
-        if most.get("says"):
-            text += f" {chose}; students who choose it often think: “{most['says']}”"
-        else:
-            text += f" {chose}."
-    if row["discrimination"] is not None:
-        text += (
-            f" Rough: upper minus lower part of the class {row['discrimination']:+.2f}".replace(
-                "-", "−"
-            )
-            + "."
-        )
-    return text
+    if not wrong:
+        return ""
+    most = max(wrong, key=lambda c: c["count"])
+    values = {"count": f"{most['count']}", "answer": most["label"]}
+    if says := most.get("says"):
+        return said("{count} chose {answer}; students who choose it often think: “{belief}”",
+                    belief=says, **values)  # fmt: skip
+    return said("{count} chose {answer}.", **values)
+
+
+def _rough(row: dict[str, Any]) -> str:
+    if row["discrimination"] is None:
+        return ""
+    return said("Rough: upper minus lower part of the class {difference}.",
+                difference=signed(row["discrimination"]))  # fmt: skip

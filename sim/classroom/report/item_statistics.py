@@ -20,6 +20,13 @@ from sim.classroom.statistics.item_numbers import (
 )
 from sim.classroom.statistics.reliability import alpha, delta
 from sim.classroom.statistics.spread import Exact
+from sim.scene.said import reason_of, said, template
+
+NAMES = {
+    "difficulty": template("difficulty"),
+    "discrimination": template("discrimination"),
+    "point_biserial": template("point-biserial"),
+}
 
 NO_NUMBERS: Mapping[str, None] = {
     "point_biserial_total": None,
@@ -78,8 +85,7 @@ def _add(row: dict[str, Any], name: str, statistic: Callable[[], float]) -> None
     try:
         row[name] = statistic()
     except RefusalError as refused:
-        note = f"{name.replace('_', '-')}: {refused}"
-        row["notes"].append(note)
+        row["notes"].append(said("{name}: {reason}", name=NAMES[name], reason=reason_of(refused)))
 
 
 def whole_test(
@@ -107,7 +113,7 @@ def whole_test(
             row[name] = statistic()
             row["sentences"].append(sentence(row[name]))
         except RefusalError as refused:
-            row["sentences"].append(f"{name}: {refused}.")
+            row["sentences"].append(said("{name}: {reason}.", name=name, reason=reason_of(refused)))
     return row
 
 

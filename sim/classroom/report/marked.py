@@ -11,8 +11,10 @@ from sim.classroom.files.marks_file import Given, pseudonym
 from sim.classroom.files.reading import Read
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.mark import Mark, Verdict, is_empty
+from sim.scene.said import said
 
 NO_CODE = "no code word"
+"""How a file without one is named where persons are compared; people are told `who`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,7 +62,12 @@ class Marked:
     @property
     def who(self) -> str:
         """Who it is, for people: the code word, or the name of the file that has none."""
-        return self.file.student.strip() or f"{NO_CODE} ({self.name})"
+        return self.file.student.strip() or said("no code word ({file})", file=self.name)
+
+    @property
+    def place(self) -> str:
+        """Who it is and which form, for people."""
+        return said("{who}, form {form}", who=self.who, form=self.file.form)
 
     @property
     def key(self) -> tuple[str, str, str, str]:

@@ -6,17 +6,15 @@ unequal forces, after two hundred runs, has seen more than one that was told so.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.report.marked import Marked
+from sim.classroom.report.most_said import most_said
+from sim.classroom.report.settings import told_settings
 from sim.lesson.answer_file import CHALLENGE, FOUND_FORCE, Item
-
-MOST = 12
-"""Different settings of one row that are counted one by one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +51,7 @@ def _ask(name: str, made: Made, form: KeyedForm | None) -> str:
 
 def _row(kind: str, name: str, ask: str, made: Made) -> dict[str, Any]:
     items, done = zip(*made, strict=True)
-    said = Counter(one.said for one in done if one.said)
+    said, more = most_said(one.said for one in done if one.said)
     return {
         "kind": kind,
         "id": name,
@@ -61,11 +59,8 @@ def _row(kind: str, name: str, ask: str, made: Made) -> dict[str, Any]:
         "n": len(items),
         "runs": sum(one.runs for one in done),
         "found": sum(one.found for one in done),
-        "said": [
-            {"said": words, "count": count}
-            for words, count in sorted(said.items(), key=lambda one: (-one[1], one[0]))[:MOST]
-        ],
-        "more": max(0, len(said) - MOST),
+        "said": [{"said": words, "count": count} for words, count in said],
+        "more": more,
         "first": min(item.first or "" for item in items),
     }
 
@@ -86,16 +81,7 @@ def _force(item: Item) -> _Done:
 def _reading(item: Item) -> _Done | None:
     if not item.set:
         return None
-    return _Done(1, found=False, said=_told(item.set))
-
-
-def _told(values: Mapping[str, Any]) -> str:
-    """Settings in words, as in `A.mass 2, B.velocity 0.5 m/s`; numbers without a unit are SI."""
-    return ", ".join(f"{name} {_short(value)}" for name, value in sorted(values.items()))
-
-
-def _short(value: object) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return _Done(1, found=False, said=told_settings(item.set))
 
 
 KINDS: dict[str, Callable[[Item], _Done | None]] = {

@@ -7,19 +7,16 @@ other.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
 from sim.classroom.report.marked import Marked
+from sim.classroom.report.most_said import most_said
 from sim.lesson.answer_file import PREDICTIONS, Item
 from sim.lesson.mark import is_empty
 
 SEPARATOR = " · "
 """What stands in an answer's words between the prediction and what was said besides."""
-
-MOST = 12
-"""Different predictions of one scene that are counted one by one."""
 
 
 def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
@@ -35,7 +32,8 @@ def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
 
 def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     items = [item for _, item in made]
-    words = Counter(words_of(item) for item in items)
+    drawn = items[0].type == "curve"  # in words each one is different
+    words, more = most_said([] if drawn else map(words_of, items))
     curves = [[float(h) for h in item.value] for item in items if _is_curve(item)]
     return {
         "id": name,
@@ -44,11 +42,9 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
         "n": len(items),
         "locked": sum("locked" in item.more for item in items),
         "answers": [
-            {"said": said, "count": count, "sure": _sure(items, said)}
-            for said, count in sorted(words.items(), key=lambda one: (-one[1], one[0]))[:MOST]
-            if items[0].type != "curve"
+            {"said": said, "count": count, "sure": _sure(items, said)} for said, count in words
         ],
-        "more": max(0, len(words) - MOST) if items[0].type != "curve" else 0,
+        "more": more,
         "curves": curves,
         "reasons": [
             {"student": file.who, "said": words_of(item), "why": item.more["why"]}

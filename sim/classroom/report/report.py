@@ -34,10 +34,11 @@ from sim.classroom.report.predictions import prediction_rows
 from sim.classroom.report.talk import talk_rows
 from sim.classroom.report.topics import topic_rows
 from sim.classroom.statistics.spread import Exact, Spread, median, spread
+from sim.scene.said import template
 
 FORMAT = 1
 KIND = "newtons-carts-class"
-WHOLE = "class"
+WHOLE = template("class")
 """The name of the group where the teacher named none."""
 
 
@@ -164,8 +165,7 @@ def _group(
     if not of:
         return row
     if len(totals) < FEWEST:
-        few = say.many(len(totals), "student")
-        return {**row, "sentence": f"{few}: no statistics for fewer than {FEWEST}."}
+        return {**row, "sentence": say.too_few(len(totals), FEWEST)}
     found = spread(totals)
     interval = found.interval() if asked.inference and found.sd else None
     low, high = interval or (None, None)

@@ -5,17 +5,22 @@ Every plot stands beside the table it shows, so a screen reader gets a name and 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
-from sim.classroom.show.escaped import escape
+from sim.classroom.show.html_parts import Tell, text
+from sim.scene.said import said, template
 
 WIDTH = 620
 _LEFT, _RIGHT = 150, 24
 _ROW = 46
 _DOT = 3.2
+_LETTER = re.compile(r"&[#\w]+;|.", re.DOTALL)
 
 
-def dots(rows: Sequence[tuple[str, Sequence[float], float, float | None]], of: float) -> str:
+def dots(
+    rows: Sequence[tuple[str, Sequence[float], float, float | None]], of: float, tell: Tell
+) -> str:
     """One line for each list of totals: a dot per student, the mean, and its interval's half.
 
     `rows`: name, totals, mean, half width of the interval (None: not computed).
@@ -31,7 +36,7 @@ def dots(rows: Sequence[tuple[str, Sequence[float], float, float | None]], of: f
         step = min(2.2 * _DOT, 30 / most)
         height = max(_ROW, 20 + step * most)
         base = y + height - 16
-        parts.append(_text(8, base + 4, _cut(name), "name"))
+        parts.append(_text(8, base + 4, _cut(tell(name)), "name"))
         for total in totals:
             level = stacked.get(total, 0)
             stacked[total] = level + 1
@@ -43,12 +48,15 @@ def dots(rows: Sequence[tuple[str, Sequence[float], float, float | None]], of: f
             parts.append(f'<path class="interval" d="M{x(low):.1f} {base:.1f}H{x(high):.1f}"/>')
         parts.append(f'<path class="mean" d="M{x(mean):.1f} {base - 5:.1f}v10"/>')
         y += height
-    parts += _axis(x, y, of)
-    label = f"Marks of each student, with means: {', '.join(name for name, *_ in rows)}"
+    parts += _axis(x, y, of, tell)
+    label = f"{tell(template('Marks of each student, with means:'))} "
+    label += ", ".join(tell(name) for name, *_ in rows)
     return _figure("".join(parts), y + 34, label)
 
 
-def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequence[str]) -> str:
+def bars(
+    rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequence[str], tell: Tell
+) -> str:
     """Share of right answers for each item, one bar for each form in `shown`."""
 
     def x(share: float) -> float:
@@ -57,7 +65,7 @@ def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequenc
     parts, y, thick = [], 10.0, 9
     for name, shares in rows:
         height = thick * max(1, len(shares)) + 9
-        parts.append(_text(8, y + height / 2, _cut(name), "name"))
+        parts.append(_text(8, y + height / 2, _cut(text(name)), "name"))
         for k, (form, share) in enumerate(shares):
             series = shown.index(form)
             parts.append(
@@ -68,7 +76,7 @@ def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequenc
     for k, form in enumerate(shown if len(shown) > 1 else []):
         at = _LEFT + 110 * k
         parts.append(f'<rect class="series-{k}" x="{at}" y="{y + 36:.1f}" width="10" height="10"/>')
-        parts.append(_text(at + 16, y + 45, form, "key"))
+        parts.append(_text(at + 16, y + 45, tell(form), "key"))
     axis = [
         f'<path class="axis" d="M{x(0):.1f} {y:.1f}H{x(1):.1f}"/>',
         *(
@@ -77,11 +85,12 @@ def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequenc
             for k in range(5)
         ),
     ]
-    label = f"Share of right answers for each question: {', '.join(shown)}"
+    label = f"{tell(template('Share of right answers for each question:'))} "
+    label += ", ".join(map(tell, shown))
     return _figure("".join([*parts, *axis]), y + (54 if len(shown) > 1 else 28), label)
 
 
-def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
+def curves(drawn: Sequence[Sequence[float]], tell: Tell, highest: float = 10.0) -> str:
     """Curves of a class over each other: many equal ones make a dark line."""
     width, height, left, top = 360, 150, 40, 10
     signed = any(h < 0 for heights in drawn for h in heights)
@@ -99,12 +108,12 @@ def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
     zero = top + (base - top) / 2 if signed else base
     axis = f'<path class="axis" d="M{left} {top}V{base}M{left} {zero}H{width - 10}"/>'
     words = [
-        _text(left, base + 18, "begin", "key"),
-        _text(width - 40, base + 18, "end", "key"),
-        _text(8, top + 8, "large", "key"),
+        _text(left, base + 18, tell(template("begin")), "key"),
+        _text(width - 40, base + 18, tell(template("end")), "key"),
+        _text(8, top + 8, tell(template("large")), "key"),
         _text(8, zero + 4, "0", "key"),
     ]
-    label = f"{len(drawn)} drawn curves over each other"
+    label = tell(said("{n} drawn curves over each other", n=f"{len(drawn)}"))
     content = "".join([axis, *paths, *words])
     return (
         f'<svg class="carts-class-plot carts-class-curves" role="img" aria-label="{label}" '
@@ -112,7 +121,7 @@ def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
     )
 
 
-def _axis(x: object, y: float, of: float) -> list[str]:
+def _axis(x: object, y: float, of: float, tell: Tell) -> list[str]:
     assert callable(x)
     steps = (s * 10**k for k in range(309) for s in (1, 2, 5))  # up to the largest float
     step = next(s for s in steps if of / s <= 12)
@@ -123,20 +132,22 @@ def _axis(x: object, y: float, of: float) -> list[str]:
             f'<path class="axis" d="M{x(m):.1f} {y:.1f}v5"/>' + _text(x(m), y + 19, str(m), "tick")
             for m in marks
         ),
-        _text(8, y + 19, f"marks, of {of:g}", "key"),
+        _text(8, y + 19, tell(said("marks, of {of}", of=f"{of:g}")), "key"),
     ]
 
 
-def _text(x: float, y: float, text: str, role: str) -> str:
-    return f'<text class="{role}" x="{x:.1f}" y="{y:.1f}">{escape(text)}</text>'
+def _text(x: float, y: float, html: str, role: str) -> str:
+    return f'<text class="{role}" x="{x:.1f}" y="{y:.1f}">{html}</text>'
 
 
-def _cut(name: str) -> str:
-    return name if len(name) <= 20 else f"{name[:19]}…"
+def _cut(html: str) -> str:
+    """A name that is escaped already, not longer than the space beside the drawing."""
+    letters = _LETTER.findall(html)
+    return html if len(letters) <= 20 else f"{''.join(letters[:19])}…"
 
 
 def _figure(content: str, height: float, label: str) -> str:
     return (
-        f'<svg class="carts-class-plot" role="img" aria-label="{escape(label)}" '
+        f'<svg class="carts-class-plot" role="img" aria-label="{label}" '
         f'viewBox="0 0 {WIDTH} {height:.0f}" xmlns="http://www.w3.org/2000/svg">{content}</svg>'
     )

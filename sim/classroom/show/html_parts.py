@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from sim.classroom.show.escaped import escape
+from sim.scene.said import in_words
+
+Tell = Callable[[str], str]
+"""A sentence of ours as HTML text, in the language of the report or paper."""
 
 _MARKDOWN = re.compile(r"\*\*|__|`|\\[()]")
 LONGEST = 2000
@@ -16,6 +20,11 @@ def text(value: object) -> str:
     plain = _MARKDOWN.sub("", str(value))
     plain = plain if len(plain) <= LONGEST else f"{plain[:LONGEST]}…"
     return escape(plain)
+
+
+def telling(words: Mapping[str, str]) -> Tell:
+    """`words`: what each English sentence is in the language; empty for English."""
+    return lambda sentence: text(in_words(sentence, words))
 
 
 def who(value: object) -> str:
@@ -33,7 +42,12 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str = "")
     )
 
 
-def listed(sentences: Iterable[str], kind: str = "says") -> str:
+def person(name: str, tell: Tell) -> str:
+    """The same for one that may be a sentence of ours: a file without a code word."""
+    return f"<bdi>{tell(name)}</bdi>"
+
+
+def listed(sentences: Iterable[str], tell: Tell, kind: str = "says") -> str:
     """Sentences as a list, or nothing."""
-    items = "".join(f"<li>{text(sentence)}</li>" for sentence in sentences if sentence)
+    items = "".join(f"<li>{tell(sentence)}</li>" for sentence in sentences if sentence)
     return f'<ul class="carts-class-{kind}">{items}</ul>' if items else ""

@@ -5,28 +5,35 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from sim.classroom.report.sentences import many
-from sim.classroom.show.html_parts import table, text
+from sim.classroom.report.numerals import runs, students
+from sim.classroom.show.html_parts import Tell, table, text
 from sim.lesson.answer_file import CHALLENGE, FOUND_FORCE
+from sim.scene.said import said, template
 
 Row = Mapping[str, Any]
 
 
-def own_runs_html(rows: Sequence[Row]) -> str:
+def own_runs_html(rows: Sequence[Row], tell: Tell) -> str:
     """All challenges, forces and readings; nothing where nobody changed a run."""
     if not rows:
         return ""
-    return f"<h4>Runs of their own</h4>{''.join(map(_row, rows))}"
+    title = tell(template("Runs of their own"))
+    return f"<h4>{title}</h4>{''.join(_row(row, tell) for row in rows)}"
 
 
-def _row(row: Row) -> str:
-    cells = [[text(one["said"]), str(one["count"])] for one in row["said"]]
-    more = f"<p>and {row['more']} more.</p>" if row["more"] else ""
-    listed = table([HEADS.get(row["kind"], "set"), "students"], cells, kind="item") if cells else ""
+def _row(row: Row, tell: Tell) -> str:
+    cells = [[tell(one["said"]), str(one["count"])] for one in row["said"]]
+    more = f"<p>{tell(and_more(row['more']))}</p>" if row["more"] else ""
+    head = [tell(HEADS.get(row["kind"], SET)), tell(template("students"))]
+    listed = table(head, cells, kind="item") if cells else ""
     title = f"<h5>{text(row['ask'] or row['id'])}</h5>"
-    return (
-        f'<div class="carts-class-item">{title}<p>{own_run_sentence(row)}</p>{listed}{more}</div>'
-    )
+    says = tell(own_run_sentence(row))
+    return f'<div class="carts-class-item">{title}<p>{says}</p>{listed}{more}</div>'
+
+
+def and_more(count: int) -> str:
+    """How many are not listed."""
+    return said("and {n} more.", n=f"{count}")
 
 
 def own_run_sentence(row: Row) -> str:
@@ -35,18 +42,25 @@ def own_run_sentence(row: Row) -> str:
 
 
 def _challenge(row: Row) -> str:
-    tried = f"{many(row['n'], 'student')} tried {many(row['runs'], 'run')}"
-    found = f"{row['found']} found one" if row["found"] else "nobody found one"
-    return f"{tried}; {found}."
+    values = {"students": students(row["n"]), "runs": runs(row["runs"])}
+    if row["found"]:
+        return said("{students} tried {runs}; {found} found one.", found=f"{row['found']}",
+                    **values)  # fmt: skip
+    return said("{students} tried {runs}; nobody found one.", **values)
 
 
 def _force(row: Row) -> str:
-    return f"{many(row['n'], 'student')} found it, in {many(row['runs'], 'try', 'tries')}."
+    if row["runs"] == 1:
+        return said("{students} found it, in 1 try.", students=students(row["n"]))
+    return said("{students} found it, in {n} tries.", students=students(row["n"]),
+                n=f"{row['runs']}")  # fmt: skip
 
 
 def _read(row: Row) -> str:
-    return f"{many(row['n'], 'student')} read it off a run with settings of their own."
+    return said("{students} read it off a run with settings of their own.",
+                students=students(row["n"]))  # fmt: skip
 
 
 SENTENCES: dict[str, Callable[[Row], str]] = {CHALLENGE: _challenge, FOUND_FORCE: _force}
-HEADS = {CHALLENGE: "found with", FOUND_FORCE: "found"}
+HEADS = {CHALLENGE: template("found with"), FOUND_FORCE: template("found")}
+SET = template("set")

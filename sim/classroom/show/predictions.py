@@ -6,42 +6,51 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.show.drawing import curves
-from sim.classroom.show.html_parts import table, text, who
+from sim.classroom.show.html_parts import Tell, person, table, text
+from sim.scene.said import said, template
 
 Row = Mapping[str, Any]
 
 
-def predictions_html(rows: Sequence[Row]) -> str:
+def predictions_html(rows: Sequence[Row], tell: Tell) -> str:
     """All scenes that asked first; nothing where none did."""
     if not rows:
         return ""
-    each = "".join(map(_prediction, rows))
-    return f"<h4>Predicted before the run</h4>{each}"
+    title = tell(template("Predicted before the run"))
+    return f"<h4>{title}</h4>{''.join(_prediction(row, tell) for row in rows)}"
 
 
-def _prediction(row: Row) -> str:
-    open_ones = row["n"] - row["locked"]
-    left = f", {open_ones} of them not locked" if open_ones else ""
+def _prediction(row: Row, tell: Tell) -> str:
     title = f"<h5>{text(row['ask'] or row['id'])}</h5>"
-    parts = [title, f'<p class="carts-class-quiet">{row["n"]} predictions{left}.</p>']
+    parts = [title, f'<p class="carts-class-quiet">{tell(_how_many(row))}</p>']
     if row["curves"]:
-        parts.append(f"<figure>{curves(row['curves'])}</figure>")
+        parts.append(f"<figure>{curves(row['curves'], tell)}</figure>")
     cells = [
         [text(one["said"]), str(one["count"]), str(one["sure"]) if one["sure"] else "–"]
         for one in row["answers"]
     ]
     if cells:
-        parts.append(table(["prediction", "students", "sure"], cells, kind="item"))
+        head = [tell(template("prediction")), tell(template("students")), tell(template("sure"))]
+        parts.append(table(head, cells, kind="item"))
     if row["more"]:
-        parts.append(f"<p>and {row['more']} more, each in other words.</p>")
+        more = said("and {n} more, each in other words.", n=f"{row['more']}")
+        parts.append(f"<p>{tell(more)}</p>")
     reasons = "".join(
-        f"<li>{who(one['student'])} ({text(one['said'])}): {text(one['why'])}</li>"
+        f"<li>{person(one['student'], tell)} ({text(one['said'])}): {text(one['why'])}</li>"
         for one in row["reasons"]
     )
     if reasons:
         count = len(row["reasons"])
+        why = said("Why: 1 reason") if count == 1 else said("Why: {n} reasons", n=f"{count}")
         parts.append(
-            f"<details><summary>Why: {count} {'reason' if count == 1 else 'reasons'}</summary>"
+            f"<details><summary>{tell(why)}</summary>"
             f'<ul class="carts-class-says">{reasons}</ul></details>'
         )
     return f'<div class="carts-class-item">{"".join(parts)}</div>'
+
+
+def _how_many(row: Row) -> str:
+    count = said("1 prediction") if row["n"] == 1 else said("{n} predictions", n=f"{row['n']}")
+    if open_ones := row["n"] - row["locked"]:
+        return said("{predictions}, {n} of them not locked.", predictions=count, n=f"{open_ones}")
+    return said("{sentence}.", sentence=count)

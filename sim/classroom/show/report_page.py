@@ -1,6 +1,6 @@
 """A report as HTML: the same tables in the page, in the file that is saved, and in print.
 
-There is no script and no style in it. The questions of a form: show_items.py.
+There is no script and no style in it. The questions of a form: questions.py.
 """
 
 from __future__ import annotations
@@ -9,78 +9,104 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.report import sentences as say
-from sim.classroom.report.sentences import files_read, many, number, signed, unmarked
+from sim.classroom.report.numerals import number, signed
+from sim.classroom.report.sentences import TITLES, unmarked
 from sim.classroom.show.drawing import bars, dots
-from sim.classroom.show.html_parts import listed, table, text, who
-from sim.classroom.show.questions import TITLES, form_html
+from sim.classroom.show.html_parts import Tell, listed, person, table, telling, text
+from sim.classroom.show.questions import form_html
+from sim.scene.said import Said, commas, joined, said, template
 
 Row = Mapping[str, Any]
 MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
+MOST_FLAGGED = 12  # names of files beside a question to the teacher
+ENGLISH: Mapping[str, str] = {}
 
 
-def report_html(report: Row) -> str:
-    """The whole report as a fragment of a page."""
-    parts = [_count(report["files"]), _flags(report["flags"]), _refused(report["files"])]
-    parts += [_lesson(lesson, report) for lesson in report["lessons"]]
-    parts.append(listed(report["notes"], "notes"))
+def report_html(report: Row, words: Mapping[str, str] = ENGLISH) -> str:
+    """The whole report as a fragment of a page; `words`: each English sentence in the language."""
+    tell = telling(words)
+    parts = [_count(report["files"], tell), _flags(report["flags"], tell),
+             _refused(report["files"], tell)]  # fmt: skip
+    parts += [_lesson(lesson, report, tell) for lesson in report["lessons"]]
+    parts.append(listed(report["notes"], tell, "notes"))
     return "".join(parts)
 
 
-def _count(files: Row) -> str:
-    counted = f"{files['counted']} of {files['read']} {files_read(files)} are counted."
-    if not files["read"]:
-        counted = f"No {files_read(files, one=True)} was found."
-    made = f'<p class="carts-class-count">{counted}</p>'
+def _count(files: Row, tell: Tell) -> str:
+    made = f'<p class="carts-class-count">{tell(say.counted(files))}</p>'
     if lost := len(files["refused"]) + files["refused_more"]:
-        names = ", ".join(text(row["name"]) for row in files["refused"][:MOST_LOST])
-        more = " …" if lost > MOST_LOST else ""
-        unread = f"{many(lost, 'file')} could not be read: {names}{more}"
-        made += f'<p class="carts-class-lost">{unread}</p>'
+        names = commas([row["name"] for row in files["refused"][:MOST_LOST]])
+        names = said("{names} …", names=names) if lost > MOST_LOST else names
+        unread = (
+            said("1 file could not be read: {names}", names=names) if lost == 1
+            else said("{n} files could not be read: {names}", n=f"{lost}", names=names)
+        )  # fmt: skip
+        made += f'<p class="carts-class-lost">{tell(unread)}</p>'
     if files["set_aside"]:
-        made += f"<p>Set aside: {', '.join(map(who, files['set_aside']))}.</p>"
+        aside = ", ".join(person(name, tell) for name in files["set_aside"])
+        made += f"<p>{tell(template('Set aside:'))} {aside}.</p>"
     return made
 
 
-def _refused(files: Row) -> str:
-    refused = [f"{row['name']}: {row['reason']}" for row in files["refused"]]
+def _refused(files: Row, tell: Tell) -> str:
+    refused = [said("{name}: {reason}", name=row["name"], reason=row["reason"])
+               for row in files["refused"]]  # fmt: skip
     if files["refused_more"]:
-        refused.append(f"and {files['refused_more']} more")
+        refused.append(said("and {n} more", n=f"{files['refused_more']}"))
     if not refused:
         return ""
-    return f"<h2>Files that could not be read</h2>{listed(refused, 'refused')}"
+    title = tell(template("Files that could not be read"))
+    return f"<h2>{title}</h2>{listed(refused, tell, 'refused')}"
 
 
-def _flags(flags: Sequence[Row]) -> str:
+def _flags(flags: Sequence[Row], tell: Tell) -> str:
     if not flags:
         return ""
     rows = [
-        f"<li>{text(flag['sentence'])} <span>{', '.join(map(who, flag['files'][:12]))}"
-        f"{' …' if len(flag['files']) > 12 else ''}</span></li>"
+        f"<li>{tell(flag['sentence'])} <span>"
+        f"{', '.join(person(name, tell) for name in flag['files'][:MOST_FLAGGED])}"
+        f"{' …' if len(flag['files']) > MOST_FLAGGED else ''}</span></li>"
         for flag in flags
     ]
-    return f'<h2>Look at this first</h2><ul class="carts-class-flags">{"".join(rows)}</ul>'
+    title = tell(template("Look at this first"))
+    return f'<h2>{title}</h2><ul class="carts-class-flags">{"".join(rows)}</ul>'
 
 
-def _lesson(lesson: Row, report: Row) -> str:
-    parts = [f"<h2>{text(lesson['title'])}</h2>", _means(lesson, report), _plot(lesson)]
-    if lesson["comparison"]:
-        first, second = lesson["comparison"]["groups"]
-        parts.append(f"<h3>{text(first)} beside {text(second)}</h3>")
-        parts.append(_comparison(lesson["comparison"]))
-    for row in lesson.get("comparisons", []):
-        first, second = row["groups"]
-        parts.append(f"<h3>{text(first)} beside {text(second)}</h3>")
-        parts.append(_comparison(row))
+def _lesson(lesson: Row, report: Row, tell: Tell) -> str:
+    parts = [f"<h2>{text(lesson['title'])}</h2>", _means(lesson, report, tell),
+             _plot(lesson, tell)]  # fmt: skip
+    compared = [lesson["comparison"]] if lesson["comparison"] else []
+    for row in [*compared, *lesson.get("comparisons", [])]:
+        parts.append(f"<h3>{tell(beside(row))}</h3>")
+        parts.append(listed([*row["sentences"], *row["refusals"]], tell))
     if lesson["gains"]:
-        parts += ["<h3>Before and after</h3>", _gains(lesson["gains"]), _topics(lesson["topics"])]
-    parts += [f"<h3>Form {text(row['form'])}</h3>{listed(row['sentences'])}"
-              for row in lesson["later"]]  # fmt: skip
-    parts.append(_items(lesson))
-    parts += [form_html(form) for form in lesson["forms"]]
+        parts += [f"<h3>{tell(template('Before and after'))}</h3>", _gains(lesson["gains"], tell),
+                  _topics(lesson["topics"], tell)]  # fmt: skip
+    for row in lesson["later"]:
+        parts.append(f"<h3>{tell(said('Form {form}', form=row['form']))}</h3>")
+        parts.append(listed(row["sentences"], tell))
+    parts.append(_items(lesson, tell))
+    parts += [form_html(form, tell) for form in lesson["forms"]]
     return f'<section class="carts-class-lesson">{"".join(parts)}</section>'
 
 
-def _means(lesson: Row, report: Row) -> str:
+def beside(row: Row) -> str:
+    """The heading of a comparison."""
+    first, second = row["groups"]
+    return said("{first} beside {second}", first=first, second=second)
+
+
+def of_group(name: str, sentence: str) -> str:
+    """A sentence about one of several groups."""
+    return said("{name}: {says}", name=name, says=sentence)
+
+
+def group_in_form(form: str, group: str) -> str:
+    """A group on one of the tests."""
+    return said("{form}, {group}", form=form, group=group)
+
+
+def _means(lesson: Row, report: Row, tell: Tell) -> str:
     """The first table: means and deviations, or why there are none."""
     rows, says = [], []
     for form in lesson["forms"]:
@@ -88,26 +114,38 @@ def _means(lesson: Row, report: Row) -> str:
             if not group["n"] and len(report["groups"]) > 1:
                 continue
             mean = f"{number(group['mean'])} ± {number(group['sd'])}" if "mean" in group else "–"
-            low = group.get("low")
-            interval = "–" if low is None else f"{number(low)} to {number(group['high'])}"
-            rows.append([text(TITLES.get(form["form"], form["form"])), who(group["group"]),
-                         str(group["n"]), mean, interval,
+            rows.append([tell(TITLES.get(form["form"], form["form"])), person(group["group"], tell),
+                         str(group["n"]), mean, tell(interval(group)),
                          "–" if form["of"] is None else f"{form['of']}"])  # fmt: skip
             if sentence := group.get("sentence"):
-                prefix = f"{form['form']}, {group['group']}: "
-                says.append(prefix + sentence)
+                says.append(of_group(group_in_form(form["form"], group["group"]), sentence))
         if not form["has_key"]:
-            says.append(f"{unmarked(form['form'])} Choose the key file as well.")
+            choose = template("Choose the key file as well.")
+            says.append(joined(unmarked(form["form"]), choose))
         elif form["unread"]:
-            labels = {item["id"]: item["label"] for item in form["items"]}
-            waiting = ", ".join(labels.get(name, name) for name in form["unread"])
-            says.append(f"Form {form['form']}: {waiting} wait to be read by you "
-                        "and are in no total yet.")  # fmt: skip
-    head = ["form", "group", "students", "mean ± standard deviation", "95 % interval", "marks"]
-    return table(head, rows, kind="means") + listed(says)
+            says.append(_waiting(form))
+    head = [template("form"), template("group"), template("students"),
+            template("mean ± standard deviation"), template("95 % interval"),
+            template("marks")]  # fmt: skip
+    return table(list(map(tell, head)), rows, kind="means") + listed(says, tell)
 
 
-def _plot(lesson: Row) -> str:
+def interval(group: Row) -> str:
+    """From where to where."""
+    if group.get("low") is None:
+        return "–"
+    return said("{low} to {high}", low=number(group["low"]), high=number(group["high"]))
+
+
+def _waiting(form: Row) -> str:
+    """Answers in words that nobody has marked yet."""
+    labels = {item["id"]: item["label"] for item in form["items"]}
+    waiting = commas([labels.get(name, name) for name in form["unread"]])
+    return said("Form {form}: {questions} wait to be read by you and are in no total yet.",
+                form=form["form"], questions=waiting)  # fmt: skip
+
+
+def _plot(lesson: Row, tell: Tell) -> str:
     rows: list[tuple[str, list[float], float, float | None]] = []
     highest = 0.0
     for form in lesson["forms"]:
@@ -116,56 +154,66 @@ def _plot(lesson: Row) -> str:
                 low = group["low"]
                 half = None if low is None else group["mean"] - low
                 several = len(form["groups"]) > 1
-                name = f"{form['form']}, {group['group']}" if several else form["form"]
+                name = group_in_form(form["form"], group["group"]) if several else form["form"]
                 rows.append((name, group["totals"], group["mean"], half))
                 highest = max(highest, form["of"] or group["most"])
-    return f"<figure>{dots(rows, highest)}</figure>" if rows else ""
+    return f"<figure>{dots(rows, highest, tell)}</figure>" if rows else ""
 
 
-def _comparison(row: Row) -> str:
-    return listed([*row["sentences"], *row["refusals"]])
+ALONE = {
+    "without_before": template("only after, so in no pair: {names}"),
+    "without_after": template("only before, so in no pair: {names}"),
+}
 
 
-def _gains(rows: Sequence[Row]) -> str:
-    head = ["group", "took both", "before", "after", "gain g", "change (95 % interval)", "d"]
-    cells, says = [], []
+def _gains(rows: Sequence[Row], tell: Tell) -> str:
+    cells: list[list[str]] = []
+    says: list[str] = []
     for row in rows:
         change = row.get("change")
         pre, post = row["pre"], row["post"]
         cells.append([
-            who(row["group"]), str(row["n"]),
+            person(row["group"], tell), str(row["n"]),
             f"{number(pre['mean'])} ± {number(pre['sd'])}" if pre else "–",
             f"{number(post['mean'])} ± {number(post['sd'])}" if post else "–",
             number(row["gain"]) if row.get("gain") is not None else "–",
-            f"{signed(change['difference'])} ({signed(change['low'])} to {signed(change['high'])})"
-            if change else "–",
+            tell(_changed(change)) if change else "–",
             signed(row["d"]) if row.get("d") is not None else "–",
         ])  # fmt: skip
-        several = f"{row['group']}: " if len(rows) > 1 else ""
-        says += [several + sentence for sentence in [*row["sentences"], *row["refusals"]]]
-        for name, missing in (("without_before", "only after"), ("without_after", "only before")):
-            if row[name]:
-                says.append(f"{several}{missing}, so in no pair: {', '.join(row[name])}")
-    return table(head, cells, kind="gains") + listed(says)
+        found = [*row["sentences"], *row["refusals"]]
+        found += [Said(words, {"names": commas(row[name])})
+                  for name, words in ALONE.items() if row[name]]  # fmt: skip
+        says += [of_group(row["group"], one) for one in found] if len(rows) > 1 else found
+    head = [template("group"), template("took both"), template("before"), template("after"),
+            template("gain g"), template("change (95 % interval)"), "d"]  # fmt: skip
+    return table(list(map(tell, head)), cells, kind="gains") + listed(says, tell)
 
 
-def _topics(rows: Sequence[Row]) -> str:
+def _changed(change: Row) -> str:
+    return said("{difference} ({low} to {high})", difference=signed(change["difference"]),
+                low=signed(change["low"]), high=signed(change["high"]))  # fmt: skip
+
+
+def _topics(rows: Sequence[Row], tell: Tell) -> str:
     """Gains topic by topic."""
     if not rows:
         return ""
-    head = ["topic", "questions", "group", "took both", "before", "after", "gain g"]
+    head = [template("topic"), template("questions"), template("group"), template("took both"),
+            template("before"), template("after"), template("gain g")]  # fmt: skip
     cells = [
         [
-            text(row["topic"]), str(row["questions"]), who(row["group"]), str(row["n"]),
+            text(row["topic"]), str(row["questions"]), person(row["group"], tell), str(row["n"]),
             *(f"{number(row[k]['mean'])} ± {number(row[k]['sd'])}" for k in ("pre", "post")),
             "–" if row["gain"] is None else number(row["gain"]),
         ]
         for row in rows
     ]  # fmt: skip
-    return f"<h4>By topic</h4>{table(head, cells, kind='topics')}" + listed([say.FEW_QUESTIONS])
+    title = tell(template("By topic"))
+    made = table(list(map(tell, head)), cells, kind="topics")
+    return f"<h4>{title}</h4>{made}" + listed([say.FEW_QUESTIONS], tell)
 
 
-def _items(lesson: Row) -> str:
+def _items(lesson: Row, tell: Tell) -> str:
     """Share of right answers, item by item, for all forms of at least ten students."""
     shares: dict[str, list[tuple[str, float]]] = {}
     for form in lesson["forms"]:
@@ -173,4 +221,6 @@ def _items(lesson: Row) -> str:
             if item["difficulty"] is not None and item["n"] >= 10:
                 shares.setdefault(item["id"], []).append((form["form"], item["difficulty"]))
     shown = list(dict.fromkeys(form for values in shares.values() for form, _ in values))
-    return f"<figure>{bars(list(shares.items()), shown)}</figure>" if shares else ""
+    if not shares:
+        return ""
+    return f"<figure>{bars(list(shares.items()), shown, tell)}</figure>"

@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from sim.classroom.show.escaped import escape
-from sim.classroom.show.report_page import report_html
+from sim.classroom.show.report_page import ENGLISH, report_html
+from sim.scene.said import in_words, template
 
+TITLE = template("Class results")
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 _PAGE = (
     "body { font: 16px/1.5 Roboto, 'Segoe UI', 'Noto Sans', sans-serif; margin: 2rem auto; "
@@ -22,10 +24,13 @@ def style() -> str:
     return Path(__file__).with_name("report.css").read_text(encoding="utf-8")
 
 
-def standalone(report: Mapping[str, Any], title: str = "Class results") -> str:
-    """The whole file."""
-    opened = report_html(report).replace("<details>", "<details open>")  # texts are escaped
-    return whole_file(f"<h1>{escape(title)}</h1>\n{opened}", title)
+def standalone(
+    report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH, language: str = "en"
+) -> str:
+    """The whole file; `words`: each English sentence in the language."""
+    title = in_words(TITLE, words)
+    opened = report_html(report, words).replace("<details>", "<details open>")  # texts are escaped
+    return whole_file(f"<h1>{escape(title)}</h1>\n{opened}", title, language=language)
 
 
 def whole_file(body: str, title: str, sheet: str = "", language: str = "en") -> str:

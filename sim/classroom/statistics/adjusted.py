@@ -14,8 +14,11 @@ from fractions import Fraction
 from sim.classroom.refusal import FEWEST, RefusalError, at_least, numbers
 from sim.classroom.statistics.compare import TTest, t_test
 from sim.classroom.statistics.spread import Spread, moments, spread
+from sim.scene.said import template
 
-NO_SPREAD = "everybody in a group had the same marks before: there is nothing to adjust for"
+NO_SPREAD = template(
+    "everybody in a group had the same marks before: there is nothing to adjust for"
+)
 
 
 @dataclass(frozen=True, slots=True)

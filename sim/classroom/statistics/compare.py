@@ -12,8 +12,11 @@ from dataclasses import dataclass
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
 from sim.classroom.statistics.spread import Spread, differences, spread
 from sim.classroom.statistics.tails import normal_inside, normal_two_sided, t_quantile, t_two_sided
+from sim.scene.said import template
 
-ALL_EQUAL = "all the differences are equal: there is no spread to compare them with"
+ALL_EQUAL = template("all the differences are equal: there is no spread to compare them with")
+NO_SPREAD = template("all marks within both groups are equal: there is no spread")
+PAIRS = template("{n} pairs: at least {needed} are needed")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,13 +45,13 @@ def t_test(difference: float, se: float, df: float, level: float = 0.95) -> TTes
 def paired_t(later: Sequence[float], earlier: Sequence[float], *, fewest: int = FEWEST) -> TTest:
     """Student's t of the differences within students. Refuses fewer than `fewest` pairs."""
     found = differences(later, earlier)
-    at_least(len(found), max(2, fewest), "pairs")
+    at_least(len(found), max(2, fewest), PAIRS)
     return change_of(spread(found), fewest=fewest)
 
 
 def change_of(gain: Spread, *, fewest: int = FEWEST) -> TTest:
     """The same from the spread of the differences."""
-    at_least(gain.n, max(2, fewest), "pairs")
+    at_least(gain.n, max(2, fewest), PAIRS)
     if gain.sd == 0:
         raise RefusalError(ALL_EQUAL)
     return t_test(gain.mean, gain.se, gain.n - 1)
@@ -60,7 +63,7 @@ def welch(one: Spread, other: Spread, *, fewest: int = FEWEST) -> TTest:
         at_least(group.n, max(2, fewest))
     a, b = one.sd**2 / one.n, other.sd**2 / other.n
     if a + b == 0:
-        raise RefusalError("all marks within both groups are equal: there is no spread")
+        raise RefusalError(NO_SPREAD)
     df = (a + b) ** 2 / (a**2 / (one.n - 1) + b**2 / (other.n - 1))
     return t_test(one.mean - other.mean, math.sqrt(a + b), df)
 
@@ -80,7 +83,7 @@ def paper_z(one: Spread, other: Spread) -> PaperZ:
         at_least(group.n, 2)
     square = one.sd**2 / one.n + other.sd**2 / other.n
     if square == 0:
-        raise RefusalError("all marks within both groups are equal: there is no spread")
+        raise RefusalError(NO_SPREAD)
     z = (one.mean - other.mean) / math.sqrt(square)
     return PaperZ(z, normal_inside(z), normal_two_sided(z))
 
@@ -92,7 +95,7 @@ def cohen_d(one: Spread, other: Spread) -> float:
     freedom = one.n + other.n - 2
     pooled = math.sqrt(((one.n - 1) * one.sd**2 + (other.n - 1) * other.sd**2) / freedom)
     if pooled == 0:
-        raise RefusalError("all marks within both groups are equal: there is no spread")
+        raise RefusalError(NO_SPREAD)
     return (one.mean - other.mean) / pooled
 
 

@@ -15,6 +15,7 @@ from itertools import pairwise
 from sim.classroom.refusal import ENOUGH_FOR_ITEMS, RefusalError, at_least, numbers
 from sim.classroom.statistics.reliability import around
 from sim.classroom.statistics.spread import Exact, root
+from sim.scene.said import template
 
 OUTER = Fraction(27, 100)
 """The share of a class at its upper and at its lower end (Kelley 1939: it tells them best)."""
@@ -22,8 +23,10 @@ OUTER = Fraction(27, 100)
 QUARTER = Fraction(1, 4)
 """The same as physics education research takes it (Ding and Beichner 2009)."""
 
-WORTHLESS = "the item is worth no marks"
-ALL_EQUAL = "everybody has the same marks in all: there is no upper and lower part"
+WORTHLESS = template("the item is worth no marks")
+ALL_EQUAL = template("everybody has the same marks in all: there is no upper and lower part")
+SAME_REST = template("everybody has the same marks in the other items")
+SAME_TOTAL = template("everybody has the same marks in all")
 
 Levels = Mapping[Exact, tuple[int, Exact]]
 """Total → how many students have it, and the sum of their marks in the item."""
@@ -83,7 +86,7 @@ def corrected_point_biserial(
 def with_others(sums: ItemMarks, *, fewest: int = ENOUGH_FOR_ITEMS) -> float:
     """The same from sums: an item must not be compared with itself, so r = t − m is taken."""
     rest = sums.tt - 2 * sums.mt + sums.mm
-    return _correlation(sums, sums.t - sums.m, rest, sums.mt - sums.mm, fewest, "the other items")
+    return _correlation(sums, sums.t - sums.m, rest, sums.mt - sums.mm, fewest, SAME_REST)
 
 
 def with_total(sums: ItemMarks, *, fewest: int = ENOUGH_FOR_ITEMS) -> float:
@@ -92,16 +95,16 @@ def with_total(sums: ItemMarks, *, fewest: int = ENOUGH_FOR_ITEMS) -> float:
     Source: L. Ding and R. Beichner, Phys. Rev. ST PER 5 (2009) 020103, equation (3); for items
     marked 0 or 1 it is (x̄₁ − x̄)/σ · √(P/(1 − P)).
     """
-    return _correlation(sums, sums.t, sums.tt, sums.mt, fewest, "all")
+    return _correlation(sums, sums.t, sums.tt, sums.mt, fewest, SAME_TOTAL)
 
 
-def _correlation(sums: ItemMarks, y: Exact, yy: Exact, xy: Exact, fewest: int, where: str) -> float:
+def _correlation(sums: ItemMarks, y: Exact, yy: Exact, xy: Exact, fewest: int, equal: str) -> float:
     at_least(sums.n, max(2, fewest))
     of_item, of_rest = around(sums.n, sums.m, sums.mm), around(sums.n, y, yy)
     if of_item == 0:
         raise RefusalError("everybody did equally well in this item")
     if of_rest == 0:
-        raise RefusalError(f"everybody has the same marks in {where}")
+        raise RefusalError(equal)
     products = xy - Fraction(sums.m) * y / sums.n
     size = root(products * products / (of_item * of_rest))
     return size if products >= 0 else -size

@@ -16,6 +16,7 @@ from fractions import Fraction
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
 from sim.classroom.statistics.spread import Exact
+from sim.scene.said import said, template
 
 
 def around(n: int, total: Exact, squares: Exact) -> Fraction:
@@ -28,7 +29,10 @@ def alpha(n: int, items: Sequence[tuple[Exact, Exact]], totals: Mapping[Exact, i
     at_least(n, FEWEST)
     k = len(items)
     if k < 2:
-        raise RefusalError(f"{k} question: at least 2 are needed")
+        raise RefusalError(
+            said("{n} questions: at least 2 are needed", n=str(k)) if k != 1
+            else template("1 question: at least 2 are needed")
+        )  # fmt: skip
     whole = around(
         n, sum(t * f for t, f in totals.items()), sum(t * t * f for t, f in totals.items())
     )

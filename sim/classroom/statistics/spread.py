@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from sim.classroom.refusal import RefusalError, at_least, numbers
 from sim.classroom.statistics.tails import t_quantile
+from sim.scene.said import said
 
 Exact = int | Fraction
 """A number of marks without rounding: sums of such numbers do not depend on their order."""
@@ -66,7 +67,7 @@ def median(values: Sequence[float]) -> float:
 def moments(first: Sequence[float], second: Sequence[float]) -> tuple[Fraction, Fraction]:
     """Sum of the first, and sum of the products of both deviations from their means; exact."""
     if len(first) != len(second):
-        raise RefusalError(f"{len(first)} and {len(second)} numbers do not make pairs")
+        raise RefusalError(_no_pairs(first, second))
     a, b = [Fraction(x) for x in first], [Fraction(x) for x in second]
     total = sum(a, Fraction(0))
     products = sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
@@ -86,6 +87,11 @@ def root(square: Fraction) -> float:
 def differences(later: Sequence[float], earlier: Sequence[float]) -> tuple[float, ...]:
     """Later minus earlier, student by student."""
     if len(later) != len(earlier):
-        raise RefusalError(f"{len(later)} and {len(earlier)} numbers do not make pairs")
+        raise RefusalError(_no_pairs(later, earlier))
     pairs = zip(numbers(later), numbers(earlier), strict=True)
     return tuple(b - a for b, a in pairs)
+
+
+def _no_pairs(first: Sequence[float], second: Sequence[float]) -> str:
+    return said("{one} and {other} numbers do not make pairs", one=str(len(first)),
+                other=str(len(second)))  # fmt: skip

@@ -81,8 +81,7 @@ def _group(
     if form.of == 0:
         return row
     if n < FEWEST:
-        few = say.many(n, "student")
-        return {**row, "sentence": f"{few}: no statistics for fewer than {FEWEST}."}
+        return {**row, "sentence": say.too_few(n, FEWEST)}
     found = spread_of_totals(totals)
     interval = found.interval() if inference and found.sd else None
     low, high = interval or (None, None)
@@ -109,6 +108,7 @@ def _item(meta: Mapping[str, Any], groups: Sequence[GroupSums], form: FormSums) 
         "worth": plain(meta["worth"]), "n": counts["n"], "answered": counts["answered"],
         "sure": {"right": counts["sure_right"], "wrong": counts["sure_wrong"]}
         if meta["sure"] else None,
+        "tries": None, "changed": None,  # nobody hands these on
         **{word: counts[word] for word in ("right", "partly", "wrong", "unread", "empty")},
         "choices": [
             {**choice, "count": sums.chosen.get(choice["option"], 0),

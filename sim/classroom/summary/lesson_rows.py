@@ -8,13 +8,19 @@ from itertools import combinations
 from typing import Any
 
 from sim.classroom.refusal import FEWEST, RefusalError
-from sim.classroom.report import sentences as say
-from sim.classroom.report.gain_report import comparison_row, gain_row, only_after_table
+from sim.classroom.report import sentences_of_two as say
+from sim.classroom.report.gain_report import (
+    comparison_row,
+    gain_row,
+    only_after_table,
+    why_not,
+)
 from sim.classroom.report.marked import lesson_title
 from sim.classroom.statistics.clusters import FEWEST_CLASSES, clustered
 from sim.classroom.statistics.pair_sums import NOBODY
 from sim.classroom.summary.form_rows import form_row, plain, spread_of_totals
 from sim.classroom.summary.sums import LessonSums
+from sim.scene.said import said
 
 MOST_GROUPS = 5
 """Groups that are compared two by two; with more, one pair would always look significant."""
@@ -87,15 +93,11 @@ def _comparison(lesson: LessonSums, one: str, other: str, *, inference: bool) ->
         try:
             test = clustered(halves)
         except RefusalError as refused:
-            reason = f"by classes: {refused}"
-            row["refusals"].append(reason)
+            row["refusals"].append(why_not("clustered", refused))
         else:
             row["clustered"] = {"classes": len(halves), **asdict(test)}
-            row["sentences"].append(
-                say.of_difference(
-                    f"Counted by classes, {len(halves)} of them", test, names, with_p=True
-                )
-            )
+            what = said("Counted by classes, {n} of them", n=f"{len(halves)}")
+            row["sentences"].append(say.of_difference(what, test, names, with_p=True))
     return row
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.handed_on import Summary
 from sim.classroom.summary.sums import FORMS, FormSums, LessonSums, all_added
+from sim.scene.said import said
 
 Named = tuple[str, Summary]
 Place = tuple[str, str]
@@ -39,10 +40,11 @@ def merged(summaries: Sequence[Named]) -> tuple[Summary, list[tuple[str, str]]]:
                 if usual[(*place, form.form)] == asked[id(form)]:
                     forms[form.form] = form
                 else:
-                    reason = (
-                        f"{lesson.lesson}, form {form.form}: other questions, other marks, or "
-                        "other answers still to be read than in most summaries; not counted"
-                    )
+                    reason = said(
+                        "{lesson}, form {form}: other questions, other marks, or other answers "
+                        "still to be read than in most summaries; not counted",
+                        lesson=lesson.lesson, form=form.form,
+                    )  # fmt: skip
                     left_out.append((name, reason))
             lessons.setdefault(place, []).append(_without(lesson, forms))
     groups = _order([summary.groups for _, summary in summaries])

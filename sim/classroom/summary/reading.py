@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 from sim.classroom.refusal import FEWEST
+from sim.classroom.report.item_report import question_label
 from sim.classroom.statistics.item_numbers import ItemMarks, Levels
 from sim.classroom.statistics.pair_sums import PairSums
 from sim.classroom.statistics.spread import Exact
@@ -14,13 +15,14 @@ from sim.classroom.summary.handed_on import Summary
 from sim.classroom.summary.numbers import SummaryError, count, exact
 from sim.classroom.summary.sums import COUNTS, FORMS, FormSums, GroupSums, ItemSums, LessonSums
 from sim.classroom.summary.written import FORMAT, KIND, PAIR_NUMBERS
+from sim.scene.said import said, template
 
 MOST_BYTES = 20_000_000
 MOST_PARTS = 2_000
 """Lessons, forms, groups, items, options, or different totals: of each in one place."""
 
 LONGEST = 5_000
-DAMAGED = "this summary is damaged"
+DAMAGED = template("this summary is damaged")
 T = TypeVar("T")
 
 
@@ -98,7 +100,7 @@ def _pair(row: Mapping[str, Any]) -> PairSums:
 
 def _enough(n: int) -> None:
     if n < FEWEST:
-        raise SummaryError(f"it holds a group of fewer than {FEWEST} students")
+        raise SummaryError(said("it holds a group of fewer than {n} students", n=f"{FEWEST}"))
 
 
 def _histogram(row: object) -> dict[Exact, int]:
@@ -109,7 +111,7 @@ def _histogram(row: object) -> dict[Exact, int]:
 
 
 def _form(row: Mapping[str, Any]) -> FormSums:
-    items = tuple(map(_meta, _list(row["items"])))
+    items = tuple(_meta(k, meta) for k, meta in enumerate(_list(row["items"]), 1))
     names = {meta["id"] for meta in items}
     form = FormSums(
         form=_text(row["form"]), has_key=bool(row["has_key"]),
@@ -120,13 +122,15 @@ def _form(row: Mapping[str, Any]) -> FormSums:
     )  # fmt: skip
     fits = all(group.items.keys() == names for group in form.groups.values())
     if not fits or not names >= {*form.counted} or len(names) < len(items):
-        raise SummaryError(f"the questions of the form {form.form[:40]} do not fit together")
+        raise SummaryError(said("the questions of the form {form} do not fit together",
+                                form=form.form[:40]))  # fmt: skip
     if form.form not in FORMS or (form.of is not None and form.of < 0) or not form.groups:
         raise SummaryError(DAMAGED)
     return form
 
 
-def _meta(row: Mapping[str, Any]) -> dict[str, Any]:
+def _meta(number: int, row: Mapping[str, Any]) -> dict[str, Any]:
+    """What a question asks; its number is a sentence again, to be told in any language."""
     kept: dict[str, Any] = {name: _text(row[name]) for name in ("id", "label", "ask", "type")}
     choices = [
         {**{name: _text(choice[name]) for name in choice if name != "correct"},
@@ -138,6 +142,8 @@ def _meta(row: Mapping[str, Any]) -> dict[str, Any]:
     worth = exact(row["worth"])
     if worth < 0:
         raise SummaryError(DAMAGED)
+    if kept["label"] == question_label(number):
+        kept["label"] = question_label(number)
     return {**kept, "worth": worth, "sure": bool(row["sure"]), "choices": choices}
 
 

@@ -9,12 +9,14 @@ import csv
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from sim.scene.said import said, template
+
 MOST_BYTES = 50_000_000
 MOST_ROWS = 200_000
 MOST_COLUMNS = 1_000
 
 DELIMITERS = (",", ";", "\t")
-WORKBOOK = (
+WORKBOOK = template(
     "this is a workbook or a zip, not a table of text: open it and save it as CSV "
     "(File, Save as, CSV UTF-8)"
 )
@@ -57,17 +59,18 @@ def rows_of(content: bytes) -> Iterator[Row | Broken]:
         except StopIteration:
             return
         except csv.Error:
-            yield Broken(line, "a quotation mark opens and does not close as it should")
+            yield Broken(line, template("a quotation mark opens and does not close as it should"))
             continue
         stripped = tuple(cell.replace("\u00a0", " ").strip() for cell in cells)
         if not any(stripped):
             continue
         count += 1
         if count > MOST_ROWS:
-            yield Broken(line, f"more than {MOST_ROWS:,} rows: the rest was not read")
+            yield Broken(line, said("more than {most} rows: the rest was not read",
+                                    most=f"{MOST_ROWS:,}"))  # fmt: skip
             return
         if len(stripped) > MOST_COLUMNS:
-            yield Broken(line, f"more than {MOST_COLUMNS:,} columns")
+            yield Broken(line, said("more than {most} columns", most=f"{MOST_COLUMNS:,}"))
         else:
             yield Row(line, stripped)
 

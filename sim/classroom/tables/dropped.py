@@ -14,6 +14,7 @@ from sim.classroom.tables.marks import most_of
 from sim.classroom.tables.read import read_table
 from sim.classroom.tables.report import judge, table_report
 from sim.classroom.tables.taken import TOTALS_ONLY, MarkTable
+from sim.scene.said import reason_of, said
 
 
 def dropped_report(
@@ -30,16 +31,16 @@ def dropped_report(
         try:
             tables.append(read_table(name, b64decode(one["base64"]), form))
         except TableError as error:
-            bad.append({"name": name, "reason": str(error)})
+            bad.append({"name": name, "reason": reason_of(error)})
     told, notes = None, []
     if most.strip():
         try:
             told = most_of(most)
         except TableError as error:
-            notes.append(f"Most marks: {error}.")
+            notes.append(said("Most marks: {reason}.", reason=reason_of(error)))
         if told is not None and any(table.of_items for table in tables):
             told = None
-            notes.append(f"Most marks: {TOTALS_ONLY}.")
+            notes.append(said("Most marks: {reason}.", reason=TOTALS_ONLY))
     lesson = PurePosixPath(tables[0].name).stem if tables else ""
     found = judge(lesson, tables, lambda _: WHOLE, most=told)
     report = table_report(found, inference=inference)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from sim.classroom.report.flag import Flag
 from sim.classroom.tables.sentences import rows_doubled, rows_equal, rows_nameless
 from sim.classroom.tables.taken import Taken
+from sim.scene.said import said, template
 
 Refused = tuple[str, str]
 NAMED = 12
@@ -24,13 +25,12 @@ def judged(
     for row in taken:
         placed = replace(row, group=group_of(row))
         if not placed.group:
-            refused.append((row.place, "no group is given"))
+            refused.append((row.place, template("no group is given")))
             continue
         first = groups.setdefault(row.person, placed)
         if (first.group, first.klass) != (placed.group, placed.klass):
-            refused.append(
-                (row.place, f"this student is in another group or class ({first.place})")
-            )
+            refused.append((row.place, said("this student is in another group or class ({row})",
+                                            row=first.place)))  # fmt: skip
         else:
             good.append(placed)
     counted, aside, flags = _once(good)

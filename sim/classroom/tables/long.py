@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from sim.classroom.tables.cells import MOST_COLUMNS, Row
 from sim.classroom.tables.layout import Column, Layout
+from sim.scene.said import said, template
 
 Bad = tuple[int, str]
 
@@ -32,11 +33,12 @@ def pivoted(
         answers = made.setdefault(cells, {})
         lines.setdefault(cells, row.line)
         if not name:
-            bad.append((row.line, "no item is named"))
+            bad.append((row.line, template("no item is named")))
         elif name in answers:
-            bad.append((row.line, f"this student has an answer to “{name[:24]}” already"))
+            bad.append((row.line, said("this student has an answer to “{item}” already",
+                                       item=name[:24])))  # fmt: skip
         elif len(names) >= MOST_COLUMNS and name not in names:
-            bad.append((row.line, f"more than {MOST_COLUMNS:,} items"))
+            bad.append((row.line, said("more than {most} items", most=f"{MOST_COLUMNS:,}")))
         else:
             names.setdefault(name, 4 + len(names))
             answers[name] = mark

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import TableError
+from sim.scene.said import said
 
 NOTHING = frozenset({"", "-", "–", "—", "n/a", "na", "nan", "#n/a", ".", "null", "none"})
 MOST_DIGITS = 9
@@ -27,7 +28,7 @@ def mark(text: str) -> tuple[Exact | None, Exact | None]:
         return None, None
     found = _MARK.fullmatch(text)
     if not found or not (found[2] or found[3]):
-        raise TableError(f"“{shown(text)}” is no mark")
+        raise TableError(said("“{cell}” is no mark", cell=shown(text)))
     value = _number(found[1], found[2], found[3])
     most: Fraction | None = None
     if found[7]:
@@ -35,9 +36,9 @@ def mark(text: str) -> tuple[Exact | None, Exact | None]:
     elif found[5] or found[6]:
         most = _number(found[4], found[5], found[6])
     if value < 0:
-        raise TableError(f"“{shown(text)}” is below 0")
+        raise TableError(said("“{cell}” is below 0", cell=shown(text)))
     if most is not None and (most <= 0 or value > most):
-        raise TableError(f"“{shown(text)}” is more than the most marks")
+        raise TableError(said("“{cell}” is more than the most marks", cell=shown(text)))
     return whole(value), None if most is None else whole(most)
 
 

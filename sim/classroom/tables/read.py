@@ -12,8 +12,9 @@ from sim.classroom.tables.layout import Column, Layout, norm
 from sim.classroom.tables.long import pivoted
 from sim.classroom.tables.marks import NOTHING, mark
 from sim.classroom.tables.row import RowReader
-from sim.classroom.tables.taken import MarkTable, Taken
+from sim.classroom.tables.taken import MarkTable, Taken, place_of
 from sim.classroom.tables.words import KEY, MOST
+from sim.scene.said import reason_of, said
 
 EXPORTS: tuple[Callable[[Sequence[str]], Layout | None], ...] = (
     moodle.layout,
@@ -51,11 +52,11 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
         try:
             taken += reader.taken(name, row)
         except TableError as error:
-            refused.append((row.line, str(error)))
+            refused.append((row.line, reason_of(error)))
     return MarkTable(
         name=name, kind=layout.kind, rows=len(body) + sum(isinstance(r, Broken) for r in found),
         taken=tuple(taken),
-        refused=tuple((f"{name}, line {line}", reason) for line, reason in sorted(refused)),
+        refused=tuple((place_of(name, line), reason) for line, reason in sorted(refused)),
         left_out=layout.left_out, keyed=reader.keys, letters=reader.letters,
         groups=layout.group is not None, classes=layout.klass is not None,
     )  # fmt: skip
@@ -92,7 +93,10 @@ def _most(column: Column, rows: Sequence[Row]) -> Column:
             try:
                 return replace(column, of=mark(row.cells[column.place])[0] or None)
             except TableError as error:
-                raise TableError(f"line {row.line}, the row of the most marks: {error}") from None
+                raise TableError(said(
+                    "line {line}, the row of the most marks: {reason}", line=f"{row.line}",
+                    reason=reason_of(error),
+                )) from None  # fmt: skip
     return column
 
 

@@ -8,8 +8,9 @@ from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import Column, Layout, form_of, norm
 from sim.classroom.tables.marks import NOTHING, mark, shown
-from sim.classroom.tables.taken import ALONE, Taken
+from sim.classroom.tables.taken import ALONE, Taken, place_of
 from sim.classroom.tables.words import ANONYMOUS, UNFINISHED
+from sim.scene.said import reason_of, said, template
 
 LONGEST_NAME = 120
 LONGEST_OPTION = 20
@@ -36,10 +37,10 @@ class RowReader:
         """The tests that this student took; raises `TableError`."""
         layout = self.layout
         if len(row.cells) > len(self.heads.cells) and any(row.cells[len(self.heads.cells) :]):
-            raise TableError(
-                f"{len(row.cells)} cells under {len(self.heads.cells)} headings: is a comma in a "
-                "cell without quotation marks?"
-            )
+            raise TableError(said(
+                "{cells} cells under {headings} headings: is a comma in a cell without quotation "
+                "marks?", cells=f"{len(row.cells)}", headings=f"{len(self.heads.cells)}",
+            ))  # fmt: skip
         if layout.needs and not any(_cell(row, k) for k in layout.needs):
             return  # what an export adds below: the average of all
         if layout.state is not None and norm(_cell(row, layout.state)) in UNFINISHED:
@@ -48,7 +49,7 @@ class RowReader:
         columns = layout.items or layout.totals
         for form in dict.fromkeys(column.form for column in columns):
             mine = [column for column in columns if column.form == form]
-            place = f"{table}, line {row.line}"
+            place = place_of(table, row.line)
             made = self._one(row, mine, student, self.form or form or self._form(row), place)
             if made:
                 yield made
@@ -58,7 +59,7 @@ class RowReader:
             words = [_cell(row, k) for k in places if _cell(row, k) not in NOTHING]
             name = " ".join(words)
             if name and norm(name) not in ANONYMOUS:
-                return _short(name, "the name of the student")
+                return _short(name, template("the name of the student"))
         return ""
 
     def _form(self, row: Row) -> str:
@@ -67,7 +68,7 @@ class RowReader:
         text = _cell(row, self.layout.time)
         form = form_of(text)
         if not form:
-            raise TableError(f"“{shown(text)}” is none of pre, post, later")
+            raise TableError(said("“{cell}” is none of pre, post, later", cell=shown(text)))
         return form
 
     def _one(
@@ -76,7 +77,10 @@ class RowReader:
         """One test; None where nothing at all was answered: it was not taken."""
         group, klass = (
             _short(_cell(row, k), what) if k is not None else ""
-            for k, what in ((self.layout.group, "the group"), (self.layout.klass, "the class"))
+            for k, what in (
+                (self.layout.group, template("the group")),
+                (self.layout.klass, template("the class")),
+            )
         )
         items: dict[str, Exact | None] = {}
         most: dict[str, Exact] = {}
@@ -108,7 +112,7 @@ class RowReader:
         if cell.casefold() in NOTHING:
             return None, ""
         if len(cell) > LONGEST_OPTION:
-            raise TableError(f"{shown(name)}: “{shown(cell)}” is no option")
+            raise TableError(_of(name, said("“{cell}” is no option", cell=shown(cell))))
         right = self.keys.get(name)
         option = cell.upper() if len(cell) == 1 else cell
         return (None if right is None else int(cell.casefold() in right)), option
@@ -118,16 +122,22 @@ def _mark(cell: str, column: Column, name: str) -> tuple[Exact | None, Exact | N
     try:
         value, told = mark(cell)
     except TableError as error:
-        raise TableError(f"{shown(name)}: {error}") from None
+        raise TableError(_of(name, reason_of(error))) from None
     most = told if told is not None else column.of
     if value is not None and column.of is not None and value > column.of:
-        raise TableError(f"{shown(name)}: “{shown(cell)}” is more than the most marks")
+        raise TableError(_of(name, said("“{cell}” is more than the most marks", cell=shown(cell))))
     return value, most
+
+
+def _of(name: str, reason: str) -> str:
+    """What is wrong in a column."""
+    return said("{name}: {reason}", name=shown(name), reason=reason)
 
 
 def _short(text: str, what: str) -> str:
     if len(text) > LONGEST_NAME:
-        raise TableError(f"{what} has {len(text)} characters: at most {LONGEST_NAME}")
+        raise TableError(said("{what} has {n} characters: at most {most}", what=what,
+                              n=f"{len(text)}", most=f"{LONGEST_NAME}"))  # fmt: skip
     return "".join(c for c in text if c.isprintable())
 
 

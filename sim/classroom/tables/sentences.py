@@ -4,49 +4,59 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sim.scene.said import said
+
+MOST_NAMED = 8
+"""Columns that a note names."""
+
 
 def rows_doubled(who: str, count: int) -> str:
     """One student twice in a table."""
-    return (
-        f"{who}: {count} rows of one test have this student. Are these two students, or one who "
-        "took it twice? None of them is counted until you leave all but one out."
-    )
+    return said(
+        "{who}: {n} rows of one test have this student. Are these two students, or one who took it "
+        "twice? None of them is counted until you leave all but one out.",
+        who=who, n=f"{count}",
+    )  # fmt: skip
 
 
 def rows_equal(who: str, count: int) -> str:
     """The same row again."""
-    return f"{who}: {count} rows are equal. It is counted once."
+    return said("{who}: {n} rows are equal. It is counted once.", who=who, n=f"{count}")
 
 
 def rows_nameless(count: int) -> str:
     """Rows that do not say whose they are."""
-    one = count == 1
-    return (
-        f"{'1 row has' if one else f'{count} rows have'} no name: "
-        f"{'it counts' if one else 'each counts'} as a person of its own, and is in no pair of "
-        "before and after."
-    )
+    if count == 1:
+        return said("1 row has no name: it counts as a person of its own, and is in no pair of "
+                    "before and after.")  # fmt: skip
+    return said("{n} rows have no name: each counts as a person of its own, and is in no pair of "
+                "before and after.", n=f"{count}")  # fmt: skip
 
 
 def left_out(columns: Sequence[str]) -> str:
     """Columns of a table that are no marks."""
-    named = ", ".join(f"“{column}”" for column in columns[:8])
-    more = f" and {len(columns) - 8} more" if len(columns) > 8 else ""
-    return f"Columns that are not counted as marks: {named}{more}."
+    return said("Columns that are not counted as marks: {columns}.", columns=_named(columns))
 
 
 def worth_seen(items: Sequence[str]) -> str:
     """Where the most marks of a question are only guessed."""
-    named = ", ".join(f"“{item}”" for item in items[:8])
-    more = f" and {len(items) - 8} more" if len(items) > 8 else ""
-    return (
-        f"The table does not tell the most marks of {named}{more}: the highest mark that anybody "
-        "has is taken for it. A row MAX tells them."
+    return said(
+        "The table does not tell the most marks of {items}: the highest mark that anybody has is "
+        "taken for it. A row MAX tells them.",
+        items=_named(items),
     )
 
 
 def tests_apart(before: float, after: float) -> str:
     """Two tests that cannot be subtracted."""
-    return (
-        f"The test before has {before:g} marks and the test after {after:g}: no gain is computed."
-    )
+    return said(
+        "The test before has {before} marks and the test after {after}: no gain is computed.",
+        before=f"{before:g}", after=f"{after:g}",
+    )  # fmt: skip
+
+
+def _named(names: Sequence[str]) -> str:
+    """The first names, and how many more there are."""
+    named = ", ".join(f"“{name}”" for name in names[:MOST_NAMED])
+    more = len(names) - MOST_NAMED
+    return said("{names} and {n} more", names=named, n=f"{more}") if more > 0 else named

@@ -8,15 +8,21 @@ from typing import Any
 
 from sim.classroom.files.marks_file import pseudonym
 from sim.classroom.statistics.spread import Exact
+from sim.scene.said import said, template
 
 WORTH_SEEN = 1
 """Marks of a question up to which nothing has to be told: it was right, wrong or in between."""
 
-TOTALS_ONLY = "is for totals; this table has marks of questions, so put a row MAX into it"
+TOTALS_ONLY = template("is for totals; this table has marks of questions, so put a row MAX into it")
 """What the most marks of a test cannot be told of."""
 
-ALONE = "test"
+ALONE = template("test")
 """The form of a table that tells of one test only."""
+
+
+def place_of(table: str, line: int) -> str:
+    """A line of a table, for people."""
+    return said("{table}, line {line}", table=table, line=f"{line}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,7 +48,7 @@ class Taken:
     @property
     def who(self) -> str:
         """The student, for people."""
-        return self.student or f"no name ({self.place})"
+        return self.student or said("no name ({row})", row=self.place)
 
     @property
     def person(self) -> str:

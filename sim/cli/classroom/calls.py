@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
 
 import click
@@ -12,12 +14,23 @@ import click
 from sim.classroom.files.reading import Read, Reading, Refused
 from sim.classroom.report.report import WHOLE, Asked
 from sim.cli.classroom.files import group_of
+from sim.scene.said import template
 
 OF_ANSWERS = ("keys", "students", "marks", "codes")
 """Options that are made for answer files."""
 
 READ_BEFORE = ("students", "marks", "codes", "groups")
 """What a table of answers holds since it was written."""
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """Answer files as they were named. `groups`: name and pattern; `codes`: typed ones."""
+
+    files: Sequence[Path]
+    groups: list[tuple[str, str]]
+    students: Mapping[str, str]
+    codes: str
 
 
 def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[str]) -> None:
@@ -85,7 +98,9 @@ def placed(
         return [(file, WHOLE) for file in reading.files], reading.keys, reading.refused
     found = [(file, group_of(file.name, groups)) for file in reading.files]
     reading.refused += [
-        Refused(file.name, "this file is in none of the groups") for file, name in found if not name
+        Refused(file.name, template("this file is in none of the groups"))
+        for file, name in found
+        if not name
     ]
     return [(f, name) for f, name in found if name], reading.keys, reading.refused
 

@@ -16,11 +16,13 @@ import click
 from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.report.report import WHOLE
 from sim.classroom.summary.sums import LessonSums
+from sim.cli.classroom.calls import Given
 from sim.cli.classroom.files import group_of, sources
 from sim.country.backend import DUCKDB, answers_in, connect, is_parquet
 from sim.country.from_files import Written, write_table
 from sim.country.refusal import MISSING, PACKAGES, CountryError
 from sim.country.report import read_table
+from sim.scene.said import said
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -54,24 +56,20 @@ def of_country(tables: Sequence[str], backend: str | None) -> bool:
 
 
 @_with_the_extra
-def write_answers(
-    folder: Path,
-    files: Sequence[Path],
-    groups: list[tuple[str, str]],
-    students: dict[str, str],
-    codes: str,
-) -> Written:
+def write_answers(folder: Path, given: Given, say: Callable[[str], None]) -> Written:
     """Writes the table; says how much stands in it."""
-    names = list(dict.fromkeys(name for name, _ in groups))
+    names = list(dict.fromkeys(name for name, _ in given.groups))
 
     def place(name: str) -> tuple[str, int, str]:
-        if not groups:
+        if not given.groups:
             return WHOLE, 1, ""
-        found = next(((g, p) for g, p in groups if group_of(name, [(g, p)])), ("", ""))
+        found = next(((g, p) for g, p in given.groups if group_of(name, [(g, p)])), ("", ""))
         return found[0], names.index(found[0]) + 1 if found[0] else 0, found[1]
 
-    done = write_table(folder, lambda: sources(files), place, students=students, codes=codes)
-    click.echo(f"{folder}: {done.rows:,} rows of {done.files:,} files", err=True)
+    done = write_table(folder, lambda: sources(given.files), place, students=given.students,
+                       codes=given.codes)  # fmt: skip
+    say(said("{folder}: {rows} rows of {files} files", folder=str(folder), rows=f"{done.rows:,}",
+             files=f"{done.files:,}"))  # fmt: skip
     return done
 
 

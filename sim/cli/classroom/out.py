@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,12 +14,14 @@ from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.show.standalone import standalone
 from sim.classroom.summary.sums import LessonSums
 from sim.cli.classroom.summary import write_summary
-from sim.cli.classroom.text import report_as_text
+from sim.cli.classroom.text import report_as_text, teller
+from sim.pages.language import words
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True)
 class Out:
-    """What was asked for."""
+    """What was asked for, and the language that it is told in."""
 
     ctx: click.Context
     as_json: bool
@@ -28,11 +30,23 @@ class Out:
     items_file: Path | None
     summary: Path | None
     by_total: bool
+    language: str
+
+    @property
+    def words(self) -> Mapping[str, str]:
+        """What each English sentence is in the language."""
+        return words(self.language)
+
+    def say(self, sentence: str, *, err: bool = False) -> None:
+        """Prints a sentence of ours."""
+        click.echo(teller(self.words)(sentence), err=err)
 
     def sums(self, lessons: Sequence[LessonSums], groups: Sequence[str]) -> None:
         """Writes the sums that may be handed on, where that was asked for."""
         if self.summary:
-            write_summary(self.summary, lessons, groups, by_total=self.by_total)
+            withheld = write_summary(self.summary, lessons, groups, by_total=self.by_total)
+            if withheld:
+                self.say(withheld, err=True)
 
     def report(
         self, report: dict[str, Any], refused: Sequence[tuple[str, str]], *, anything: bool
@@ -40,21 +54,29 @@ class Out:
         """Hands out a report; exit code 1 where something was refused, or nothing was found."""
         self._hand(report)
         for name, reason in refused:
-            click.echo(f"{name}: {reason}", err=True)
+            self.say(said("{name}: {reason}", name=name, reason=reason), err=True)
         if refused or not anything:
             self.ctx.exit(1)
 
     def _hand(self, report: dict[str, Any]) -> None:
-        """Writes the files of a report, and prints it."""
+        """Writes the files of a report, and prints it. JSON is for programs and stays English."""
         if self.html:
-            self.html.write_text(standalone(report), encoding="utf-8")
+            page = standalone(report, self.words, self.language)
+            self.html.write_text(page, encoding="utf-8")
         if self.csv_file:
-            self.csv_file.write_text(students_csv(report), encoding="utf-8", newline="")
+            table = students_csv(report, self.words)
+            self.csv_file.write_text(table, encoding="utf-8", newline="")
         if self.items_file:
-            self.items_file.write_text(items_csv(report), encoding="utf-8", newline="")
+            table = items_csv(report, self.words)
+            self.items_file.write_text(table, encoding="utf-8", newline="")
         if self.as_json:
             click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
             return
-        click.echo(report_as_text(report))
+        click.echo(report_as_text(report, self.words))
         for path in filter(None, (self.html, self.csv_file, self.items_file)):
-            click.echo(f"Written: {path}")
+            self.say(written(path))
+
+
+def written(path: Path) -> str:
+    """That a file is there now."""
+    return said("Written: {file}", file=str(path))

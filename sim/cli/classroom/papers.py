@@ -6,34 +6,31 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import click
-
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.files.reading import Read
 from sim.classroom.handouts.paper import Handout, handout, handout_file
 from sim.classroom.report.report import Asked
-from sim.pages.language import words
+from sim.cli.classroom.out import Out, written
 
 
 @dataclass(frozen=True, slots=True)
 class Papers:
-    """Where the slips and the sheet go, in which language, with or without right answers."""
+    """Where the slips and the sheet go, with or without right answers."""
 
     slips: Path | None
     sheet: Path | None
-    language: str
     answers: bool
 
     def write(
-        self, files: Sequence[tuple[Read, str]], keys: Sequence[KeyedForm], asked: Asked
+        self, out: Out, files: Sequence[tuple[Read, str]], keys: Sequence[KeyedForm], asked: Asked
     ) -> None:
-        """Writes what was asked for."""
+        """Writes what was asked for, in the language of the report."""
         for what, path in (("slips", self.slips), ("sheet", self.sheet)):
             if path is None:
                 continue
             wanted = Handout(
-                what=what, language=self.language, words=words(self.language), answers=self.answers
+                what=what, language=out.language, words=out.words, answers=self.answers
             )
             html = handout(files, keys, asked, wanted)
             path.write_text(handout_file(html, wanted), encoding="utf-8")
-            click.echo(f"Written: {path}", err=True)
+            out.say(written(path), err=True)

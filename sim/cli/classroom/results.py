@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 import click
@@ -11,7 +12,7 @@ from sim.classroom.files.codes import read_codes
 from sim.classroom.files.reading import Reading, outcomes
 from sim.classroom.report.report import class_report
 from sim.classroom.tables.report import table_report
-from sim.cli.classroom.calls import asked, group, only_country, only_one_way, placed, student
+from sim.cli.classroom.calls import Given, asked, group, only_country, only_one_way, placed, student
 from sim.cli.classroom.country import country_report, of_country, to_hand_on, write_answers
 from sim.cli.classroom.files import sources
 from sim.cli.classroom.out import Out
@@ -34,7 +35,7 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     "--language",
     type=click.Choice(list(LANGUAGES)),
     default=ENGLISH,
-    help="What --slips and --sheet speak.",
+    help="What the report speaks, and --html, --csv, --items, --slips and --sheet.",
 )
 @click.option("--answers", is_flag=True, help="Slips with the right answers.")
 @click.option("--csv", "csv_file", type=FILE, help="Write marks by student as a table.")
@@ -127,7 +128,8 @@ def command(
 
     \b
     carts class answers/ --html report.html
-    carts class answers/ --key KEY.json --slips slips.html --sheet sheet.html --language ms
+    carts class answers/ --key KEY.json --slips slips.html --sheet sheet.html
+    carts class answers/ --key KEY.json --html laporan.html --language ms
     carts class answers.zip build/keys/
     carts class answers/ --group "new=7a-*" --group "old=7b-*"
     carts class --table marks.csv --html report.html
@@ -137,17 +139,19 @@ def command(
     carts class answers/ --parquet country/
     carts class --table country/ --html country.html
     """
-    out = Out(ctx, as_json, html, csv_file, items_file, summary, by_total)
-    papers = Papers(slips, sheet, language, answers)
-    named = [group(text) for text in groups]
-    given = [*files, *keys, *([marks] if marks else [])]
-    codes_text = codes.read_text(encoding="utf-8-sig") if codes else ""
+    out = Out(ctx, as_json, html, csv_file, items_file, summary, by_total, language)
+    given = Given(
+        files=[*files, *keys, *([marks] if marks else [])],
+        groups=[group(text) for text in groups],
+        students=dict(map(student, students)),
+        codes=codes.read_text(encoding="utf-8-sig") if codes else "",
+    )
     if by_total and (not summary or merge):
         raise click.UsageError("--by-total belongs to --summary")
     if parquet or (tables and of_country(tables, backend)):
         only_country(ctx, parquet, tables)
         if parquet:
-            _written(out, parquet, given, named, dict(map(student, students)), codes_text)
+            _written(out, parquet, given)
         else:
             _country(out, tables, backend, keys, [])
         return
@@ -158,49 +162,35 @@ def command(
             write_whole(summary, whole)
         out.report(report, left_out, anything=bool(whole.lessons))
     elif tables:
-        found, unread = tables_of(tables, named, most, lesson)
+        found, unread = tables_of(tables, given.groups, most, lesson)
         report = table_report(found)
         out.sums([found.lesson], found.groups)
         out.report(report, [*unread, *found.refused], anything=bool(found.taken))
     else:
-        _answers(out, papers, given, named, dict(map(student, students)), codes_text)
+        _answers(out, Papers(slips, sheet, answers), given)
 
 
-def _answers(
-    out: Out,
-    papers: Papers,
-    given: Sequence[Path],
-    groups: list[tuple[str, str]],
-    students: dict[str, str],
-    codes: str,
-) -> None:
+def _answers(out: Out, papers: Papers, given: Given) -> None:
     """The report on answer files, with every student."""
     reading = Reading.of([])
-    for outcome in outcomes(sources(given)):
+    for outcome in outcomes(sources(given.files)):
         reading.add(outcome)
-    typed, bad = read_codes(codes, reading.keys)
+    typed, bad = read_codes(given.codes, reading.keys)
     reading.files += typed
     reading.refused += bad
-    reading.name(students)
-    sorted_ = placed(reading, groups)
-    wanted = asked(reading, groups)
+    reading.name(given.students)
+    sorted_ = placed(reading, given.groups)
+    wanted = asked(reading, given.groups)
     report = class_report(*sorted_, wanted)
     if out.summary:
         out.sums(lessons_of_answers(sorted_[0], reading.keys, wanted), wanted.groups)
-    papers.write(*sorted_[:2], wanted)
+    papers.write(out, *sorted_[:2], wanted)
     out.report(report, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
 
 
-def _written(
-    out: Out,
-    folder: Path,
-    given: Sequence[Path],
-    groups: list[tuple[str, str]],
-    students: dict[str, str],
-    codes: str,
-) -> None:
+def _written(out: Out, folder: Path, given: Given) -> None:
     """Answer files as a table, and the report on it."""
-    done = write_answers(folder, given, groups, students, codes)
+    done = write_answers(folder, given, partial(out.say, err=True))
     _country(out, [str(folder)], None, [], [(row.name, row.reason) for row in done.refused])
 
 

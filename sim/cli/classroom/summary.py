@@ -8,8 +8,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import click
-
 from sim.classroom.files.reading import Read as ReadFile
 from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import Asked, sorted_files
@@ -21,20 +19,22 @@ from sim.classroom.summary.of_answers import lessons_of
 from sim.classroom.summary.reading import MOST_BYTES, read_summary
 from sim.classroom.summary.sums import LessonSums
 from sim.classroom.summary.written import summary_file
+from sim.scene.said import reason_of, said
 
 
 def write_summary(
     path: Path, lessons: Sequence[LessonSums], groups: Sequence[str], *, by_total: bool
-) -> None:
-    """Writes what may be handed on, and says how many groups were too small."""
+) -> str:
+    """Writes what may be handed on; gives the sentence on groups that were too small, or ""."""
     summary = handed_on(lessons, groups, by_total=by_total)
     write_whole(path, summary)
-    if summary.withheld:
-        groups_ = "group is" if summary.withheld == 1 else "groups are"
-        click.echo(
-            f"{path}: {summary.withheld} {groups_} too small and withheld (fewer than 5 students)",
-            err=True,
-        )
+    if not summary.withheld:
+        return ""
+    if summary.withheld == 1:
+        return said("{file}: 1 group is too small and withheld (fewer than 5 students)",
+                    file=str(path))  # fmt: skip
+    return said("{file}: {n} groups are too small and withheld (fewer than 5 students)",
+                file=str(path), n=f"{summary.withheld}")  # fmt: skip
 
 
 def write_whole(path: Path, summary: Summary) -> None:
@@ -75,7 +75,7 @@ def _read(paths: Sequence[Path]) -> tuple[list[Named], list[tuple[str, str]]]:
             with path.open("rb") as file:
                 named.append((path.as_posix(), read_summary(file.read(MOST_BYTES + 1))))
         except SummaryError as error:
-            refused.append((path.as_posix(), str(error)))
+            refused.append((path.as_posix(), reason_of(error)))
         except OSError as error:
             refused.append((path.as_posix(), str(error.strerror)))
     return named, refused

@@ -16,6 +16,7 @@ from sim.classroom.tables.read import read_table
 from sim.classroom.tables.report import Judged, judge
 from sim.classroom.tables.taken import TOTALS_ONLY, MarkTable, Taken
 from sim.cli.classroom.files import group_of
+from sim.scene.said import reason_of
 
 
 def tables_of(
@@ -33,7 +34,7 @@ def tables_of(
             with path.open("rb") as file:
                 tables.append(read_table(path.name, file.read(MOST_BYTES + 1), form))
         except TableError as error:
-            bad.append((path.as_posix(), str(error)))
+            bad.append((path.as_posix(), reason_of(error)))
         except OSError as error:
             bad.append((path.as_posix(), str(error.strerror)))
     told = _most(most)

@@ -2,65 +2,95 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
-from sim.classroom.report.sentences import files_read, number, unmarked
+from sim.classroom.report.numerals import number
+from sim.classroom.report.second_thoughts import thoughts
+from sim.classroom.report.sentences import counted, unmarked
 from sim.classroom.show.own_runs import own_run_sentence
+from sim.classroom.show.report_page import beside
 from sim.cli.tables import table
+from sim.scene.said import in_words, joined, said, template
+
+Tell = Callable[[str], str]
+"""A sentence in the language of the report, safe for a terminal."""
+
+MEANS = (
+    template("form"), template("group"), template("students"), template("mean"), template("sd"),
+    template("marks"),
+)  # fmt: skip
+ITEMS = (
+    template("question"), template("answered right"), template("partly right"), template("wrong"),
+    template("left open"), template("to read"), template("difficulty"), template("discr."), "r",
+    template("chosen"),
+)  # fmt: skip
+MOST_FILES = 8
+"""Files beside a question to the teacher."""
 
 
-def report_as_text(report: Mapping[str, Any]) -> str:
-    """What `carts class` prints for people: counts, questions, means, gains, items."""
-    return "\n\n".join(part for part in _parts(report) if part)
+def report_as_text(report: Mapping[str, Any], words: Mapping[str, str]) -> str:
+    """What `carts class` prints for people: counts, questions, means, gains, items.
+
+    `words`: each English sentence in the language; empty for English.
+    """
+    return "\n\n".join(part for part in _parts(report, teller(words)) if part)
 
 
-def _parts(report: Mapping[str, Any]) -> Iterator[str]:
-    files = report["files"]
-    yield f"{files['counted']} of {files['read']} {files_read(files)} are counted."
-    yield "\n".join(f"? {_safe(f['sentence'])}\n  {', '.join(f['files'][:8])}"
-                    for f in report["flags"])  # fmt: skip
+def teller(words: Mapping[str, str]) -> Tell:
+    """`words`: each English sentence in the language; empty for English."""
+    return lambda sentence: _safe(in_words(sentence, words))
+
+
+def _parts(report: Mapping[str, Any], tell: Tell) -> Iterator[str]:
+    yield tell(counted(report["files"]))
+    yield "\n".join(
+        f"? {tell(f['sentence'])}\n  {', '.join(map(tell, f['files'][:MOST_FILES]))}"
+        for f in report["flags"]
+    )
     for lesson in report["lessons"]:
-        title = _safe(lesson["title"])
-        yield f"{title}\n{'=' * len(title)}"
-        yield _means(lesson)
-        says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
-        says += [
-            f"{unmarked(form['form'])} Name the key file too: --key FILE"
-            for form in lesson["forms"]
-            if not form["has_key"]
-        ]
-        yield _lines(says)
-        if lesson["comparison"]:
-            yield _lines([*lesson["comparison"]["sentences"], *lesson["comparison"]["refusals"]])
-        for row in lesson.get("comparisons", []):
-            first, second = map(_safe, row["groups"])
-            yield f"{first} beside {second}:"
-            yield _lines([*row["sentences"], *row["refusals"]])
-        for row in lesson["gains"]:
-            yield f"Before and after, {_safe(row['group'])}:"
-            yield _lines([*row["sentences"], *row["refusals"]])
-        for form in lesson["forms"]:
-            yield _items(form)
-    yield _lines(report["notes"])
+        yield from _lesson(lesson, tell)
+    yield _lines(report["notes"], tell)
 
 
-def _lines(sentences: list[str]) -> str:
-    return "\n".join(f"- {_safe(sentence)}" for sentence in sentences)
+def _lesson(lesson: Mapping[str, Any], tell: Tell) -> Iterator[str]:
+    title = _safe(lesson["title"])
+    yield f"{title}\n{'=' * len(title)}"
+    yield _means(lesson, tell)
+    says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
+    name_it = template("Name the key file too: --key FILE")
+    says += [joined(unmarked(form["form"]), name_it) for form in lesson["forms"]
+             if not form["has_key"]]  # fmt: skip
+    yield _lines(says, tell)
+    if lesson["comparison"]:
+        yield _lines([*lesson["comparison"]["sentences"], *lesson["comparison"]["refusals"]], tell)
+    for row in lesson.get("comparisons", []):
+        yield f"{tell(beside(row))}:"
+        yield _lines([*row["sentences"], *row["refusals"]], tell)
+    for row in lesson["gains"]:
+        yield tell(said("Before and after, {group}:", group=row["group"]))
+        yield _lines([*row["sentences"], *row["refusals"]], tell)
+    for form in lesson["forms"]:
+        yield _items(form, tell)
 
 
-def _means(lesson: Mapping[str, Any]) -> str:
+def _lines(sentences: Sequence[str], tell: Tell) -> str:
+    return "\n".join(f"- {tell(sentence)}" for sentence in sentences)
+
+
+def _means(lesson: Mapping[str, Any], tell: Tell) -> str:
     rows = [
-        (form["form"], _safe(group["group"]), str(group["n"]), number(group["mean"]),
+        (tell(form["form"]), tell(group["group"]), str(group["n"]), number(group["mean"]),
          number(group["sd"]), "–" if form["of"] is None else str(form["of"]))
         for form in lesson["forms"]
         for group in form["groups"]
         if "mean" in group
     ]  # fmt: skip
-    return table(("form", "group", "students", "mean", "sd", "of"), rows) if rows else ""
+    return table(tuple(map(tell, MEANS)), rows) if rows else ""
 
 
-def _items(form: Mapping[str, Any]) -> str:
+def _items(form: Mapping[str, Any], tell: Tell) -> str:
     rows = [
         (
             item["id"],
@@ -72,44 +102,51 @@ def _items(form: Mapping[str, Any]) -> str:
         )
         for item in form["items"]
     ]  # fmt: skip
-    head = (
-        "item",
-        "right",
-        "partly",
-        "wrong",
-        "open",
-        "to read",
-        "difficulty",
-        "discr.",
-        "r",
-        "chosen",
-    )
-    whole = _lines(form["sentences"])
-    made = f"Form {form['form']}:\n{table(head, rows)}" if rows else ""
-    beliefs = _lines([row["sentence"] for row in form["beliefs"]])
-    talk = _lines([row["sentence"] for row in form["talk"]])
-    parts = [made, whole, beliefs, f"What to talk about first:\n{talk}" if talk else ""]
-    parts += [_prediction(row) for row in form["predictions"]]
-    parts += [_own_runs(row) for row in form["own_runs"]]
+    title = tell(said("Form {form}", form=form["form"]))
+    made = f"{title}:\n{table(tuple(map(tell, ITEMS)), rows)}" if rows else ""
+    talk = _lines([row["sentence"] for row in form["talk"]], tell)
+    parts = [
+        made,
+        _lines(form["sentences"], tell),
+        _lines(
+            [
+                said("{name}: {says}", name=item["label"], says=says)
+                for item in form["items"]
+                for says in thoughts(item)
+            ],
+            tell,
+        ),
+        _lines([row["sentence"] for row in form["beliefs"]], tell),
+        f"{tell(template('What to talk about first'))}:\n{talk}" if talk else "",
+    ]
+    parts += map(partial(_prediction, tell=tell), form["predictions"])
+    parts += map(partial(_own_runs, tell=tell), form["own_runs"])
     return "\n".join(part for part in parts if part)
 
 
-def _prediction(row: Mapping[str, Any]) -> str:
+def _prediction(row: Mapping[str, Any], tell: Tell) -> str:
     """How many predicted what; of drawn curves only how many there are."""
-    said = [f"{one['count']} × {_safe(one['said'])}" for one in row["answers"]]
-    said += [f"{len(row['curves'])} curves (see the report that --html writes)"] * bool(
-        row["curves"]
-    )
-    said += [f"and {row['more']} more"] if row["more"] else []
-    said += [f"{len(row['reasons'])} gave a reason (--json)"] if row["reasons"] else []
-    return f"Predicted, {_safe(row['ask'] or row['id'])}\n{_lines(said)}"
+    says = list(map(_counted, row["answers"]))
+    if row["curves"]:
+        says.append(said("{n} curves (see the report that --html writes)",
+                         n=f"{len(row['curves'])}"))  # fmt: skip
+    if row["more"]:
+        says.append(said("and {n} more", n=f"{row['more']}"))
+    if row["reasons"]:
+        says.append(said("{n} gave a reason (--json)", n=f"{len(row['reasons'])}"))
+    title = tell(said("Predicted, {scene}", scene=row["ask"] or row["id"]))
+    return f"{title}\n{_lines(says, tell)}"
 
 
-def _own_runs(row: Mapping[str, Any]) -> str:
+def _own_runs(row: Mapping[str, Any], tell: Tell) -> str:
     """What was done with runs of their own."""
-    said = [f"{one['count']} × {_safe(one['said'])}" for one in row["said"]]
-    told = [own_run_sentence(row), *said]
-    return f"Tried, {_safe(row['ask'] or row['id'])}\n{_lines(told)}"
+    says = [own_run_sentence(row), *map(_counted, row["said"])]
+    title = tell(said("Tried, {scene}", scene=row["ask"] or row["id"]))
+    return f"{title}\n{_lines(says, tell)}"
+
+
+def _counted(one: Mapping[str, Any]) -> str:
+    return said("{count} × {says}", count=f"{one['count']}", says=one["said"])
 
 
 def _safe(text: object) -> str:

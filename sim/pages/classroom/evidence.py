@@ -22,7 +22,7 @@ from sim.classroom.paper import (
     sizes,
     whole_total,
 )
-from sim.classroom.report.sentences import number, signed
+from sim.classroom.report.numerals import number, signed
 from sim.classroom.show.html_parts import table
 from sim.classroom.statistics.spread import Spread
 from sim.pages.findings import AuthorError, Finding

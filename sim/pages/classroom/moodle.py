@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from html import unescape
 from xml.sax.saxutils import escape, quoteattr
 
 from sim.pages.classroom.portable import Portable
@@ -13,17 +14,18 @@ KINDS = {
     "short": "shortanswer", "essay": "essay", "pairs": "matching",
 }  # fmt: skip
 
+_MARK = re.compile("<[^>]*>")
 _FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")  # no XML may hold these
 
 
 def moodle_xml(title: str, questions: Iterable[Portable]) -> str:
     """The file; `title` names the category."""
-    category = escape(title.replace("/", "//"))  # a single slash would make a sub-category
+    category = title.replace("/", "//")  # a single slash would make a sub-category
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         "<quiz>",
         '<question type="category">',
-        f"<category><text>$course$/top/{category}</text></category>",
+        f"<category><text>{_cdata(f'$course$/top/{category}')}</text></category>",
         "</question>",
         *(line for question in questions for line in _question(question)),
         "</quiz>",
@@ -39,7 +41,7 @@ def literal(text: str) -> str:
 def _question(q: Portable) -> list[str]:
     return [
         f'<question type="{KINDS[q.shape]}">',
-        f"<name><text>{escape(q.id)}</text></name>",
+        f"<name><text>{_cdata(q.id)}</text></name>",
         _html("questiontext", q.ask),
         *([_html("generalfeedback", q.explain)] if q.explain else []),
         f"<defaultgrade>{q.marks}</defaultgrade>",
@@ -80,7 +82,7 @@ def _parts(q: Portable) -> list[str]:
         return ["<shuffleanswers>true</shuffleanswers>", *(_pair(*pair) for pair in pairs)]
     rubric = "".join(f"<p>{marks}: {escape(text)}</p>" for marks, text in q.rubric.items())
     # Into a plain field a platform writes the template as it is: marks of HTML would be seen.
-    start = escape(q.start)
+    start = _cdata(q.start)
     template = f'<responsetemplate format="plain_text"><text>{start}</text></responsetemplate>'
     return [
         "<responseformat>plain</responseformat>",
@@ -91,11 +93,10 @@ def _parts(q: Portable) -> list[str]:
 
 def _answer(text: str, percent: float, feedback: str, *, form: str) -> str:
     said = _html("feedback", feedback)
-    shown = _cdata(text) if form == "html" else escape(text)
     fraction = f"{percent:.5f}".rstrip("0").rstrip(".")
     return (
         f'<answer fraction="{fraction}" format={quoteattr(form)}>'
-        f"<text>{shown}</text>{said}</answer>"
+        f"<text>{_cdata(text)}</text>{said}</answer>"
     )
 
 
@@ -110,8 +111,13 @@ def _wrong_number(value: float, tolerance: float, feedback: str) -> str:
 def _pair(left: str, right: str) -> str:
     return (
         f'<subquestion format="html"><text>{_cdata(left)}</text>'
-        f"<answer><text>{escape(right)}</text></answer></subquestion>"
+        f"<answer><text>{_cdata(plain_text(right))}</text></answer></subquestion>"
     )
+
+
+def plain_text(html: str) -> str:
+    """What a list to choose from can show: it holds no marks of HTML."""
+    return unescape(_MARK.sub("", html))
 
 
 def _html(name: str, content: str) -> str:
@@ -119,7 +125,7 @@ def _html(name: str, content: str) -> str:
 
 
 def _cdata(content: str) -> str:
-    """HTML as it is: of escaped HTML Moodle's reader drops blanks between two marks."""
+    """A text as it is: of an escaped one Moodle's reader drops blanks between two such signs."""
     return "<![CDATA[" + content.replace("]]>", "]]]]><![CDATA[>") + "]]>"
 
 

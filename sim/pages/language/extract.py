@@ -23,14 +23,29 @@ ROOT = Path(__file__).parents[3]
 INNER_CALLS = ("said", "template", "Field", "Dimension", "_dimension")
 """Calls of the inner layers whose first argument readers see: sentences, names of numbers."""
 
+ERRORS = (
+    "RefusalError",
+    "KeyFileError",
+    "MarksFileError",
+    "TableError",
+    "SummaryError",
+    "CountryError",
+    "AnswerFileError",
+    "HandInError",
+    "_DamagedError",
+)
+"""Errors whose message a teacher reads in a report."""
+
 SOURCES = (
     ("sim/pages", "*.py", "python", ("tr", "mark")),
     ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
     ("sim/view", "*.js", "javascript", ("tr",)),
     ("sim/effects", "*.js", "javascript", ("tr",)),
     ("sim/web/src", "*.js", "javascript", ("tr",)),
-    ("sim/classroom", "*.py", "python", ("said", "template")),
-    ("sim/lesson", "*.py", "python", ("template",)),
+    ("sim/classroom", "*.py", "python", ("said", "template", *ERRORS)),
+    ("sim/country", "*.py", "python", ("said", "template", *ERRORS)),
+    ("sim/cli/classroom", "*.py", "python", ("said", "template")),
+    ("sim/lesson", "*.py", "python", ("said", "template", *ERRORS)),
     *((folder, "*.py", "python", INNER_CALLS) for folder in INNER),
 )
 OPTIONS: dict[str, dict[str, Any]] = {

@@ -742,6 +742,7 @@
   var MOST_BYTES = 2e6;
   var MOST_ITEMS = 2e3;
   var LONGEST = 2e4;
+  var TEXTS = ["unit", "sure", "said", "asked", "locked", "why"];
   var FORMS = ["worksheet", "pre", "post", "delayed"];
   var ID = /^[a-z_][a-z0-9-]{0,63}$/;
   var HASH = /^[0-9a-f]{12}$/;
@@ -803,7 +804,7 @@
         tries
       }
     );
-    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why", "found"]) {
+    for (const name of [...TEXTS, "own", "set", "found", "right", "before"]) {
       const more = entry[name];
       if (more !== void 0 && more !== null && more !== "") made2[name] = more;
     }
@@ -875,11 +876,13 @@
         tries
       }
     );
-    for (const name of ["unit", "said", "asked", "sure", "locked", "why"]) {
+    for (const name of TEXTS) {
       if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
     }
     if (Number.isFinite(row.own)) entry.own = row.own;
     if (isPlain(row.set, 1) && row.set) entry.set = row.set;
+    if (Number.isInteger(row.right) && row.right >= 0) entry.right = row.right;
+    if (row.before && isPlain(row.before, 0)) entry.before = row.before;
     if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
     return entry;
   }
@@ -1656,6 +1659,40 @@
     }
   };
 
+  // src/question/beside-run.js
+  function sceneBeside(question) {
+    const { after } = question.dataset;
+    if (after) return document.getElementById(after);
+    let above = null;
+    for (const part2 of document.querySelectorAll("h2, carts-scene")) {
+      const below = question.compareDocumentPosition(part2) & Node.DOCUMENT_POSITION_FOLLOWING;
+      if (below && above) break;
+      if (part2.localName === "h2") {
+        if (below) break;
+        above = null;
+      } else if (below) return part2;
+      else above = part2;
+    }
+    return above;
+  }
+  function whenWatched(question, act) {
+    document.addEventListener("carts-watched", ({ target }) => {
+      if (target === sceneBeside(question)) act();
+    });
+  }
+  function atTheRun(entry) {
+    const { value, said } = entry;
+    return "before" in entry || isEmpty(value) ? entry : { ...entry, before: { value, said } };
+  }
+  function changing(question, entry) {
+    const watched = sceneBeside(question)?.hasAttribute("data-watched") ?? false;
+    return watched && !("before" in entry) ? { ...entry, before: null } : entry;
+  }
+  function checked(entry, verdict) {
+    const right = entry.right || (verdict === "right" ? entry.tries : 0);
+    return right === entry.right ? entry : { ...entry, right };
+  }
+
   // src/question/earlier.js
   function showEarlier(question, earlier, hash2) {
     const place2 = need(question, ".carts-q-earlier");
@@ -1669,6 +1706,12 @@
         return line;
       })
     );
+  }
+  function showFirstIdea(question, first) {
+    const place2 = need(question, ".carts-q-first");
+    place2.hidden = !first || isEmpty(first.value);
+    if (place2.hidden) return;
+    say(place2, tr("Your first idea was: {said}", { said: first.said || String(first.value) }));
   }
 
   // ../view/numbers.js
@@ -1853,7 +1896,7 @@
     /**
      * @param {HTMLElement} root the question, with its facts
      * @param {() => {value: any, own: number | null, tries: number} | null} attempt
-     * @param {(shown: string[]) => void} marked parts of an answer that are marked one by one
+     * @param {(shown: string[], verdict: string) => void} marked what was found: parts that are marked one by one, and the whole
      */
     constructor(root, attempt, marked = () => {
     }) {
@@ -1891,7 +1934,7 @@
       );
       const found2 = mark(facts, value, own);
       this.root.dataset.verdict = found2.verdict;
-      this.marked(found2.shown);
+      this.marked(found2.shown, found2.verdict);
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
       this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found2.verdict]));
@@ -2775,7 +2818,7 @@
           this.#feedback = new Feedback(
             this,
             () => this.#attempt(),
-            (shown) => this.#form?.marked?.(shown)
+            (shown, verdict) => this.#marked(shown, verdict)
           );
         book2.addEventListener("elsewhere", (event) => {
           const key = (
@@ -2785,6 +2828,7 @@
           if (key === book2.key(this.formName ?? "worksheet", this.facts.id)) this.#show();
         });
         book2.addEventListener("change", () => this.#form?.follow?.(book2));
+        whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)));
         void book2.ready.then(() => this.#restore());
       }
       /** Whether this question has an answer now. */
@@ -2849,7 +2893,7 @@
         const now = (/* @__PURE__ */ new Date()).toISOString();
         const sure = this.#certainty().find((radio) => radio.checked)?.value;
         const entry = {
-          ...this.#entry,
+          ...changing(this, this.#entry),
           hash: this.facts.hash,
           value: this.#form?.value ?? null,
           said: this.#form?.said() ?? "",
@@ -2865,6 +2909,12 @@
         this.#complain("");
         this.#print();
         this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
+      }
+      /** @param {any} entry */
+      #keepAs(entry) {
+        if (entry === this.#entry) return;
+        this.#entry = entry;
+        void this.#keep();
       }
       async #keep() {
         this.#writes += 1;
@@ -2900,9 +2950,13 @@
           }
           this.#entry = { ...this.#entry, own, set: found2.set };
         }
-        this.#entry = { ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 };
-        void this.#keep();
+        this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 });
         return { value: this.#form?.value, own, tries: this.#entry.tries };
+      }
+      /** @param {string[]} shown @param {string} verdict */
+      #marked(shown, verdict) {
+        this.#form?.marked?.(shown);
+        this.#keepAs(checked(this.#entry, verdict));
       }
       /** The answer in words, for paper. */
       #print() {
@@ -2910,15 +2964,8 @@
         const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);
         say(need(this, ".carts-q-printed"), free ? said : "");
         this.toggleAttribute("data-answered", this.answered);
-        this.#showFirstIdea();
-      }
-      /** What was thought at the beginning, beside the answer of now. */
-      #showFirstIdea() {
-        const first = this.facts.idea ? book2.get("worksheet", this.facts.idea) : null;
-        const place2 = need(this, ".carts-q-first");
-        place2.hidden = !this.answered || !first || isEmpty(first.value);
-        if (place2.hidden) return;
-        say(place2, tr("Your first idea was: {said}", { said: first.said || String(first.value) }));
+        const first = this.facts.idea && this.answered && book2.get("worksheet", this.facts.idea);
+        showFirstIdea(this, first || null);
       }
       /** @param {string} word */
       #say(word) {

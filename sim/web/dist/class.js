@@ -1,5 +1,17 @@
 "use strict";
 (() => {
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
   // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
@@ -45,7 +57,7 @@
     // marks of the tests in them, as typed
     two = false;
     /** @type {[string, string]} */
-    names = ["experimental", "control"];
+    names = [tr("experimental"), tr("control")];
     /** @returns {boolean} whether there is nothing here */
     get empty() {
       return this.noAnswers && !this.tables.length;
@@ -57,7 +69,7 @@
     /** @returns {string[]} the names of the groups, each once */
     get groups() {
       if (!this.two) return [WHOLE];
-      const [one, other] = this.names.map((name, k) => name.trim() || `group ${k + 1}`);
+      const [one, other] = this.names.map((name, k) => name.trim() || tr("group {n}", { n: k + 1 }));
       return [one ?? "", one === other ? `${other} (2)` : other ?? ""];
     }
     /** @param {Found} found @param {number} group */
@@ -103,18 +115,6 @@
   };
   var plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
   // src/answers/parts.js
   function button(text, act, name = "") {
     const made = (
@@ -147,7 +147,7 @@
       /** @type {HTMLDetailsElement} */
       html("details", "carts-class-list")
     );
-    const title = html("summary", "", "Files");
+    const title = html("summary", "", tr("Files"));
     const rows = html("ul");
     root.append(title, rows);
     const fill = () => {
@@ -178,12 +178,17 @@
     root.addEventListener("toggle", fill);
     const draw = () => {
       const out = classroom.files.filter((file) => file.out).length;
-      const left = out ? `, ${out} left out` : "";
-      const keys = classroom.keys.length ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}` : ", no key file";
-      say(title, `Files: ${classroom.files.length}${left}${keys}`);
+      const parts = [tr("Files: {n}", { n: classroom.files.length })];
+      if (out) parts.push(tr("{n} left out", { n: out }));
+      parts.push(keysWord(classroom.keys.length));
+      say(title, parts.join(", "));
       fill();
     };
     return { root, draw };
+  }
+  function keysWord(count) {
+    if (!count) return tr("no key file");
+    return count === 1 ? tr("key for 1 form") : tr("key for {n} forms", { n: count });
   }
   function codeFor(file, changed) {
     const box = (
@@ -191,8 +196,8 @@
       html("input", "carts-class-whose")
     );
     Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
-    box.placeholder = "code word";
-    box.setAttribute("aria-label", `code word for ${file.row[0]}`);
+    box.placeholder = tr("code word");
+    box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
     box.addEventListener("change", () => {
       file.row[STUDENT] = box.value.trim().toUpperCase();
       changed();
@@ -210,8 +215,8 @@
   }
   function typedCodes(classroom, changed) {
     const root = html("details", "carts-class-codes");
-    root.append(html("summary", "", "Typed codes"));
-    const label = html("label", "", "A line each: code word, form, code");
+    root.append(html("summary", "", tr("Typed codes")));
+    const label = html("label", "", tr("A line each: code word, form, code"));
     const box = (
       /** @type {HTMLTextAreaElement} */
       html("textarea")
@@ -238,7 +243,7 @@
     );
     two.type = "checkbox";
     const label = html("label", "carts-class-choice");
-    label.append(two, " two groups, one beside the other");
+    label.append(two, " ", tr("two groups, one beside the other"));
     const fields = html("div", "carts-class-fields");
     const draw = () => {
       two.checked = classroom.two;
@@ -260,7 +265,7 @@
     const says = html(
       "p",
       "",
-      "Drop answer files, a zip and the key file here, or tables of marks (CSV), or"
+      tr("Drop answer files, a zip and the key file here, or tables of marks (CSV), or")
     );
     root.append(says);
     const row2 = html("p", "carts-class-row");
@@ -268,8 +273,8 @@
       const [text, folder] of
       /** @type {[string, boolean][]} */
       [
-        ["Choose files", false],
-        ["Choose a folder", true]
+        [tr("Choose files"), false],
+        [tr("Choose a folder"), true]
       ]
     ) {
       const box = (
@@ -310,12 +315,12 @@
       const folders = items.some((item) => item.webkitGetAsEntry?.()?.isDirectory);
       const files = [...event.dataTransfer?.files ?? []];
       if (folders)
-        say(says, "For a folder use the button “Choose a folder”. Files can be dropped, or");
+        say(says, tr("For a folder use the button “Choose a folder”. Files can be dropped, or"));
       else if (files.length) take(files);
     });
   }
   function nameBox(classroom, group, changed) {
-    const label = html("label", "carts-class-name", "Group ");
+    const label = html("label", "carts-class-name", `${tr("Group")} `);
     const box = (
       /** @type {HTMLInputElement} */
       html("input")
@@ -355,7 +360,7 @@
         const name = file.webkitRelativePath || file.name;
         const reason = tooLarge(file);
         const base64 = reason ? null : await asBase64(file);
-        if (base64 === null) refused.push([name, reason || "this file cannot be read"]);
+        if (base64 === null) refused.push([name, reason || tr("this file cannot be read")]);
         else sent.push({ name, base64 });
       }
       done += parcel.length;
@@ -389,9 +394,9 @@
   function tooLarge(file) {
     if (file.size <= MOST_JSON) return "";
     if (!file.name.toLowerCase().endsWith(".zip")) {
-      return "this file is too large to be a file of answers";
+      return tr("this file is too large to be a file of answers");
     }
-    return file.size > MOST_ZIP ? "this zip is too large for a page: use “carts class”" : "";
+    return file.size > MOST_ZIP ? tr("this zip is too large for a page: use “carts class”") : "";
   }
   function asBase64(file) {
     return new Promise((resolve) => {
@@ -408,7 +413,15 @@
     /** @type {any} */
     globalThis.__cartsPapers ?? { en: { name: "English", words: {} } }
   );
-  function papers({ noAnswers, ask, say: say2 }) {
+  function spokenHere() {
+    const spoken = languages();
+    const own = document.documentElement.lang;
+    const base = own.split("-")[0];
+    const codes = Object.keys(spoken);
+    const language = codes.find((c) => c === own) ?? codes.find((c) => c.split("-")[0] === base);
+    return { language: language ?? "en", words: spoken[language ?? ""]?.words ?? {} };
+  }
+  function papers({ noAnswers, keys, ask, say: say2 }) {
     const root = html("div", "carts-class-papers");
     const shown = html("div", "carts-class-paper");
     const spoken = languages();
@@ -416,7 +429,7 @@
       /** @type {HTMLSelectElement} */
       html("select", "carts-class-language")
     );
-    pick.setAttribute("aria-label", "Language of the slips and of the page of the class");
+    pick.setAttribute("aria-label", tr("Language of the slips and of the page of the class"));
     pick.append(
       ...Object.entries(spoken).map(([code, { name }]) => {
         const option = (
@@ -428,20 +441,20 @@
         return option;
       })
     );
-    const own = document.documentElement.lang;
-    if (own in spoken) pick.value = own;
+    pick.value = spokenHere().language;
     const answers = (
       /** @type {HTMLInputElement} */
       html("input", "carts-class-with-answers")
     );
     answers.type = "checkbox";
     const label = html("label", "carts-class-choice");
-    label.append(answers, " slips with the right answers");
+    label.append(answers, " ", tr("slips with the right answers"));
     const make = (what) => async () => {
       try {
-        say2("Making the pages …");
+        say2(tr("Making the pages …"));
         const wanted = { what, language: pick.value, words: spoken[pick.value]?.words ?? {} };
-        const header = await ask({ do: "paper", ...wanted, answers: answers.checked });
+        const dropped = what === "key" ? { keys: keys() } : {};
+        const header = await ask({ do: "paper", ...wanted, ...dropped, answers: answers.checked });
         shown.innerHTML = header.html;
         shown.lang = pick.value;
         say2("");
@@ -455,14 +468,19 @@
     };
     const row2 = html("p", "carts-class-row");
     row2.append(
-      button("Print slips for students", make("slips"), "carts-class-slips"),
-      button("Print page of the class", make("sheet"), "carts-class-sheet"),
+      button(tr("Print slips for students"), make("slips"), "carts-class-slips"),
+      button(tr("Print page of the class"), make("sheet"), "carts-class-sheet"),
       pick,
       label
     );
-    root.append(row2);
+    const key = button(tr("Print answers and rubrics"), make("key"), "carts-class-print-key");
+    const ofTeacher = html("p", "carts-class-row");
+    ofTeacher.append(key);
+    root.append(row2, ofTeacher);
     const draw = () => {
-      root.hidden = noAnswers();
+      row2.hidden = noAnswers();
+      ofTeacher.hidden = !keys().length;
+      root.hidden = row2.hidden && ofTeacher.hidden;
       shown.replaceChildren();
     };
     return { root, shown, draw };
@@ -480,7 +498,7 @@
       /** @type {HTMLDetailsElement} */
       html("details", "carts-class-reader")
     );
-    const title = html("summary", "", "Read and mark");
+    const title = html("summary", "", tr("Read and mark"));
     const body = html("div");
     root.append(title, body);
     let questions = [];
@@ -505,15 +523,16 @@
       at = Math.min(at, one.answers.length - 1);
       const answer = one.answers[at];
       const done = one.answers.filter(({ student }) => markOf(one, student) !== void 0).length;
+      const n = questions.length;
       say(
         title,
-        `Read and mark: ${questions.length === 1 ? "1 question" : `${questions.length} questions`}`
+        n === 1 ? tr("Read and mark: 1 question") : tr("Read and mark: {n} questions", { n })
       );
       const pick = (
         /** @type {HTMLSelectElement} */
         html("select", "carts-class-question")
       );
-      pick.setAttribute("aria-label", "Question");
+      pick.setAttribute("aria-label", tr("Question"));
       pick.append(...questions.map((q) => new Option(name(q), name(q), false, q === one)));
       pick.addEventListener("change", () => {
         chosen = pick.value;
@@ -523,14 +542,16 @@
       const card = html("div", "carts-class-answer");
       card.tabIndex = 0;
       card.setAttribute("role", "group");
-      card.setAttribute("aria-label", "Answer; the keys 0, 1, 2 give marks");
+      card.setAttribute("aria-label", tr("Answer; the keys 0, 1, 2 give marks"));
       if (answer) {
         const given = markOf(one, answer.student);
         const head = html("p", "carts-class-quiet");
         head.append(
-          `${at + 1} of ${one.answers.length} · `,
-          html("bdi", "", answer.student),
-          given === void 0 ? " · not marked" : ` · ${given} of ${one.worth}`
+          tr("{at} of {all}", { at: at + 1, all: one.answers.length }),
+          " · ",
+          html("bdi", "", answer.shown),
+          " · ",
+          given === void 0 ? tr("not marked") : tr("{marks} of {of}", { marks: given, of: one.worth })
         );
         card.append(head, html("p", "carts-class-text", answer.text));
       }
@@ -545,7 +566,7 @@
         at = Math.max(0, Math.min(one.answers.length - 1, at + by));
         show();
       };
-      row2.append(button("Back", step(-1)), " ", button("Skip", step(1)));
+      row2.append(button(tr("Back"), step(-1)), " ", button(tr("Skip"), step(1)));
       const rubric = html("ul", "carts-class-rubric");
       for (const [marks, text] of Object.entries(one.rubric)) {
         rubric.append(html("li", "", `${marks}: ${text}`));
@@ -557,7 +578,11 @@
         rubric,
         card,
         row2,
-        html("p", "carts-class-quiet", `${done} of ${one.answers.length} marked.`)
+        html(
+          "p",
+          "carts-class-quiet",
+          tr("{done} of {all} marked.", { done, all: one.answers.length })
+        )
       );
       if (focused) card.focus({ preventScroll: true });
     };
@@ -666,7 +691,7 @@
       try {
         const { text } = await ask(what);
         download(name, text, type);
-        say2(`Saved as ${name}: look in your folder “Downloads”.`);
+        say2(tr("Saved as {name}: look in your folder “Downloads”.", { name }));
       } catch (error) {
         say2(
           /** @type {Error} */
@@ -675,34 +700,44 @@
       }
     };
     const marks = button(
-      "Save marks",
+      tr("Save marks"),
       () => {
         download("class.marks.json", element.classroom.marksFile(), "application/json");
-        say2("Saved as class.marks.json. Drop it here with the files next time.");
+        say2(
+          tr("Saved as {name}. Drop it here with the files next time.", { name: "class.marks.json" })
+        );
       },
       "carts-class-save-marks"
     );
     const row2 = html("p", "carts-class-row");
     row2.append(
-      button("Print", () => window.print(), "carts-class-print"),
-      " ",
-      button("Save report", save("html", "class-results.html", "text/html"), "carts-class-save-html"),
-      " ",
-      button("Students (CSV)", save("csv", "class-students.csv", "text/csv"), "carts-class-save-csv"),
+      button(tr("Print"), () => window.print(), "carts-class-print"),
       " ",
       button(
-        "Questions (CSV)",
+        tr("Save report"),
+        save("html", "class-results.html", "text/html"),
+        "carts-class-save-html"
+      ),
+      " ",
+      button(
+        tr("Students (CSV)"),
+        save("csv", "class-students.csv", "text/csv"),
+        "carts-class-save-csv"
+      ),
+      " ",
+      button(
+        tr("Questions (CSV)"),
         save("items", "class-questions.csv", "text/csv"),
         "carts-class-save-items"
       ),
       " ",
       button(
-        "Plots (PNG)",
+        tr("Plots (PNG)"),
         async () => {
           const picture = await plotsAsPng(report);
-          if (!picture) return say2("There is no plot yet: it takes five students and a key.");
+          if (!picture) return say2(tr("There is no plot yet: it takes five students and a key."));
           downloadBlob("class-plots.png", picture);
-          return say2("Saved as class-plots.png.");
+          return say2(tr("Saved as {name}.", { name: "class-plots.png" }));
         },
         "carts-class-save-png"
       ),
@@ -710,9 +745,9 @@
       marks
     );
     const remove = askingButton(
-      "Delete everything",
-      "Forget all files, codes and marks on this page?",
-      "Delete",
+      tr("Delete everything"),
+      tr("Forget all files, codes and marks on this page?"),
+      tr("Delete"),
       clear,
       "carts-class-clear"
     );
@@ -728,16 +763,20 @@
   var TIMES = (
     /** @type {[string, string][]} */
     [
-      ["", "as the table says"],
-      ["pre", "before teaching"],
-      ["post", "after teaching"],
-      ["later", "some time later"]
+      ["", tr("as the table says")],
+      ["pre", tr("before teaching")],
+      ["post", tr("after teaching")],
+      ["later", tr("some time later")]
     ]
   );
   function tableList(classroom, changed) {
     const root = html("div", "carts-class-tables");
     const rows = html("ul");
-    const label = html("label", "", "Most marks of the test, if the table gives only totals ");
+    const label = html(
+      "label",
+      "",
+      `${tr("Most marks of the test, if the table gives only totals")} `
+    );
     const most = (
       /** @type {HTMLInputElement} */
       html("input")
@@ -748,7 +787,7 @@
       changed();
     });
     label.append(most);
-    root.append(html("p", "carts-class-tables-title", "Tables of marks"), rows, label);
+    root.append(html("p", "carts-class-tables-title", tr("Tables of marks")), rows, label);
     const draw = () => {
       root.hidden = classroom.tables.length === 0;
       if (most.value !== classroom.most) most.value = classroom.most;
@@ -765,12 +804,12 @@
     );
     when.append(...TIMES.map(([value, text]) => new Option(text, value)));
     when.value = table.form;
-    when.setAttribute("aria-label", `which test ${table.name} tells of`);
+    when.setAttribute("aria-label", tr("which test {table} tells of", { table: table.name }));
     when.addEventListener("change", () => {
       table.form = when.value;
       changed();
     });
-    const remove = button("Leave out", () => {
+    const remove = button(tr("Leave out"), () => {
       classroom.tables = classroom.tables.filter((other) => other !== table);
       changed();
     });
@@ -781,7 +820,9 @@
   // src/class/element.js
   var PACKAGES = ["numpy", "scipy"];
   var SOON = 700;
+  var readIn = (count, seconds) => count === 1 ? tr("1 file read in {seconds} s.", { seconds }) : tr("{n} files read in {seconds} s.", { n: count, seconds });
   function classElement(client) {
+    const here = spokenHere();
     return class CartsClass extends HTMLElement {
       classroom = new Classroom();
       /** Whether Python has scipy by now. */
@@ -817,20 +858,21 @@
           report: this.#report,
           ask: (what) => this.#ask({
             ...this.classroom.noAnswers ? this.classroom.toldOfTables() : this.classroom.told(),
-            ...{ do: "save", what, inference: this.inference }
+            ...{ do: "save", what, inference: this.inference, ...here }
           }),
           say: (text) => say(this.#status, text),
           clear: () => this.clear()
         });
         const paper = papers({
           noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+          keys: () => this.classroom.keys,
           ask: (wanted) => this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
           say: (text) => say(this.#status, text)
         });
         this.#parts = [field2.draw, list.draw, tables.draw, codes.draw, paper.draw, doing.draw];
         this.#status.setAttribute("role", "status");
         this.#bar.hidden = true;
-        this.#bar.setAttribute("aria-label", "Files read");
+        this.#bar.setAttribute("aria-label", tr("Files read"));
         const controls = html("div", "carts-class-controls");
         controls.append(
           field2.root,
@@ -861,12 +903,12 @@
         for (const file of files.filter(isTable)) {
           const table = await asTable(file);
           if (table) this.classroom.tables.push(table);
-          else this.classroom.refused.push([file.name, "this table is too large for a page"]);
+          else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
         }
         const answers = files.filter((file) => !isTable(file));
         const lifetime = this.#lifetime;
         const begun = performance.now();
-        say(this.#status, client.state === "ready" ? "Reading …" : "Starting Python …");
+        say(this.#status, client.state === "ready" ? tr("Reading …") : tr("Starting Python …"));
         Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
         let soon = 0;
         try {
@@ -878,7 +920,7 @@
               soon ||= performance.now() + SOON;
               this.classroom.take(found, group);
               this.#bar.value = done;
-              say(this.#status, `${done} of ${files.length} files read`);
+              say(this.#status, tr("{done} of {all} files read", { done, all: files.length }));
               if (!this.#drawn && this.classroom.files.length && performance.now() > soon)
                 await this.show();
             }
@@ -886,10 +928,7 @@
           await this.show();
           performance.mark("carts:class-done");
           const took = ((performance.now() - begun) / 1e3).toFixed(1);
-          say(
-            this.#status,
-            `${files.length} ${files.length === 1 ? "file" : "files"} read in ${took} s.`
-          );
+          say(this.#status, readIn(files.length, took));
           void this.#addStatistics();
         } catch (error) {
           if (lifetime !== this.#lifetime) return;
@@ -912,7 +951,11 @@
           },
           (error) => {
             this.#statistics = null;
-            say(this.#status, `Means are shown; intervals and tests are not there: ${error.message}`);
+            const { message } = error;
+            const short = tr("Means are shown; intervals and tests are not there: {message}", {
+              message
+            });
+            say(this.#status, short);
           }
         );
         return this.#statistics.then(() => {
@@ -952,7 +995,7 @@
       /** The report on the answers, and below it that on tables. @returns {Promise<{html: string, words: any[]}>} */
       async #reported() {
         const { classroom } = this;
-        const asked = { do: "report", inference: this.inference };
+        const asked = { do: "report", inference: this.inference, ...here };
         const none = { html: "", words: [] };
         const answers = classroom.noAnswers ? none : (await client.ask(this, () => ({ ...this.classroom.told(), ...asked }))).header;
         const tables = classroom.tables.length ? await this.#ask({ ...classroom.toldOfTables(), ...asked }) : none;
@@ -974,7 +1017,7 @@
         this.dataset.state = "ready";
         say(
           this.#status,
-          "Everything is deleted from this page. The files themselves are where they were."
+          tr("Everything is deleted from this page. The files themselves are where they were.")
         );
       }
       #redraw() {
@@ -1676,7 +1719,10 @@
   var missing = missingFeatures();
   if (missing.length) {
     for (const place of document.querySelectorAll("carts-class")) {
-      place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 103, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
+      place.textContent = tr(
+        "This browser is too old to read the files (missing: {missing}); Chrome or Edge 103, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.",
+        { missing: missing.join(", ") }
+      );
     }
   } else {
     const client = pagePython(() => [CLASSROOM]);

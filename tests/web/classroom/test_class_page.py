@@ -13,6 +13,7 @@ from playwright.sync_api import FilePayload, Page, expect
 from sim.classroom.files.reading import Source
 from sim.pages.classroom.practice_keys import keys_script
 from sim.pages.runtime import CLASSROOM, default_cache, pack
+from tests.classroom.everything import Blanked, a_class, left_in_english
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources, zipped
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import ROOT, STRICT, bundle
@@ -47,6 +48,16 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (assets / "carts.css").write_bytes(b"\n".join(sheet.read_bytes() for sheet in sheets))
     bundle(web / "src" / "class-main.js", assets / "class.js")
     (site / "class.html").write_text(PAGE, encoding="utf-8")
+    blanked = json.dumps(Blanked())
+    (assets / "blanked.js").write_text(
+        f"globalThis.cartsWords = {blanked};\n"
+        f'globalThis.__cartsPapers = {{"ms": {{"name": "·", "words": {blanked}}}}};\n',
+        encoding="utf-8",
+    )
+    (site / "blanked.html").write_text(
+        PAGE.replace('lang="en"', 'lang="ms"').replace("class-keys.js", "blanked.js"),
+        encoding="utf-8",
+    )
     return site / "class.html"
 
 
@@ -134,6 +145,40 @@ def test_slips_are_printed_alone_and_in_the_language_that_was_chosen(page: Page)
     expect(page.locator(".carts-class-table.means")).to_be_visible()
 
 
+SPOKEN = """() => {
+  const all = [...document.querySelectorAll("carts-class *")];
+  const own = (node) => [...node.childNodes].filter((n) => n.nodeType === 3).map((n) => n.data);
+  const labels = ["aria-label", "placeholder", "title"].flatMap(
+    (name) => all.map((node) => node.getAttribute(name) ?? ""));
+  return [...all.flatMap(own), ...labels];
+}"""
+
+
+@pytest.mark.one_browser
+def test_nothing_on_the_page_is_said_outside_the_catalogues(
+    place: Path, open_page: OpenPage
+) -> None:
+    """In a language of blanks only names are left: of buttons, messages and of the report."""
+    page = open_page(place.with_name("blanked.html"))
+    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1)
+    said = set(page.evaluate(SPOKEN))
+    page.locator(".carts-class-two").check()
+    choose(page, [*a_class(), Source("t1.csv", b"student,pre,post\nA-1,2,z\n")])
+    complete(page)
+    page.locator(".carts-class-list > summary").click()
+    page.locator(".carts-class-list li").first.wait_for()
+    page.locator(".carts-class-reader > summary").click()
+    said |= set(page.evaluate(SPOKEN))
+    page.locator(".carts-class-clear").first.click()
+    said |= set(page.evaluate(SPOKEN))
+    said -= {BLANK_EXAMPLE}
+    assert len(said) > 300
+    assert left_in_english("\n".join(said)) == set()
+
+
+BLANK_EXAMPLE = "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX"
+
+
 @pytest.mark.one_browser
 def test_hostile_names_are_shown_and_never_run(page: Page) -> None:
     hostile = '<img src="x" onerror="window.hacked=1"><script>window.hacked=1</script>'
@@ -168,6 +213,17 @@ def test_a_file_that_is_left_out_does_not_count(page: Page) -> None:
     page.locator(".carts-class-list input").first.uncheck()
     expect(report).to_contain_text("11 of 11 files")
     expect(page.locator(".carts-class-list > summary")).to_contain_text("1 left out")
+
+
+@pytest.mark.one_browser
+def test_the_key_that_was_dropped_is_printed_without_any_answers(page: Page) -> None:
+    expect(page.locator(".carts-class-print-key")).to_be_hidden()
+    choose(page, [KEY])
+    page.evaluate("() => { window.print = () => { window.printed = true; }; }")
+    page.locator(".carts-class-print-key").click()
+    expect(page.locator(".carts-class-paper .carts-sheet")).to_have_count(2, timeout=60_000)
+    assert page.evaluate("window.printed")
+    assert "both forces" in (page.locator(".carts-class-paper").text_content() or "")
 
 
 @pytest.mark.one_browser

@@ -207,3 +207,40 @@ def test_a_first_idea_is_kept_never_marked_and_stands_beside_the_last_answer(
     ready(page)
     expect(page.get_by_label("Ana")).to_be_checked()
     expect(first).to_have_text("Your first idea was: A: Ana")
+
+
+# A scene that was watched, as the elements of scenes tell it (sim/web/src/scene/time/watch.js).
+WATCH = """(scene) => {
+  scene.dataset.watched = "";
+  scene.dispatchEvent(new Event("carts-watched", { bubbles: true }));
+}"""
+SCENES = """() => {
+  const scene = (id) => Object.assign(document.createElement("carts-scene"), { id });
+  const question = document.getElementById("pick-one");
+  question.before(scene("other"), document.createElement("h2"), scene("beside"));
+}"""
+
+
+@pytest.mark.one_browser
+def test_the_press_that_was_right_and_the_answer_before_the_run_are_kept(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.evaluate(SCENES)
+    one = page.locator("#pick-one")
+    page.get_by_label("The one on the van").check()
+    one.locator(".carts-q-check").click()
+    page.locator("#other").evaluate(WATCH)  # stands under another heading
+    page.get_by_label("The one on the trailer").check()
+    page.locator("#beside").evaluate(WATCH)
+    page.get_by_label("They are equal").check()
+    for _ in range(2):  # what was right stays so
+        one.locator(".carts-q-check").click()
+    page.locator("#beside").evaluate(WATCH)
+    page.locator("#resultant input").fill("zero")  # after the run, with nothing before it
+    saved(page, "pick-one")
+    saved(page, "resultant")
+    items = {item["id"]: item for item in saved_file(page)["items"]}
+    assert (items["pick-one"]["tries"], items["pick-one"]["right"]) == (3, 2)
+    assert items["pick-one"]["before"]["value"] == "c"
+    assert "before" not in items["resultant"] and "right" not in items["resultant"]

@@ -8,6 +8,7 @@ export const KIND = "newtons-carts-answers";
 const MOST_BYTES = 2_000_000; // an answer file has some 20 000
 const MOST_ITEMS = 2000;
 const LONGEST = 20_000; // characters of one answer
+const TEXTS = ["unit", "sure", "said", "asked", "locked", "why"];
 const FORMS = ["worksheet", "pre", "post", "delayed"];
 const ID = /^[a-z_][a-z0-9-]{0,63}$/;
 const HASH = /^[0-9a-f]{12}$/;
@@ -85,7 +86,7 @@ function item(entry) {
     last,
     tries,
   });
-  for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why", "found"]) {
+  for (const name of [...TEXTS, "own", "set", "found", "right", "before"]) {
     const more = entry[name];
     if (more !== undefined && more !== null && more !== "") made[name] = more;
   }
@@ -177,11 +178,13 @@ function clean(row) {
     last,
     tries,
   });
-  for (const name of ["unit", "said", "asked", "sure", "locked", "why"]) {
+  for (const name of TEXTS) {
     if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
   }
   if (Number.isFinite(row.own)) entry.own = row.own;
   if (isPlain(row.set, 1) && row.set) entry.set = row.set;
+  if (Number.isInteger(row.right) && row.right >= 0) entry.right = row.right;
+  if (row.before && isPlain(row.before, 0)) entry.before = row.before;
   if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
   return entry;
 }

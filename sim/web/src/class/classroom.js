@@ -1,5 +1,7 @@
 /** What the teacher has dropped on the page so far. Nothing of it is kept when the page is closed. */
 
+import { tr } from "../../../view/language.js";
+
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean}} Held `out`: left out by the teacher */
 /** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
@@ -28,7 +30,7 @@ export class Classroom {
   most = ""; // marks of the tests in them, as typed
   two = false;
   /** @type {[string, string]} */
-  names = ["experimental", "control"];
+  names = [tr("experimental"), tr("control")];
 
   /** @returns {boolean} whether there is nothing here */
   get empty() {
@@ -43,7 +45,7 @@ export class Classroom {
   /** @returns {string[]} the names of the groups, each once */
   get groups() {
     if (!this.two) return [WHOLE];
-    const [one, other] = this.names.map((name, k) => name.trim() || `group ${k + 1}`);
+    const [one, other] = this.names.map((name, k) => name.trim() || tr("group {n}", { n: k + 1 }));
     return [one ?? "", one === other ? `${other} (2)` : (other ?? "")];
   }
 

@@ -1,5 +1,6 @@
 /** The fields on which files are dropped, one for the class or one for each of two groups. */
 
+import { tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
 import { html, say } from "../shared/dom.js";
 import { typedIn } from "./list.js";
@@ -15,7 +16,7 @@ export function drops(classroom, take, changed) {
   const two = /** @type {HTMLInputElement} */ (html("input", "carts-class-two"));
   two.type = "checkbox";
   const label = html("label", "carts-class-choice");
-  label.append(two, " two groups, one beside the other");
+  label.append(two, " ", tr("two groups, one beside the other"));
   const fields = html("div", "carts-class-fields");
   const draw = () => {
     two.checked = classroom.two;
@@ -42,13 +43,13 @@ function field(classroom, group, take, changed) {
   const says = html(
     "p",
     "",
-    "Drop answer files, a zip and the key file here, or tables of marks (CSV), or",
+    tr("Drop answer files, a zip and the key file here, or tables of marks (CSV), or"),
   );
   root.append(says);
   const row = html("p", "carts-class-row");
   for (const [text, folder] of /** @type {[string, boolean][]} */ ([
-    ["Choose files", false],
-    ["Choose a folder", true],
+    [tr("Choose files"), false],
+    [tr("Choose a folder"), true],
   ])) {
     const box = /** @type {HTMLInputElement} */ (html("input", "carts-class-files"));
     Object.assign(box, { type: "file", multiple: true, hidden: true, tabIndex: -1 });
@@ -87,7 +88,7 @@ function listen(root, says, take) {
     const folders = items.some((item) => item.webkitGetAsEntry?.()?.isDirectory);
     const files = [...(event.dataTransfer?.files ?? [])];
     if (folders)
-      say(says, "For a folder use the button “Choose a folder”. Files can be dropped, or");
+      say(says, tr("For a folder use the button “Choose a folder”. Files can be dropped, or"));
     else if (files.length) take(files);
   });
 }
@@ -97,7 +98,7 @@ function listen(root, says, take) {
  * @param {() => void} changed
  */
 function nameBox(classroom, group, changed) {
-  const label = html("label", "carts-class-name", "Group ");
+  const label = html("label", "carts-class-name", `${tr("Group")} `);
   const box = /** @type {HTMLInputElement} */ (html("input"));
   Object.assign(box, { value: classroom.names[group], maxLength: 40 });
   typedIn(box, () => {

@@ -1,11 +1,12 @@
 /** `<carts-class>`: the files of a class, read and reported by Python in the page's worker. */
 
+import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { Classroom } from "./classroom.js";
 import { drops } from "./drops.js";
 import { asTable, isTable, readAll } from "./intake.js";
 import { fileList, typedCodes } from "./list.js";
-import { papers } from "./papers.js";
+import { papers, spokenHere } from "./papers.js";
 import { reader } from "./reader.js";
 import { actions } from "./saves.js";
 import { tableList } from "./tables.js";
@@ -15,8 +16,15 @@ import { tableList } from "./tables.js";
 const PACKAGES = ["numpy", "scipy"]; // for intervals and tests; the first table does without
 const SOON = 700; // ms until a first table is made of what has been read so far
 
+/** @param {number} count @param {string} seconds */
+const readIn = (count, seconds) =>
+  count === 1
+    ? tr("1 file read in {seconds} s.", { seconds })
+    : tr("{n} files read in {seconds} s.", { n: count, seconds });
+
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function classElement(client) {
+  const here = spokenHere();
   return class CartsClass extends HTMLElement {
     classroom = new Classroom();
     /** Whether Python has scipy by now. */
@@ -51,13 +59,14 @@ export function classElement(client) {
         ask: (what) =>
           this.#ask({
             ...(this.classroom.noAnswers ? this.classroom.toldOfTables() : this.classroom.told()),
-            ...{ do: "save", what, inference: this.inference },
+            ...{ do: "save", what, inference: this.inference, ...here },
           }),
         say: (text) => say(this.#status, text),
         clear: () => this.clear(),
       });
       const paper = papers({
         noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+        keys: () => this.classroom.keys,
         ask: (wanted) =>
           this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
         say: (text) => say(this.#status, text),
@@ -65,7 +74,7 @@ export function classElement(client) {
       this.#parts = [field.draw, list.draw, tables.draw, codes.draw, paper.draw, doing.draw];
       this.#status.setAttribute("role", "status");
       this.#bar.hidden = true;
-      this.#bar.setAttribute("aria-label", "Files read");
+      this.#bar.setAttribute("aria-label", tr("Files read"));
       const controls = html("div", "carts-class-controls");
       controls.append(
         field.root,
@@ -98,12 +107,12 @@ export function classElement(client) {
       for (const file of files.filter(isTable)) {
         const table = await asTable(file);
         if (table) this.classroom.tables.push(table);
-        else this.classroom.refused.push([file.name, "this table is too large for a page"]);
+        else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
       }
       const answers = files.filter((file) => !isTable(file));
       const lifetime = this.#lifetime;
       const begun = performance.now();
-      say(this.#status, client.state === "ready" ? "Reading …" : "Starting Python …");
+      say(this.#status, client.state === "ready" ? tr("Reading …") : tr("Starting Python …"));
       Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
       let soon = 0;
       try {
@@ -115,7 +124,7 @@ export function classElement(client) {
             soon ||= performance.now() + SOON;
             this.classroom.take(found, group);
             this.#bar.value = done;
-            say(this.#status, `${done} of ${files.length} files read`);
+            say(this.#status, tr("{done} of {all} files read", { done, all: files.length }));
             if (!this.#drawn && this.classroom.files.length && performance.now() > soon)
               await this.show();
           },
@@ -123,10 +132,7 @@ export function classElement(client) {
         await this.show();
         performance.mark("carts:class-done");
         const took = ((performance.now() - begun) / 1000).toFixed(1);
-        say(
-          this.#status,
-          `${files.length} ${files.length === 1 ? "file" : "files"} read in ${took} s.`,
-        );
+        say(this.#status, readIn(files.length, took));
         void this.#addStatistics();
       } catch (error) {
         if (lifetime !== this.#lifetime) return;
@@ -146,7 +152,11 @@ export function classElement(client) {
         },
         (error) => {
           this.#statistics = null;
-          say(this.#status, `Means are shown; intervals and tests are not there: ${error.message}`);
+          const { message } = error;
+          const short = tr("Means are shown; intervals and tests are not there: {message}", {
+            message,
+          });
+          say(this.#status, short);
         },
       );
       return this.#statistics.then(() => {
@@ -184,7 +194,7 @@ export function classElement(client) {
     /** The report on the answers, and below it that on tables. @returns {Promise<{html: string, words: any[]}>} */
     async #reported() {
       const { classroom } = this;
-      const asked = { do: "report", inference: this.inference };
+      const asked = { do: "report", inference: this.inference, ...here };
       const none = { html: "", words: [] };
       const answers = classroom.noAnswers
         ? none
@@ -208,7 +218,7 @@ export function classElement(client) {
       this.dataset.state = "ready";
       say(
         this.#status,
-        "Everything is deleted from this page. The files themselves are where they were.",
+        tr("Everything is deleted from this page. The files themselves are where they were."),
       );
     }
 

@@ -1,5 +1,7 @@
 /** From dropped files to what is in them: bytes go to Python in parcels, rows come back. */
 
+import { tr } from "../../../view/language.js";
+
 /** @typedef {import("./classroom.js").Found} Found */
 /** @typedef {{name: string, base64: string}} Parcel */
 /** @typedef {(message: Record<string, unknown>) => Promise<Record<string, any>>} Ask */
@@ -37,7 +39,7 @@ export async function readAll(files, ask, found) {
       const name = file.webkitRelativePath || file.name;
       const reason = tooLarge(file);
       const base64 = reason ? null : await asBase64(file);
-      if (base64 === null) refused.push([name, reason || "this file cannot be read"]);
+      if (base64 === null) refused.push([name, reason || tr("this file cannot be read")]);
       else sent.push({ name, base64 });
     }
     done += parcel.length;
@@ -76,9 +78,9 @@ function* parcels(files) {
 function tooLarge(file) {
   if (file.size <= MOST_JSON) return "";
   if (!file.name.toLowerCase().endsWith(".zip")) {
-    return "this file is too large to be a file of answers";
+    return tr("this file is too large to be a file of answers");
   }
-  return file.size > MOST_ZIP ? "this zip is too large for a page: use “carts class”" : "";
+  return file.size > MOST_ZIP ? tr("this zip is too large for a page: use “carts class”") : "";
 }
 
 /** @param {File} file @returns {Promise<string | null>} null: a folder, or a file that is gone */

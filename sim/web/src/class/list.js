@@ -1,11 +1,12 @@
 /** The files that were read, each with a box to leave it out; and hand-in codes typed from paper. */
 
+import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function fileList(classroom, changed) {
   const root = /** @type {HTMLDetailsElement} */ (html("details", "carts-class-list"));
-  const title = html("summary", "", "Files");
+  const title = html("summary", "", tr("Files"));
   const rows = html("ul");
   root.append(title, rows);
   const fill = () => {
@@ -33,22 +34,27 @@ export function fileList(classroom, changed) {
   root.addEventListener("toggle", fill);
   const draw = () => {
     const out = classroom.files.filter((file) => file.out).length;
-    const left = out ? `, ${out} left out` : "";
-    const keys = classroom.keys.length
-      ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}`
-      : ", no key file";
-    say(title, `Files: ${classroom.files.length}${left}${keys}`);
+    const parts = [tr("Files: {n}", { n: classroom.files.length })];
+    if (out) parts.push(tr("{n} left out", { n: out }));
+    parts.push(keysWord(classroom.keys.length));
+    say(title, parts.join(", "));
     fill();
   };
   return { root, draw };
+}
+
+/** @param {number} count */
+function keysWord(count) {
+  if (!count) return tr("no key file");
+  return count === 1 ? tr("key for 1 form") : tr("key for {n} forms", { n: count });
 }
 
 /** A box for the code word of a file that has none. @param {import("./classroom.js").Held} file @param {() => void} changed */
 function codeFor(file, changed) {
   const box = /** @type {HTMLInputElement} */ (html("input", "carts-class-whose"));
   Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
-  box.placeholder = "code word";
-  box.setAttribute("aria-label", `code word for ${file.row[0]}`);
+  box.placeholder = tr("code word");
+  box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
   box.addEventListener("change", () => {
     file.row[STUDENT] = box.value.trim().toUpperCase();
     changed();
@@ -71,8 +77,8 @@ export function typedIn(box, act) {
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function typedCodes(classroom, changed) {
   const root = html("details", "carts-class-codes");
-  root.append(html("summary", "", "Typed codes"));
-  const label = html("label", "", "A line each: code word, form, code");
+  root.append(html("summary", "", tr("Typed codes")));
+  const label = html("label", "", tr("A line each: code word, form, code"));
   const box = /** @type {HTMLTextAreaElement} */ (html("textarea"));
   Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
   typedIn(box, () => {

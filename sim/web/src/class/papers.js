@@ -1,5 +1,6 @@
 /** Slips for each student and the page of the class: made in Python, shown, and printed alone. */
 
+import { tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 
@@ -11,16 +12,26 @@ const PRINTING = "carts-class-paper-only";
 const languages = () =>
   /** @type {any} */ (globalThis).__cartsPapers ?? { en: { name: "English", words: {} } };
 
+/** The language of the page, with what each English sentence is in it. @returns {{language: string, words: Record<string, string>}} */
+export function spokenHere() {
+  const spoken = languages();
+  const own = document.documentElement.lang;
+  const base = own.split("-")[0];
+  const codes = Object.keys(spoken);
+  const language = codes.find((c) => c === own) ?? codes.find((c) => c.split("-")[0] === base);
+  return { language: language ?? "en", words: spoken[language ?? ""]?.words ?? {} };
+}
+
 /**
- * @param {{noAnswers: () => boolean, ask: (wanted: Record<string, unknown>) => Promise<Record<string, any>>,
+ * @param {{noAnswers: () => boolean, keys: () => string[], ask: (wanted: Record<string, unknown>) => Promise<Record<string, any>>,
  *   say: (text: string) => void}} given
  */
-export function papers({ noAnswers, ask, say }) {
+export function papers({ noAnswers, keys, ask, say }) {
   const root = html("div", "carts-class-papers");
   const shown = html("div", "carts-class-paper");
   const spoken = languages();
   const pick = /** @type {HTMLSelectElement} */ (html("select", "carts-class-language"));
-  pick.setAttribute("aria-label", "Language of the slips and of the page of the class");
+  pick.setAttribute("aria-label", tr("Language of the slips and of the page of the class"));
   pick.append(
     ...Object.entries(spoken).map(([code, { name }]) => {
       const option = /** @type {HTMLOptionElement} */ (html("option", "", name));
@@ -29,18 +40,18 @@ export function papers({ noAnswers, ask, say }) {
       return option;
     }),
   );
-  const own = document.documentElement.lang;
-  if (own in spoken) pick.value = own;
+  pick.value = spokenHere().language;
   const answers = /** @type {HTMLInputElement} */ (html("input", "carts-class-with-answers"));
   answers.type = "checkbox";
   const label = html("label", "carts-class-choice");
-  label.append(answers, " slips with the right answers");
-  /** @param {"slips" | "sheet"} what */
+  label.append(answers, " ", tr("slips with the right answers"));
+  /** @param {"slips" | "sheet" | "key"} what */
   const make = (what) => async () => {
     try {
-      say("Making the pages …");
+      say(tr("Making the pages …"));
       const wanted = { what, language: pick.value, words: spoken[pick.value]?.words ?? {} };
-      const header = await ask({ do: "paper", ...wanted, answers: answers.checked });
+      const dropped = what === "key" ? { keys: keys() } : {}; // not what can be practised
+      const header = await ask({ do: "paper", ...wanted, ...dropped, answers: answers.checked });
       shown.innerHTML = header.html; // escaped where it was made
       shown.lang = pick.value;
       say("");
@@ -51,14 +62,19 @@ export function papers({ noAnswers, ask, say }) {
   };
   const row = html("p", "carts-class-row");
   row.append(
-    button("Print slips for students", make("slips"), "carts-class-slips"),
-    button("Print page of the class", make("sheet"), "carts-class-sheet"),
+    button(tr("Print slips for students"), make("slips"), "carts-class-slips"),
+    button(tr("Print page of the class"), make("sheet"), "carts-class-sheet"),
     pick,
     label,
   );
-  root.append(row);
+  const key = button(tr("Print answers and rubrics"), make("key"), "carts-class-print-key");
+  const ofTeacher = html("p", "carts-class-row");
+  ofTeacher.append(key);
+  root.append(row, ofTeacher);
   const draw = () => {
-    root.hidden = noAnswers();
+    row.hidden = noAnswers();
+    ofTeacher.hidden = !keys().length;
+    root.hidden = row.hidden && ofTeacher.hidden;
     shown.replaceChildren(); // of other answers by now
   };
   return { root, shown, draw };

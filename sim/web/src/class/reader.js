@@ -1,18 +1,19 @@
 /** One question in words, read across the class and marked by a key: 0, 1, 2 … go on to the next. */
 
+import { tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
 import { html, say } from "../shared/dom.js";
 import { plain } from "./classroom.js";
 
 /**
  * @typedef {{lesson: string, form: string, id: string, ask: string, worth: number,
- *   rubric: Record<string, string>, answers: {student: string, text: string, marks: number | null}[]}} Words
+ *   rubric: Record<string, string>, answers: {student: string, shown: string, text: string, marks: number | null}[]}} Words
  */
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} marked */
 export function reader(classroom, marked) {
   const root = /** @type {HTMLDetailsElement} */ (html("details", "carts-class-reader"));
-  const title = html("summary", "", "Read and mark");
+  const title = html("summary", "", tr("Read and mark"));
   const body = html("div");
   root.append(title, body);
   /** @type {Words[]} */
@@ -45,12 +46,13 @@ export function reader(classroom, marked) {
     at = Math.min(at, one.answers.length - 1);
     const answer = one.answers[at];
     const done = one.answers.filter(({ student }) => markOf(one, student) !== undefined).length;
+    const n = questions.length;
     say(
       title,
-      `Read and mark: ${questions.length === 1 ? "1 question" : `${questions.length} questions`}`,
+      n === 1 ? tr("Read and mark: 1 question") : tr("Read and mark: {n} questions", { n }),
     );
     const pick = /** @type {HTMLSelectElement} */ (html("select", "carts-class-question"));
-    pick.setAttribute("aria-label", "Question");
+    pick.setAttribute("aria-label", tr("Question"));
     pick.append(...questions.map((q) => new Option(name(q), name(q), false, q === one)));
     pick.addEventListener("change", () => {
       chosen = pick.value;
@@ -60,14 +62,18 @@ export function reader(classroom, marked) {
     const card = html("div", "carts-class-answer");
     card.tabIndex = 0;
     card.setAttribute("role", "group");
-    card.setAttribute("aria-label", "Answer; the keys 0, 1, 2 give marks");
+    card.setAttribute("aria-label", tr("Answer; the keys 0, 1, 2 give marks"));
     if (answer) {
       const given = markOf(one, answer.student);
       const head = html("p", "carts-class-quiet");
       head.append(
-        `${at + 1} of ${one.answers.length} · `,
-        html("bdi", "", answer.student),
-        given === undefined ? " · not marked" : ` · ${given} of ${one.worth}`,
+        tr("{at} of {all}", { at: at + 1, all: one.answers.length }),
+        " · ",
+        html("bdi", "", answer.shown),
+        " · ",
+        given === undefined
+          ? tr("not marked")
+          : tr("{marks} of {of}", { marks: given, of: one.worth }),
       );
       card.append(head, html("p", "carts-class-text", answer.text));
     }
@@ -82,7 +88,7 @@ export function reader(classroom, marked) {
       at = Math.max(0, Math.min(one.answers.length - 1, at + by));
       show();
     };
-    row.append(button("Back", step(-1)), " ", button("Skip", step(1)));
+    row.append(button(tr("Back"), step(-1)), " ", button(tr("Skip"), step(1)));
     const rubric = html("ul", "carts-class-rubric");
     for (const [marks, text] of Object.entries(one.rubric)) {
       rubric.append(html("li", "", `${marks}: ${text}`));
@@ -94,7 +100,11 @@ export function reader(classroom, marked) {
       rubric,
       card,
       row,
-      html("p", "carts-class-quiet", `${done} of ${one.answers.length} marked.`),
+      html(
+        "p",
+        "carts-class-quiet",
+        tr("{done} of {all} marked.", { done, all: one.answers.length }),
+      ),
     );
     if (focused) card.focus({ preventScroll: true });
   };

@@ -1,5 +1,6 @@
 /** What can be done with a report: print it, save it, delete everything. */
 
+import { tr } from "../../../view/language.js";
 import { askingButton, button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 import { download, downloadBlob } from "../shared/download.js";
@@ -18,40 +19,50 @@ export function actions({ element, report, ask, say, clear }) {
     try {
       const { text } = await ask(what);
       download(name, text, type);
-      say(`Saved as ${name}: look in your folder “Downloads”.`);
+      say(tr("Saved as {name}: look in your folder “Downloads”.", { name }));
     } catch (error) {
       say(/** @type {Error} */ (error).message);
     }
   };
   const marks = button(
-    "Save marks",
+    tr("Save marks"),
     () => {
       download("class.marks.json", element.classroom.marksFile(), "application/json");
-      say("Saved as class.marks.json. Drop it here with the files next time.");
+      say(
+        tr("Saved as {name}. Drop it here with the files next time.", { name: "class.marks.json" }),
+      );
     },
     "carts-class-save-marks",
   );
   const row = html("p", "carts-class-row");
   row.append(
-    button("Print", () => window.print(), "carts-class-print"),
-    " ",
-    button("Save report", save("html", "class-results.html", "text/html"), "carts-class-save-html"),
-    " ",
-    button("Students (CSV)", save("csv", "class-students.csv", "text/csv"), "carts-class-save-csv"),
+    button(tr("Print"), () => window.print(), "carts-class-print"),
     " ",
     button(
-      "Questions (CSV)",
+      tr("Save report"),
+      save("html", "class-results.html", "text/html"),
+      "carts-class-save-html",
+    ),
+    " ",
+    button(
+      tr("Students (CSV)"),
+      save("csv", "class-students.csv", "text/csv"),
+      "carts-class-save-csv",
+    ),
+    " ",
+    button(
+      tr("Questions (CSV)"),
       save("items", "class-questions.csv", "text/csv"),
       "carts-class-save-items",
     ),
     " ",
     button(
-      "Plots (PNG)",
+      tr("Plots (PNG)"),
       async () => {
         const picture = await plotsAsPng(report);
-        if (!picture) return say("There is no plot yet: it takes five students and a key.");
+        if (!picture) return say(tr("There is no plot yet: it takes five students and a key."));
         downloadBlob("class-plots.png", picture);
-        return say("Saved as class-plots.png.");
+        return say(tr("Saved as {name}.", { name: "class-plots.png" }));
       },
       "carts-class-save-png",
     ),
@@ -59,9 +70,9 @@ export function actions({ element, report, ask, say, clear }) {
     marks,
   );
   const remove = askingButton(
-    "Delete everything",
-    "Forget all files, codes and marks on this page?",
-    "Delete",
+    tr("Delete everything"),
+    tr("Forget all files, codes and marks on this page?"),
+    tr("Delete"),
     clear,
     "carts-class-clear",
   );

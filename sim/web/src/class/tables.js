@@ -1,21 +1,26 @@
 /** Tables of marks from elsewhere that were dropped: which test each tells of, and its most marks. */
 
+import { tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 import { typedIn } from "./list.js";
 
 const TIMES = /** @type {[string, string][]} */ ([
-  ["", "as the table says"],
-  ["pre", "before teaching"],
-  ["post", "after teaching"],
-  ["later", "some time later"],
+  ["", tr("as the table says")],
+  ["pre", tr("before teaching")],
+  ["post", tr("after teaching")],
+  ["later", tr("some time later")],
 ]);
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function tableList(classroom, changed) {
   const root = html("div", "carts-class-tables");
   const rows = html("ul");
-  const label = html("label", "", "Most marks of the test, if the table gives only totals ");
+  const label = html(
+    "label",
+    "",
+    `${tr("Most marks of the test, if the table gives only totals")} `,
+  );
   const most = /** @type {HTMLInputElement} */ (html("input"));
   Object.assign(most, { type: "text", size: 6, inputMode: "decimal", autocomplete: "off" });
   typedIn(most, () => {
@@ -23,7 +28,7 @@ export function tableList(classroom, changed) {
     changed();
   });
   label.append(most);
-  root.append(html("p", "carts-class-tables-title", "Tables of marks"), rows, label);
+  root.append(html("p", "carts-class-tables-title", tr("Tables of marks")), rows, label);
   const draw = () => {
     root.hidden = classroom.tables.length === 0;
     if (most.value !== classroom.most) most.value = classroom.most;
@@ -42,12 +47,12 @@ function row(classroom, table, changed) {
   const when = /** @type {HTMLSelectElement} */ (html("select"));
   when.append(...TIMES.map(([value, text]) => new Option(text, value)));
   when.value = table.form;
-  when.setAttribute("aria-label", `which test ${table.name} tells of`);
+  when.setAttribute("aria-label", tr("which test {table} tells of", { table: table.name }));
   when.addEventListener("change", () => {
     table.form = when.value;
     changed();
   });
-  const remove = button("Leave out", () => {
+  const remove = button(tr("Leave out"), () => {
     classroom.tables = classroom.tables.filter((other) => other !== table);
     changed();
   });

@@ -2,7 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
-import { html, need } from "../shared/dom.js";
+import { html, need, say } from "../shared/dom.js";
 
 /** Shows them below the question. @param {HTMLElement} question @param {any[]} earlier entries @param {string} hash of the question as it is now */
 export function showEarlier(question, earlier, hash) {
@@ -20,4 +20,12 @@ export function showEarlier(question, earlier, hash) {
       return line;
     }),
   );
+}
+
+/** What was thought at the beginning, beside the answer of now. @param {HTMLElement} question @param {any} first null: nothing is shown */
+export function showFirstIdea(question, first) {
+  const place = need(question, ".carts-q-first");
+  place.hidden = !first || isEmpty(first.value);
+  if (place.hidden) return;
+  say(place, tr("Your first idea was: {said}", { said: first.said || String(first.value) }));
 }

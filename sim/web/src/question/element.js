@@ -3,7 +3,8 @@
 import { tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
 import { need, say } from "../shared/dom.js";
-import { showEarlier } from "./earlier.js";
+import { atTheRun, changing, checked, whenWatched } from "./beside-run.js";
+import { showEarlier, showFirstIdea } from "./earlier.js";
 import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
@@ -72,13 +73,14 @@ export function questionElement(book) {
         this.#feedback = new Feedback(
           this,
           () => this.#attempt(),
-          (shown) => this.#form?.marked?.(shown),
+          (shown, verdict) => this.#marked(shown, verdict),
         );
       book.addEventListener("elsewhere", (event) => {
         const key = /** @type {CustomEvent} */ (event).detail;
         if (key === book.key(this.formName ?? "worksheet", this.facts.id)) this.#show();
       });
       book.addEventListener("change", () => this.#form?.follow?.(book));
+      whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)));
       void book.ready.then(() => this.#restore());
     }
 
@@ -149,7 +151,7 @@ export function questionElement(book) {
       const now = new Date().toISOString();
       const sure = this.#certainty().find((radio) => radio.checked)?.value;
       const entry = {
-        ...this.#entry,
+        ...changing(this, this.#entry),
         hash: this.facts.hash,
         value: this.#form?.value ?? null,
         said: this.#form?.said() ?? "",
@@ -165,6 +167,13 @@ export function questionElement(book) {
       this.#complain("");
       this.#print();
       this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
+    }
+
+    /** @param {any} entry */
+    #keepAs(entry) {
+      if (entry === this.#entry) return;
+      this.#entry = entry;
+      void this.#keep();
     }
 
     async #keep() {
@@ -203,9 +212,14 @@ export function questionElement(book) {
         }
         this.#entry = { ...this.#entry, own, set: found.set };
       }
-      this.#entry = { ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 };
-      void this.#keep();
+      this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 });
       return { value: this.#form?.value, own, tries: this.#entry.tries };
+    }
+
+    /** @param {string[]} shown @param {string} verdict */
+    #marked(shown, verdict) {
+      this.#form?.marked?.(shown);
+      this.#keepAs(checked(this.#entry, verdict));
     }
 
     /** The answer in words, for paper. */
@@ -214,16 +228,8 @@ export function questionElement(book) {
       const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);
       say(need(this, ".carts-q-printed"), free ? said : "");
       this.toggleAttribute("data-answered", this.answered);
-      this.#showFirstIdea();
-    }
-
-    /** What was thought at the beginning, beside the answer of now. */
-    #showFirstIdea() {
-      const first = this.facts.idea ? book.get("worksheet", this.facts.idea) : null;
-      const place = need(this, ".carts-q-first");
-      place.hidden = !this.answered || !first || isEmpty(first.value);
-      if (place.hidden) return;
-      say(place, tr("Your first idea was: {said}", { said: first.said || String(first.value) }));
+      const first = this.facts.idea && this.answered && book.get("worksheet", this.facts.idea);
+      showFirstIdea(this, first || null);
     }
 
     /** @param {string} word */

@@ -19,7 +19,7 @@ export class Feedback {
   /**
    * @param {HTMLElement} root the question, with its facts
    * @param {() => {value: any, own: number | null, tries: number} | null} attempt
-   * @param {(shown: string[]) => void} marked parts of an answer that are marked one by one
+   * @param {(shown: string[], verdict: string) => void} marked what was found: parts that are marked one by one, and the whole
    */
   constructor(root, attempt, marked = () => {}) {
     this.marked = marked;
@@ -49,7 +49,7 @@ export class Feedback {
     const facts = /** @type {any} */ (this.root).facts;
     const found = mark(facts, value, own);
     this.root.dataset.verdict = found.verdict;
-    this.marked(found.shown);
+    this.marked(found.shown, found.verdict);
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
     this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found.verdict]));

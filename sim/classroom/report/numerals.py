@@ -1,0 +1,27 @@
+"""Numbers as they are written in a report, in every language alike."""
+
+from __future__ import annotations
+
+from sim.scene.said import said
+
+
+def number(value: float, places: int = 2) -> str:
+    """A number as it is written here: with a real minus, and no minus before nought."""
+    text = f"{value:.{places}f}"
+    return f"{0:.{places}f}" if float(text) == 0 else text.replace("-", "−")
+
+
+def signed(value: float, places: int = 2) -> str:
+    """The same with its sign."""
+    text = number(value, places)
+    return text if text.startswith("−") or float(text) == 0 else f"+{text}"
+
+
+def students(count: int) -> str:
+    """1 student, 2 students."""
+    return said("1 student") if count == 1 else said("{n} students", n=f"{count}")
+
+
+def runs(count: int) -> str:
+    """1 run, 2 runs."""
+    return said("1 run") if count == 1 else said("{n} runs", n=f"{count}")
