@@ -216,17 +216,16 @@ class SiteBuild:
         try:
             assets = site / site_files.ASSETS
             (assets / "carts.js").write_bytes(site_files.scene_script())
-            for name in ("tour", "proof"):
-                (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             packages = {*self.packages, runtime.PROOF}
             if any(needs.classroom for needs in self.needs.values()):
                 (assets / "class.js").write_bytes(site_files.class_script())
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in self._keys_in_order())
                 )
-            for name in ("challenge", "worlds", "law", "hosted", "tools"):
-                if any(getattr(needs, name) for needs in self.needs.values()):
-                    (assets / f"{name}.js").write_bytes(site_files.own_script(name))
+            asked = ("challenge", "worlds", "law", "hosted", "tools")
+            needed = [n for n in asked if any(getattr(needs, n) for needs in self.needs.values())]
+            for name in ("tour", "proof", *needed):
+                (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):
                 (assets / "measured.js").write_bytes(site_files.measured_script())
                 (assets / site_files.FILM).write_bytes(site_files.film_script())
