@@ -3,8 +3,8 @@
 
 const SECOND = 1000;
 
-/** In s without progress until the reader is told that it takes long: within 5 s. */
-export const SLOW_AFTER = 4;
+/** In s without progress until the reader is told that it takes long: within 5 s, on a busy computer too. */
+export const SLOW_AFTER = 3;
 
 /** In s without progress after which Python, or its table of contents, counts as lost. */
 export const PATIENCE = 8;

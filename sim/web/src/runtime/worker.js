@@ -1,7 +1,7 @@
 // Python's side of the page: runs in a classic worker made of a Blob, right after Pyodide's own script.
 // Files arrive in parts from the page and are gunzipped while they come; nothing is ever fetched.
 
-import { isOutOfMemory } from "./memory.js";
+import { isNotAllocated, isOutOfMemory } from "./memory.js";
 
 /** @type {any} */
 const scope = self;
@@ -102,6 +102,11 @@ function useCompiledWasm() {
   };
 }
 
+/** Pyodide's own first instance is nobody's to catch: without memory for it, its start would wait for ever. */
+scope.addEventListener("unhandledrejection", (/** @type {PromiseRejectionEvent} */ { reason }) => {
+  if (isNotAllocated(reason)) fail("no-memory", reason);
+});
+
 /**
  * @typedef {object} Plan
  * @property {object} lock what `loadPackage` may load
@@ -133,6 +138,7 @@ async function boot({ lock, snapshot, tableAt, load, modules, entry }) {
     if (snapshot) reseed();
     tellOfImports();
   } catch (error) {
+    if (isNotAllocated(error)) return fail("no-memory", error);
     return fail(snapshot ? "snapshot-refused" : "python-failed", error);
   }
   try {
