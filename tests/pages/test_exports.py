@@ -229,14 +229,16 @@ def test_texts_stand_as_they_are_for_moodle_drops_blanks_between_escaped_signs()
     """Its reader (lib/xmlize.php) leaves pieces of text out that are blank, and gets a new piece at
     every escaped sign: `a &lt; &amp; b` comes in as `a <& b`."""
     pairs = (("*A* & *B*", "<em>on</em> <em>C</em> &amp; D"), ("E", "F"), ("G", "H"))
+    paired = Portable(id="p", shape="pairs", ask="<b>x</b> <i>y</i>", marks=1, pairs=pairs)
     made = moodle_xml("A & < B", [
-        Portable(id="p", shape="pairs", ask="<b>x</b> <i>y</i>", marks=1, pairs=pairs),
+        paired,
         Portable(id="s", shape="short", ask="?", marks=1, answers=(("a < & > b", 100.0, ""),)),
         Portable(id="e", shape="essay", ask="?", marks=1, start="The < & >", rubric={1: "& &"}),
     ])  # fmt: skip
     plain = re.sub(r"<!\[CDATA\[.*?\]\]>", "", made, flags=re.DOTALL)
     assert "&" not in plain
     assert "<text><![CDATA[on C & D]]></text>" in made  # a list to choose from shows no marks
+    assert "-> on C & D\n" in gift("A", [paired])
     assert "<text><![CDATA[a < & > b]]></text>" in made
 
 

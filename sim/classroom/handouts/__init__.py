@@ -1,4 +1,4 @@
-"""What a class gets back on paper: a sheet for the teacher's next lesson, a slip for each student.
+"""What a class gets back on paper: a sheet for the next lesson, a slip for each student, the key.
 
-Both speak every language that there are words in; what students and authors wrote stays as it is.
+All speak every language that there are words in; what students and authors wrote stays as it is.
 """

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from sim.pages.classroom.moodle import literal
+from sim.pages.classroom.moodle import literal, plain_text
 from sim.pages.classroom.portable import Portable
 
 _SPECIAL = re.compile(r"([~=#{}:\\])")
@@ -33,7 +33,7 @@ def _body(q: Portable) -> str:
         return ""
     if q.shape == "pairs":
         pairs = [*q.pairs, *(("", other) for other in q.others)]
-        return "".join(f"\n={_text(left)} -> {_text(right)}" for left, right in pairs)
+        return "".join(f"\n={_text(left)} -> {_marked(plain_text(right))}" for left, right in pairs)
     return "".join(_answer(q, *answer) for answer in q.answers)
 
 
@@ -48,6 +48,11 @@ def _answer(q: Portable, text: str, percent: float, feedback: str) -> str:
     return f"\n{'=' if percent == 100 else '~'}{_text(text)}{said}"
 
 
-def _text(text: str) -> str:
+def _text(html: str) -> str:
+    """HTML, marked; an arrow stands in it in HTML's way, for a bare one divides pairs."""
+    return _marked(html).replace("->", "-&gt;")
+
+
+def _marked(text: str) -> str:
     """The text with what GIFT takes for its own marked; a line end would end a comment."""
-    return _SPECIAL.sub(r"\\\1", text).replace("\n", "\\n").replace("->", "-&gt;")
+    return _SPECIAL.sub(r"\\\1", text).replace("\n", "\\n")
