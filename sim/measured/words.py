@@ -53,6 +53,9 @@ def of_known(one: Known) -> str:
         places = places_for(one.half)
         return f"{one.name}: from {number(one.low, places)} to {number(one.high, places)}"
     text = f"{one.name}: {with_half(one.value, one.half, one.unit)}"
+    if one.alone:
+        half = 0.5 * (one.alone[1] - one.alone[0])
+        return text + f" (the readings alone: ± {number(half, places_for(half))})"
     middle = 0.5 * (one.low + one.high)
     if abs(middle - one.value) > 0.1 * one.half:  # a lopsided interval is told by its ends
         places = places_for(one.half)
@@ -75,6 +78,15 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
             f"A cart moves with {number(fastest, 0)} m/s here. Are lengths and times really "
             "in the units that stand above?"
         )
+    if fit.heavy:
+        what = "1 reading lies" if fit.heavy == 1 else f"{fit.heavy} readings lie"
+        said.append(
+            f"{what} far from the model and counts less (Huber's loss beyond four standard "
+            "deviations)."
+            if fit.heavy == 1
+            else f"{what} far from the model and count less (Huber's loss beyond four standard "
+            "deviations)."
+        )
     row = next((one for one in compared if one.effect == fit.asked.effect), None)
     if row and row.alike > ALIKE:
         said.append(
@@ -89,6 +101,17 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
                 said.append(f"{name} stands still before the touch: its velocity there is 0.")
     said.append(PROGRAM)
     return said
+
+
+def of_loss(share: float) -> list[str]:
+    """What friction in the contact does to the ratio of the masses."""
+    if not share:
+        return []
+    return [
+        "A bumper that hits beside the centre tips its cart, and the cart rubs while they touch. No "
+        f"film shows it; the interval of the mass ratio counts {number(100.0 * share, 1)} % of the "
+        "push for it."
+    ]
 
 
 def of_effects(compared: Sequence[Compared]) -> list[str]:

@@ -12,6 +12,7 @@ from sim.measured.events.in_step import Step, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
 from sim.measured.events.segments import Segment, segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
+from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 
@@ -39,6 +40,7 @@ class Story:
     step: Step | None = None
     outcome: Outcome | None = None
     refused: FitError | None = None
+    aside: tuple[Aside, ...] = ()
 
 
 def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
@@ -66,7 +68,7 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         story = replace(story, frames=frames, speeds=speeds, measured=axis)
         check_push(speeds, step, contact, _frame(measured), measured.names)
         outcome = outcome_of(speeds)
-        if measured.own and outcome == "bounce":
+        if (measured.own or frames.joined) and outcome == "bounce":
             check_seen(speeds, measured.names)
         return replace(story, outcome=outcome)
     except FitError as error:
