@@ -80,6 +80,8 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
                 refused = FitError(error.reason, error.hint, refused.code)
             rows = []
     made = _chosen(rows, wanted) if rows else None
+    if made is not None and not made.parameters.approach > 0.0:
+        made = None  # both stand still before the touch: nothing bounces
     white = made is not None and any(_white(row.fit, story) for row in rows)
     bounces = made is not None and _bounces(made)
     if refused and not (overruled and white and bounces):

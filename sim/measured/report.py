@@ -41,7 +41,7 @@ def motion_report(
         for one in known
     ]
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
-    said = [*of_effects(compared), *of_loss(share), *of_fit(fit, names, compared)]
+    said = [*of_effects(compared, names), *of_loss(share), *of_fit(fit, names, compared)]
     if balance := of_balance(ratio, masses, names):
         said.insert(0, balance)
     first, last = span(measured)

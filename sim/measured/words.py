@@ -5,7 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from sim.measured.model.effects import ALIKE, CHANCE, Compared, called_for
+from sim.measured.model.effects import (
+    ALIKE,
+    CHANCE,
+    Compared,
+    called_for,
+    standing,
+    undecided,
+)
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known
 from sim.measured.third_law import Pair
@@ -79,13 +86,10 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
             "in the units that stand above?"
         )
     if fit.heavy:
-        what = "1 reading lies" if fit.heavy == 1 else f"{fit.heavy} readings lie"
+        what = "1 reading counts" if fit.heavy == 1 else f"{fit.heavy} readings count"
         said.append(
-            f"{what} far from the model and counts less (Huber's loss beyond four standard "
-            "deviations)."
-            if fit.heavy == 1
-            else f"{what} far from the model and count less (Huber's loss beyond four standard "
-            "deviations)."
+            f"{what} less than the others (Huber's loss beyond four standard deviations from the "
+            "model)."
         )
     row = next((one for one in compared if one.effect == fit.asked.effect), None)
     if row and row.alike > ALIKE:
@@ -108,13 +112,13 @@ def of_loss(share: float) -> list[str]:
     if not share:
         return []
     return [
-        "A bumper that hits beside the centre tips its cart, and the cart rubs while they touch. No "
-        f"film shows it; the interval of the mass ratio counts {number(100.0 * share, 1)} % of the "
-        "push for it."
+        "A bumper that hits beside the centre tips its cart, and the cart rubs while they touch. "
+        "No film shows it; the interval of the mass ratio counts "
+        f"{number(100.0 * share, 1)} % of the push for it."
     ]
 
 
-def of_effects(compared: Sequence[Compared]) -> list[str]:
+def of_effects(compared: Sequence[Compared], names: tuple[str, str]) -> list[str]:
     """Which effects the residuals call for."""
     if len(compared) < 2:
         return []  # nothing to compare with
@@ -133,8 +137,23 @@ def of_effects(compared: Sequence[Compared]) -> list[str]:
         how = "as good as gone" if times > 100.0 else how
         verdict = (
             f"With {EFFECTS[wanted]} the residuals are {how}, and chance alone does that less than "
-            f"once in {round(1.0 / CHANCE)} films: this scene calls for it."
+            f"once in {round(1.0 / CHANCE)} films: "
         )
+        resting = " and ".join(n for n, s in zip(names, standing(compared), strict=True) if s)
+        if wanted == "tilt" and resting:
+            verdict += (
+                f"something pushes beside the contact. But {resting} stands still before the "
+                "touch, and on a tilted track a free cart rolls: friction holds it, or it was "
+                "held. These readings do not tell friction from a tilt. Lay a cart on the track "
+                "and see whether it starts to roll."
+            )
+        elif undecided(compared):
+            verdict += (
+                "something pushes beside the contact. Friction and a tilt leave nearly the same: "
+                "these readings do not tell which of both it is."
+            )
+        else:
+            verdict += "this scene calls for it."
     return ["Left over (standard deviation) with " + "; with ".join(rows) + ".", verdict]
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from sim.measured.events.contacts import Contact, chosen, contacts
-from sim.measured.events.frames import Axis, Frames, frames_of, moved, turned
+from sim.measured.events.contacts import Contact, chosen, contacts, where_near
+from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
@@ -49,6 +49,7 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
     try:
         grid = grid_of(measured.tracks)
         found = contacts(grid)
+        found = found if measured.own else where_near(grid, found)
         contact = chosen(found, hints.at)
         named = segments(grid, found)
         story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
@@ -62,9 +63,9 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         story = replace(story, step=step)
         raw = speeds_of(sides_of(measured.tracks, contact, named))
         frames = frames_of(measured, raw, hints.flips, hints.zeros, hints.distance)
-        speeds = turned(raw, frames)
         plain = frames.axes == (Axis(1, 0.0), Axis(1, 0.0))
         axis = measured if plain else moved(measured, frames)
+        speeds = raw if plain else speeds_of(sides_of(axis.tracks, contact, named))
         story = replace(story, frames=frames, speeds=speeds, measured=axis)
         check_push(speeds, step, contact, _frame(measured), measured.names)
         outcome = outcome_of(speeds)

@@ -125,7 +125,7 @@ export class Picture {
       ...faults.map(({ line, reason, hint }) => {
         const row = document.createElement("li");
         const where = line === null ? "" : `${Source.place(name, line)}: `;
-        row.textContent = `${where}${reason}${hint ? ` (${hint})` : ""}`;
+        row.textContent = `${where}${Source.told(name, reason)}${hint ? ` (${hint})` : ""}`;
         return row;
       }),
     );
