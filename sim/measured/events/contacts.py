@@ -114,10 +114,24 @@ def _candidate(grid: Grid, trace: Floats, spans: list[tuple[int, int]], k: int) 
     first = slice(min(since, low - 1) if low else 0, max(low, 1))
     last = slice(min(high, n - 2) + 1, max(until, high + 1) + 1)
     change = [float(np.median(v[last]) - np.median(v[first])) for v in grid.v]
-    weight = trace[low : high + 1]
-    middle = float(weight @ grid.t[low : high + 1] / weight.sum())
+    middle = _weighted(grid, trace, low, high)
     strength = abs(change[0] * change[1]) ** 0.5
     return Contact(float(grid.t[low]), middle, float(grid.t[high]), strength)
+
+
+def middle_of(grid: Grid, begin: float, end: float) -> float:
+    """s. The middle of the push between two times."""
+    import numpy as np
+
+    trace = np.sqrt(np.abs(grid.a[0] * grid.a[1]))
+    low, high = (int(np.searchsorted(grid.t, one)) for one in (begin, end))
+    return min(max(_weighted(grid, trace, low, min(high, len(trace) - 1)), begin), end)
+
+
+def _weighted(grid: Grid, trace: Floats, low: int, high: int) -> float:
+    weight, times = trace[low : high + 1], grid.t[low : high + 1]
+    whole = float(weight.sum())
+    return float(weight @ times / whole) if whole > 0.0 else 0.5 * float(times[0] + times[-1])
 
 
 def where_near(grid: Grid, found: list[Contact]) -> list[Contact]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from sim.measured.events.by_hand import Given, with_contacts, with_segments
 from sim.measured.events.contacts import Contact, chosen, contacts, where_near
 from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
@@ -25,6 +26,7 @@ class Hints:
     flips: tuple[str, ...] = ()
     zeros: Mapping[str, float] = field(default_factory=dict)
     distance: float | None = None
+    segments: tuple[Given, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +52,9 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         grid = grid_of(measured.tracks)
         found = contacts(grid)
         found = found if measured.own else where_near(grid, found)
-        contact = chosen(found, hints.at)
-        named = segments(grid, found)
+        found = with_contacts(grid, found, hints.segments)
+        contact = chosen(found, _at(hints))
+        named = with_segments(grid, segments(grid, found), hints.segments, found)
         story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
         if contact is None:
             raise FitError(
@@ -74,6 +77,12 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         return replace(story, outcome=outcome)
     except FitError as error:
         return replace(story, refused=error)
+
+
+def _at(hints: Hints) -> float | None:
+    """s. Which contact: the one that was asked for, or set by hand."""
+    by_hand = [0.5 * (one.begin + one.end) for one in hints.segments if one.kind == "contact"]
+    return hints.at if hints.at is not None or not by_hand else by_hand[-1]
 
 
 def _frame(measured: Measured) -> float:
