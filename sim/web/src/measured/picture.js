@@ -131,6 +131,11 @@ export class Picture {
     );
   }
 
+  /** @param {string} textContent */
+  note(textContent) {
+    Object.assign(need(this.root, ".carts-note"), { hidden: false, textContent });
+  }
+
   /** @param {string} text */
   busy(text) {
     say(this.#part("busy"), text);
