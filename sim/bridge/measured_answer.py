@@ -24,8 +24,9 @@ from sim.measured.events.frames import moved
 from sim.measured.events.segments import KINDS
 from sim.measured.events.story import Hints, Story
 from sim.measured.model.contact import Law
-from sim.measured.model.fit import Effect, warm_up
+from sim.measured.model.fit import warm_up
 from sim.measured.model.motion import Parameters
+from sim.measured.model.unknowns import Effect
 from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker

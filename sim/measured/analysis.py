@@ -21,8 +21,9 @@ from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.wild import without_wild
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
-from sim.measured.model.fit import EFFECTS, Asked, Effect, Fit, fit
+from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.known import Untold
+from sim.measured.model.unknowns import EFFECTS, Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between

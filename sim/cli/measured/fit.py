@@ -15,7 +15,8 @@ from sim.measured.analysis import Wanted, analysed
 from sim.measured.cells import MOST_BYTES
 from sim.measured.events.story import Hints
 from sim.measured.events.words import strip
-from sim.measured.model.fit import Effect, Fit
+from sim.measured.model.fit import Fit
+from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
@@ -46,14 +47,9 @@ FILE = click.Path(dir_okay=False, path_type=Path)
 @click.option(
     "--contact", metavar="TIME", help="Of several contacts, take the one nearest to this time."
 )
-@click.option(
-    "--segment",
-    "spans",
-    multiple=True,
-    metavar="KIND=FROM..UNTIL",
-    help="What happened then: rest, hand, coasting, friction, contact or stop; NAME:KIND of one "
-    "cart. Example: contact=1.20..1.34",
-)
+@click.option("--segment", "spans", multiple=True, metavar="KIND=FROM..UNTIL",
+              help="What happened then: rest, hand, coasting, friction, contact or stop; NAME:KIND "
+              "of one cart. Example: contact=1.20..1.34")  # fmt: skip
 @click.option(
     "--flip",
     "flips",

@@ -14,8 +14,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from sim.measured.events.correlated import inflation
-from sim.measured.model.fit import Asked, Effect, Fit, fit
+from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.motion import Parameters
+from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 

@@ -19,9 +19,8 @@ covariance they stand at the limit. Without any, nothing of this is done.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from sim.measured.model.bounds import bounds_of
 from sim.measured.model.contact import Law
@@ -29,6 +28,7 @@ from sim.measured.model.covariance import covariance_of
 from sim.measured.model.curves import places
 from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
+from sim.measured.model.unknowns import READ, Effect, names_of, with_values
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 
@@ -38,8 +38,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-Effect = Literal["none", "friction", "tilt"]
-EFFECTS: tuple[Effect, ...] = ("none", "friction", "tilt")
 SHARE = 0.95
 CLOSE = 1e-8
 """Relative. A descent ends when its steps, or what they gain, are smaller."""
@@ -160,47 +158,6 @@ def _with_rest(p: Parameters, t: Any, x: Any) -> Parameters:
     return replace(p, rests=(rests[0], rests[1]), v=v)
 
 
-def _names(p: Parameters, asked: Asked) -> tuple[str, ...]:
-    """The unknowns of this fit."""
-    names = ["touch", "x", "ln_ratio", "e", "ln_w0"]
-    names += ["distance"] if asked.distance is None else []
-    names += [f"v{k + 1}" for k in range(2) if not p.rests[k]]
-    names += {"none": [], "friction": ["friction1", "friction2"], "tilt": ["tilt"]}[asked.effect]
-    return tuple(names)
-
-
-_READ: dict[str, Callable[[Parameters], float]] = {
-    "touch": lambda p: p.touch,
-    "x": lambda p: p.x,
-    "distance": lambda p: p.distance,
-    "v1": lambda p: p.v[0],
-    "v2": lambda p: p.v[1],
-    "ln_ratio": lambda p: math.log(p.ratio),
-    "e": lambda p: p.e,
-    "ln_w0": lambda p: math.log(p.w0),
-    "friction1": lambda p: p.friction[0],
-    "friction2": lambda p: p.friction[1],
-    "tilt": lambda p: p.tilt,
-}
-
-
-def _with(p: Parameters, names: Sequence[str], values: Sequence[float]) -> Parameters:
-    """The parameters with the unknowns set."""
-    got = dict(zip(names, map(float, values), strict=True))
-    return Parameters(
-        touch=got["touch"],
-        x=got["x"],
-        distance=got.get("distance", p.distance),
-        v=(got.get("v1", p.v[0]), got.get("v2", p.v[1])),
-        ratio=math.exp(got["ln_ratio"]),
-        e=got["e"],
-        w0=math.exp(got["ln_w0"]),
-        friction=(got.get("friction1", 0.0), got.get("friction2", 0.0)),
-        tilt=got.get("tilt", 0.0),
-        rests=p.rests,
-    )
-
-
 def _residuals(p: Parameters, law: Law, t: Any, x: Any) -> Floats:
     """m. Measured minus model, cart after cart."""
     import numpy as np
@@ -217,21 +174,21 @@ def _solve(
     import numpy as np
     from scipy.optimize import least_squares
 
-    names = _names(start, asked)
+    names = names_of(start, asked.effect, asked.distance)
     low, high = bounds_of(names, t, x)
-    begin = np.clip([_READ[name](start) for name in names], low + 1e-9 * (high - low),
+    begin = np.clip([READ[name](start) for name in names], low + 1e-9 * (high - low),
                     high - 1e-9 * (high - low))  # fmt: skip
 
     def residuals(values: Floats) -> Floats:
         # listed: a numpy number in the closed form costs three times a float
-        return _residuals(_with(start, names, values.tolist()), asked.law, t, x)
+        return _residuals(with_values(start, names, values.tolist()), asked.law, t, x)
 
     found = least_squares(
         residuals, begin, bounds=(low, high), x_scale="jac", method="trf",
         xtol=CLOSE, ftol=CLOSE, gtol=1e-12, max_nfev=80,
         **({"loss": "huber", "f_scale": limit} if math.isfinite(limit) else {}),
     )  # fmt: skip
-    return 2.0 * float(found.cost), _with(start, names, found.x.tolist()), found.jac
+    return 2.0 * float(found.cost), with_values(start, names, found.x.tolist()), found.jac
 
 
 def _made(
@@ -239,7 +196,7 @@ def _made(
 ) -> Fit:
     import numpy as np
 
-    names = _names(p, asked)
+    names = names_of(p, asked.effect, asked.distance)
     residuals = _residuals(p, asked.law, t, x)
     freedom = len(residuals) - len(names)
     if freedom < 3:
@@ -261,7 +218,7 @@ def _made(
         parameters=p,
         duration=motion.duration,
         unknowns=names,
-        values=tuple(_READ[name](p) for name in names),
+        values=tuple(READ[name](p) for name in names),
         covariance=covariance_of(jacobian, (counted[:first], counted[first:]), freedom),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
