@@ -28,6 +28,7 @@ from sim.measured.model.covariance import covariance_of
 from sim.measured.model.curves import places
 from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
+from sim.measured.model.standing import as_if_moving
 from sim.measured.model.unknowns import READ, Effect, names_of, with_values
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -219,7 +220,9 @@ def _made(
         duration=motion.duration,
         unknowns=names,
         values=tuple(READ[name](p) for name in names),
-        covariance=covariance_of(jacobian, (counted[:first], counted[first:]), freedom),
+        covariance=covariance_of(
+            jacobian, as_if_moving((counted[:first], counted[first:]), t, p), freedom
+        ),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
         freedom=freedom,
