@@ -9,6 +9,7 @@ from sim.measured.heads import quantity_of
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
 from sim.measured.units import head
+from tests.measured.devices import Motion, motion_capture
 
 TIMES = [0.1 * k for k in range(12)]
 A = [0.2 + 0.31 * t for t in TIMES]
@@ -113,3 +114,31 @@ def test_running_numbers_under_a_cross_are_no_remark() -> None:
 )
 def test_a_head_tells_quantity_and_cart(text: str, wanted: tuple[str | None, str]) -> None:
     assert quantity_of(*head(text)) == wanted
+
+
+def with_third(text: str, floor: bool) -> str:
+    """A third marker: on the floor, or 40 mm beside the second one on its cart."""
+    lines = []
+    for line in text.splitlines():
+        cells = line.split("\t")
+        if cells[0] == "MARKER_NAMES":
+            cells.append("third")
+        elif len(cells) == 6:
+            x, y, z = map(float, cells[3:])
+            cells += (
+                ["77.0", "21.0", "3.0"] if floor else [f"{x + 32:.3f}", f"{y + 24:.3f}", str(z)]
+            )
+        lines.append("\t".join(cells))
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("floor", [True, False])
+def test_of_three_markers_two_that_move_apart_are_taken(floor: bool) -> None:
+    text = motion_capture(Motion(until=2.0), swapped=200)
+    plain, found = read_measured([text]), read_measured([with_third(text, floor)])
+    assert any("left out" in note for note in found.notes)
+    shifts = [
+        {round(a - b, 3) for a, b in zip(one.value, two.value, strict=True)}
+        for one, two in zip(plain.tracks, found.tracks, strict=True)
+    ]
+    assert all(max(shift) - min(shift) < 0.002 for shift in shifts)
