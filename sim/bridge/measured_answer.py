@@ -19,10 +19,14 @@ from dataclasses import replace
 from typing import Any
 
 from sim.measured.analysis import Analysis, Wanted, analysed
+from sim.measured.events.by_hand import Given
+from sim.measured.events.frames import moved
+from sim.measured.events.segments import KINDS
 from sim.measured.events.story import Hints, Story
 from sim.measured.model.contact import Law
-from sim.measured.model.fit import Effect, warm_up
+from sim.measured.model.fit import warm_up
 from sim.measured.model.motion import Parameters
+from sim.measured.model.unknowns import Effect
 from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker
@@ -116,21 +120,37 @@ def _analysed(request: Mapping[str, Any]) -> tuple[Measured, Analysis]:
     masses = {name: float(weighed[name]) for name in measured.names if weighed.get(name)}
     # All effects are compared on request only: which one is missing is for the reader to find.
     every = bool(request.get("compare"))
-    hints = Hints(distance=request.get("distance"))
+    hints = Hints(distance=request.get("distance"), segments=_given(request, measured.names))
     found = analysed(measured, Wanted(
         law=_law(request), effect=effect, every=every, masses=masses, hints=hints,
     ))  # fmt: skip
-    if found.refused:
-        raise found.refused
     return measured, found
+
+
+def _given(request: Mapping[str, Any], names: tuple[str, str]) -> tuple[Given, ...]:
+    """Segments that were set by hand; what names no cart here is left out."""
+    rows = [row for row in request.get("segments") or () if row["kind"] in KINDS]
+    rows = [row for row in rows if row.get("cart") in (None, *names)]
+    return tuple(
+        Given(row["kind"], float(row["from"]), float(row["until"]),
+              None if row.get("cart") is None else names.index(row["cart"]))
+        for row in rows
+    )  # fmt: skip
 
 
 def _fit(request: Mapping[str, Any]) -> dict[str, Any]:
     measured, found = _analysed(request)
+    if found.refused:  # what was found is shown all the same: a boundary may be set by hand
+        one = found.refused
+        return {"refused": [{"line": None, "reason": one.reason, "hint": one.hint}],
+                "names": found.report["names"], "segments": found.report["segments"]}  # fmt: skip
     report = found.report if request.get("compare") else found.report | {"calls_for": None}
     law = _law(request)
     if found.fit is not None:
-        drawn = overlay(found.story.measured, found.fit.parameters, law)
+        frames = found.story.frames
+        joined = frames is not None and frames.joined
+        whole = moved(measured, frames) if frames and joined else measured  # set aside ones too
+        drawn = overlay(whole, found.fit.parameters, law)
     else:
         drawn = by_hand(measured, first_try(measured, law), law)
         return {"report": report} | _drawn(drawn)
@@ -151,6 +171,8 @@ def _as_read(made: Overlay, story: Story) -> Overlay:
 
 def _tracker(request: Mapping[str, Any]) -> dict[str, Any]:
     _, found = _analysed(request)
+    if found.refused:
+        raise found.refused
     if found.fit is None:
         raise FitError("the model's run is written for a bounce only")
     return {"text": model_as_tracker(found.story.measured, found.fit)}

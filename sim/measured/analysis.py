@@ -18,10 +18,12 @@ from sim.measured.events.outcome import PERHAPS
 from sim.measured.events.quantities import mass_ratio
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
+from sim.measured.events.wild import without_wild
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
-from sim.measured.model.fit import EFFECTS, Asked, Effect, Fit, fit
+from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.known import Untold
+from sim.measured.model.unknowns import EFFECTS, Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between
@@ -67,9 +69,10 @@ class Analysis:
 
 def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     """The report of two carts; never raises FitError."""
-    story = story_of(measured, wanted.hints)
+    calm, aside = without_wild(measured)
+    story = replace(story_of(calm, wanted.hints), aside=aside)
     refused, rows = story.refused, list[Compared]()
-    overruled = refused is not None and refused.code in DOUBTFUL and not measured.own
+    overruled = refused is not None and refused.code in DOUBTFUL and not _two_frames(story)
     if story.outcome == "bounce" or overruled:
         try:
             rows = _whole_model(story, wanted)
@@ -78,6 +81,8 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
                 refused = FitError(error.reason, error.hint, refused.code)
             rows = []
     made = _chosen(rows, wanted) if rows else None
+    if made is not None and not made.parameters.approach > 0.0:
+        made = None  # both stand still before the touch: nothing bounces
     white = made is not None and any(_white(row.fit, story) for row in rows)
     bounces = made is not None and _bounces(made)
     if refused and not (overruled and white and bounces):
@@ -87,6 +92,11 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     else:
         report = by_velocities(measured, story, made, rows, wanted.masses)
     return Analysis(story, report, made)
+
+
+def _two_frames(story: Story) -> bool:
+    """Whether each sensor counts from a place of its own: one model of both does not apply."""
+    return story.measured.own or (story.frames is not None and story.frames.joined)
 
 
 def _bounces(made: Fit) -> bool:

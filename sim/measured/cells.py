@@ -21,8 +21,9 @@ MOST_BYTES = 4_000_000
 MOST_LINES = 20_000
 MOST_COLUMNS = 60
 LONGEST_LINE = 10_000
-LARGEST = 1e9
-"""Nothing that a class measures is larger, in any of the units taken here."""
+LARGEST = 1e13
+"""Nothing that a class measures is larger, in any of the units taken here; milliseconds since 1970
+are a tenth of it."""
 
 _MINUS = str.maketrans({"\u2212": "-", "\u2010": "-", "\u2011": "-", "\u2013": "-", "\uff0d": "-"})
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)

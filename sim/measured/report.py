@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
+from sim.measured.events.quantities import with_loss
 from sim.measured.made import tracker_text
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared, called_for
@@ -15,7 +16,7 @@ from sim.measured.model.known import Known, told
 from sim.measured.model.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
-from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_pair
+from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_loss, of_pair
 from sim.measured.words_of_phones import of_clocks, of_phones
 
 FORMAT = 1
@@ -27,14 +28,20 @@ def motion_report(
     fit: Fit,
     compared: Sequence[Compared] = (),
     masses: Mapping[str, float] | None = None,
+    share: float = 0.0,
 ) -> dict[str, Any]:
-    """Everything that a fit says. `masses`: by name, in kg, of the carts that were weighed."""
+    """Everything that a fit says. `masses`: by name, in kg, of the carts that were weighed;
+    `share` of the push that friction may have taken in the contact."""
     masses = masses or {}
     names = measured.names
     mass = next(iter(masses.items()), None)
     known, untold = believable(*told(fit, names, mass))
+    known = [
+        with_loss(one, share) if share and one.key in ("mass_ratio", "mass") else one
+        for one in known
+    ]
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
-    said = [*of_effects(compared), *of_fit(fit, names, compared)]
+    said = [*of_effects(compared, names), *of_loss(share), *of_fit(fit, names, compared)]
     if balance := of_balance(ratio, masses, names):
         said.insert(0, balance)
     first, last = span(measured)
@@ -78,6 +85,7 @@ def row_of(one: Known) -> dict[str, Any]:
         "sd": _finite(one.sd),
         "unit": one.unit,
         "text": of_known(one),
+        **({"alone": list(one.alone)} if one.alone else {}),
     }
 
 

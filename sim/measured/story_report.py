@@ -7,8 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from sim.measured.events.momentum import Momentum, momentum_of
-from sim.measured.events.quantities import told_of
+from sim.measured.events.quantities import loss, told_of
 from sim.measured.events.story import Story
+from sim.measured.events.wild import of_aside
 from sim.measured.events.words import of_momentum, of_story
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared
@@ -36,13 +37,20 @@ def by_model(
     kept = rows if every else [asked["none"], *(r for r in rows if r.fit is made)][:2]
     if len(kept) == 2 and kept[0] is kept[1]:
         kept = kept[:1]
-    report = motion_report(story.measured, made, kept, masses)
+    report = motion_report(story.measured, made, kept, masses, _share(made, story))
     base = base_report(measured, story, "bounce", None)
     sentences = [*base["sentences"], *_momentum_said(story, masses), *report["sentences"]]
     return base | report | {
         "outcome": "bounce", "momentum": _momentum(story, masses), "sentences": sentences,
         "readings": base["readings"],
     }  # fmt: skip
+
+
+def _share(made: Fit, story: Story) -> float:
+    """Of the push: what friction in the contact may take beside what the model knows."""
+    (a, b), q, e = made.parameters.v, made.parameters.ratio, min(made.parameters.e, 1.0)
+    middle, push = (a + q * b) / (1.0 + q), e * (a - b) / (1.0 + q)
+    return loss((a, b, middle - q * push, middle + push), story.step, "bounce")
 
 
 def by_velocities(
@@ -117,7 +125,9 @@ def base_report(
         ] if story.speeds else [],
         "law": "bumper", "law_words": _WORDS.get(outcome or "", LAWS["bumper"]), "effect": "none",
         "known": [], "untold": [], "noise": None, "compared": [], "calls_for": None,
-        "momentum": None, "sentences": of_story(story, names), "scene": "", "fence": "",
+        "aside": [{"cart": names[o.cart], "t": o.t, "x": o.value} for o in story.aside],
+        "momentum": None, "scene": "", "fence": "",
+        "sentences": [*of_aside(story.aside, names), *of_story(story, names)],
     }  # fmt: skip
     if refused:
         base["refused"] = {"code": refused.code, "sentence": refused.reason, "hint": refused.hint}

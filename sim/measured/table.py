@@ -18,8 +18,10 @@ from dataclasses import dataclass
 
 from sim.measured import cells
 from sim.measured.cells import Row, Rows
+from sim.measured.clock import seconds_of
+from sim.measured.heads import quantity_of
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
-from sim.measured.units import head, kind_of_unit
+from sim.measured.units import head
 
 MOST_FAULTS = 5
 """Mistakes that are told of one file."""
@@ -65,6 +67,8 @@ def read_table(text: str) -> Table:
     if not heads:
         heads, units, tracks = _no_heads(width, data[0].line)
         heads_line = data[0].line
+    clocks = {k for k, c in enumerate(data[0].cells) if _is_clock(c)}
+    units = [unit or ("s" if k in clocks else "") for k, unit in enumerate(units)]
     columns = tuple(
         Column(name, unit, track, tuple(row[k] for row in numbers))
         for k, (name, unit, track) in enumerate(zip(heads, units, tracks, strict=True))
@@ -76,7 +80,9 @@ def read_table(text: str) -> Table:
 
 
 def _is_remark(row: Row) -> bool:
-    return bool(row.cells) and row.cells[0].startswith(("#", "%", "//"))
+    """A column of running numbers may be called “#”: its row goes on."""
+    first = row.cells[0] if row.cells else ""
+    return first.startswith(("#", "%", "//")) and not (first == "#" and len(row.cells) > 2)
 
 
 def _is_multi(row: Row) -> bool:
@@ -86,7 +92,11 @@ def _is_multi(row: Row) -> bool:
 def _is_data(row: Row) -> bool:
     """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake."""
     filled = [cell for cell in row.cells if not cells.is_empty(cell)]
-    return 2 * sum(map(cells.is_number, filled)) > len(filled)
+    return 2 * sum(cells.is_number(c) or seconds_of(c) is not None for c in filled) > len(filled)
+
+
+def _is_clock(cell: str) -> bool:
+    return not cells.is_number(cell) and seconds_of(cell) is not None
 
 
 def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], list[str], int]:
@@ -96,7 +106,7 @@ def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], lis
     rows = list(above)
     own_units: tuple[str, ...] = ()
     stripped = [cell.strip("()[] ") for cell in rows[-1].cells]
-    if len(rows) > 1 and stripped and all(not s or kind_of_unit(s) for s in stripped):
+    if len(rows) > 1 and stripped and all(not s or quantity_of("", s)[0] for s in stripped):
         own_units = tuple(stripped)
         rows.pop()
     heads_row = rows.pop()
@@ -165,6 +175,9 @@ def _numbers(
 def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
     if cells.is_empty(cell):
         return None, None
+    clock = None if cells.is_number(cell) else seconds_of(cell)
+    if clock is not None:
+        return clock, None
     if not cells.is_number(cell):
         start = cell.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZµμ°/² ")
         if start != cell and cells.is_number(start):

@@ -14,6 +14,12 @@ from sim.measured.refusal import ReadingError, refuse, shown
 from sim.measured.track import FEWEST, Content, Track
 from sim.measured.units import Units
 
+LARGEST = 1e9
+"""In SI. Nothing that a class measures is larger."""
+
+LATE = 1000.0
+"""s. A recording that begins later has a clock that counts something else than the recording."""
+
 
 @dataclass(frozen=True, slots=True)
 class Measured:
@@ -46,6 +52,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
     for source, text in enumerate(texts):
         try:
             reading = read_text(text, units)
+            _check_sizes(reading.tracks)
         except ReadingError as error:
             raise ReadingError(error.faults, source) from None
         found += reading.tracks
@@ -60,8 +67,29 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         raise _not_two(len(found), kinds[0], last)
     if found[0].name == found[1].name:
         found = [Track(f"{t.name} {k}", t.t, t.value, t.lines) for k, t in enumerate(found, 1)]
+    found, said = _from_nought(found)
+    notes += said
     in_order = (found[0], found[1]) if own else _in_order(found, kinds[0])
     return Measured(kinds[0], in_order, tuple(notes), own, runs)
+
+
+def _check_sizes(tracks: Iterable[Track]) -> None:
+    for track in tracks:
+        for value, line in zip(track.value, track.lines, strict=True):
+            if not abs(value) <= LARGEST:
+                raise refuse(line, f"{value:g} is too large", "is this number a reading?")
+        if not track.t[-1] - track.t[0] <= LARGEST:
+            raise refuse(track.lines[-1], "this recording lasts too long", "are these times?")
+
+
+def _from_nought(found: list[Track]) -> tuple[list[Track], list[str]]:
+    """Times of day and seconds since 1970 count from the first reading: a float has no room for
+    the microseconds that a derivative needs."""
+    begin = min(one.t[0] for one in found)
+    if abs(begin) < LATE:
+        return found, []
+    moved = [Track(o.name, tuple(t - begin for t in o.t), o.value, o.lines) for o in found]
+    return moved, [f"the time counts from the first reading (in the file {begin:.12g} s)"]
 
 
 def _not_two(count: int, kind: Content, line: int) -> ReadingError:

@@ -19,10 +19,21 @@ OFFERED: dict[Kind, tuple[str, ...]] = {
     "force": ("N", "mN", "kN"),
 }
 
+_WRITTEN = {
+    "sec": "s", "secs": "s", "second": "s", "seconds": "s", "sekunden": "s", "с": "s", "秒": "s",
+    "saat": "s", "мс": "ms", "毫秒": "ms", "meter": "m", "metre": "m", "meters": "m", "metres": "m",
+    "м": "m", "米": "m", "см": "cm", "厘米": "cm", "мм": "mm", "毫米": "mm",
+    "м/с": "m/s", "米/秒": "m/s", "mps": "m/s", "m s-1": "m/s", "m·s⁻¹": "m/s", "m s⁻¹": "m/s",
+    "m·s-1": "m/s", "cm s-1": "cm/s", "kmh": "km/h", "kph": "km/h",
+}  # fmt: skip
+"""Units as they are written out, or in other letters."""
+
+_WIDE = str.maketrans("（）［］／：　", "()[]/: ")
+
 _HEAD = (
-    re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,8})[)\]]\s*(?:run\W*\d*)?\s*", re.I),
-    re.compile(r"(?P<name>[^/]+?)\s*/\s*(?P<unit>[A-Za-zµμ]{1,3})\s*"),
-    re.compile(r"(?P<name>.+?)\s+in\s+(?P<unit>[A-Za-zµμ]{1,3})\s*"),
+    re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,10})[)\]]\s*(?:run\W*\d*)?\s*", re.I),
+    re.compile(r"(?P<name>[^/]+?)\s*/\s*(?P<unit>[^\W\d_]{1,4}(?:/s|/h|\s*s-1)?)\s*"),
+    re.compile(r"(?P<name>.+?)\s+in\s+(?P<unit>[^\W\d_]{1,4}(?:/s|/h)?)\s*"),
 )
 
 
@@ -46,6 +57,7 @@ def head(text: str) -> tuple[str, str]:
 
     What a logger says of the run (“Run 1: Force (N)”, “Force (N) Run #1”) is left out.
     """
+    text = text.translate(_WIDE)
     text = text.rpartition(":")[2] or text
     for pattern in _HEAD:
         if match := pattern.fullmatch(text.strip()):
@@ -53,15 +65,19 @@ def head(text: str) -> tuple[str, str]:
     return text.strip(), ""
 
 
+def plain_unit(unit: str) -> str:
+    """A unit as the tables here write it."""
+    unit = unit.strip().replace("μ", "µ")
+    return _WRITTEN.get(unit.lower(), unit)
+
+
 def kind_of_unit(unit: str) -> Kind | None:
     """The kind of quantity that a unit belongs to."""
-    for kind, dimension in DIMENSIONS.items():
-        if unit.replace("μ", "µ") in dimension.units:
-            return kind
-    return None
+    unit = plain_unit(unit)
+    return next((kind for kind, one in DIMENSIONS.items() if unit in one.units), None)
 
 
 def factor(unit: str, kind: Kind) -> float | None:
     """The SI value of one such unit; None if it is none of this kind."""
-    found = DIMENSIONS[kind].units.get(unit.replace("μ", "µ"))
+    found = DIMENSIONS[kind].units.get(plain_unit(unit))
     return None if found is None else float(found)

@@ -5,7 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from sim.measured.model.effects import ALIKE, CHANCE, Compared, called_for
+from sim.measured.model.effects import (
+    ALIKE,
+    CHANCE,
+    Compared,
+    called_for,
+    standing,
+    undecided,
+)
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known
 from sim.measured.third_law import Pair
@@ -53,6 +60,9 @@ def of_known(one: Known) -> str:
         places = places_for(one.half)
         return f"{one.name}: from {number(one.low, places)} to {number(one.high, places)}"
     text = f"{one.name}: {with_half(one.value, one.half, one.unit)}"
+    if one.alone:
+        half = 0.5 * (one.alone[1] - one.alone[0])
+        return text + f" (the readings alone: ± {number(half, places_for(half))})"
     middle = 0.5 * (one.low + one.high)
     if abs(middle - one.value) > 0.1 * one.half:  # a lopsided interval is told by its ends
         places = places_for(one.half)
@@ -75,6 +85,12 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
             f"A cart moves with {number(fastest, 0)} m/s here. Are lengths and times really "
             "in the units that stand above?"
         )
+    if fit.heavy:
+        what = "1 reading counts" if fit.heavy == 1 else f"{fit.heavy} readings count"
+        said.append(
+            f"{what} less than the others (Huber's loss beyond four standard deviations from the "
+            "model)."
+        )
     row = next((one for one in compared if one.effect == fit.asked.effect), None)
     if row and row.alike > ALIKE:
         said.append(
@@ -91,7 +107,18 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
     return said
 
 
-def of_effects(compared: Sequence[Compared]) -> list[str]:
+def of_loss(share: float) -> list[str]:
+    """What friction in the contact does to the ratio of the masses."""
+    if not share:
+        return []
+    return [
+        "A bumper that hits beside the centre tips its cart, and the cart rubs while they touch. "
+        "No film shows it; the interval of the mass ratio counts "
+        f"{number(100.0 * share, 1)} % of the push for it."
+    ]
+
+
+def of_effects(compared: Sequence[Compared], names: tuple[str, str]) -> list[str]:
     """Which effects the residuals call for."""
     if len(compared) < 2:
         return []  # nothing to compare with
@@ -110,8 +137,23 @@ def of_effects(compared: Sequence[Compared]) -> list[str]:
         how = "as good as gone" if times > 100.0 else how
         verdict = (
             f"With {EFFECTS[wanted]} the residuals are {how}, and chance alone does that less than "
-            f"once in {round(1.0 / CHANCE)} films: this scene calls for it."
+            f"once in {round(1.0 / CHANCE)} films: "
         )
+        resting = " and ".join(n for n, s in zip(names, standing(compared), strict=True) if s)
+        if wanted == "tilt" and resting:
+            verdict += (
+                f"something pushes beside the contact. But {resting} stands still before the "
+                "touch, and on a tilted track a free cart rolls: friction holds it, or it was "
+                "held. These readings do not tell friction from a tilt. Lay a cart on the track "
+                "and see whether it starts to roll."
+            )
+        elif undecided(compared):
+            verdict += (
+                "something pushes beside the contact. Friction and a tilt leave nearly the same: "
+                "these readings do not tell which of both it is."
+            )
+        else:
+            verdict += "this scene calls for it."
     return ["Left over (standard deviation) with " + "; with ".join(rows) + ".", verdict]
 
 

@@ -125,7 +125,7 @@ class Count:
         self.refused: list[str] = []
         self.by_model = 0
 
-    def take(self, told: dict[str, Any], wanted: dict[str, float]) -> None:
+    def take(self, told: dict[str, Any], wanted: dict[str, float], real: bool = False) -> None:
         if "refused" in told:
             self.refused.append(told["refused"]["code"])
             return
@@ -134,10 +134,12 @@ class Count:
             key = one["key"]
             if key not in wanted or (key == "touch" and one["name"].startswith("middle")):
                 continue
-            inside = one["low"] <= wanted[key] <= one["high"]
+            # Films of the simulator have no friction in the contact: the readings' part is tried.
+            low, high = (None if real else one.get("alone")) or (one["low"], one["high"])
+            inside = low <= wanted[key] <= high
             self.inside.setdefault(key, []).append(inside)
             if key == "mass_ratio":
-                self.halves.append(0.5 * (one["high"] - one["low"]) / one["value"])
+                self.halves.append(0.5 * (high - low) / one["value"])
                 self.off.append(abs(one["value"] / wanted[key] - 1.0))
 
     def text(self, kind: str) -> str:
@@ -185,7 +187,7 @@ def study_real(folder: Path) -> str:
         row = {one["key"]: one for one in told["known"]}.get("mass_ratio")
         said = row["text"] if row else told.get("refused", {}).get("code", "open")
         print(f"  {name}: {told['outcome']}, balance {ratio:.4f}, {said}")
-        found.take(told, {"mass_ratio": ratio})
+        found.take(told, {"mass_ratio": ratio}, real=True)
     return found.text("real")
 
 

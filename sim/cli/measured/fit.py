@@ -9,13 +9,14 @@ from typing import Any, NoReturn, cast
 
 import click
 
-from sim.cli.measured.of_names import named, of_names, quantity, weighed
+from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
 from sim.cli.tables import table
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.cells import MOST_BYTES
 from sim.measured.events.story import Hints
 from sim.measured.events.words import strip
-from sim.measured.model.fit import Effect, Fit
+from sim.measured.model.fit import Fit
+from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
@@ -46,6 +47,9 @@ FILE = click.Path(dir_okay=False, path_type=Path)
 @click.option(
     "--contact", metavar="TIME", help="Of several contacts, take the one nearest to this time."
 )
+@click.option("--segment", "spans", multiple=True, metavar="KIND=FROM..UNTIL",
+              help="What happened then: rest, hand, coasting, friction, contact or stop; NAME:KIND "
+              "of one cart. Example: contact=1.20..1.34")  # fmt: skip
 @click.option(
     "--flip",
     "flips",
@@ -94,6 +98,7 @@ def command(
     friction: bool,
     tilt: bool,
     contact: str | None,
+    spans: tuple[str, ...],
     flips: tuple[str, ...],
     zeros: tuple[str, ...],
     masses: tuple[str, ...],
@@ -132,6 +137,7 @@ def command(
         flips=named("--flip", flips, measured.names),
         zeros=of_names("--zero", zeros, measured.names, LENGTH, "A=12.5cm"),
         distance=quantity("--touch", touch, LENGTH),
+        segments=segments("--segment", spans, measured.names),
     )
     refused: FitError | None = None
     made: Fit | None = None

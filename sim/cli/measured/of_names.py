@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import click
 
-from sim.scene.quantity import MASS, Dimension, QuantityError, read_quantity
+from sim.measured.events.by_hand import Given
+from sim.measured.events.segments import KINDS
+from sim.scene.quantity import MASS, TIME, Dimension, QuantityError, read_quantity
 
 
 def quantity(option: str, text: str | None, dimension: Dimension) -> float | None:
@@ -45,6 +47,31 @@ def of_names(
             raise click.UsageError(f"{option} {text}: {reason}")
         found[name.strip()] = number
     return found
+
+
+def segments(option: str, texts: tuple[str, ...], names: tuple[str, str]) -> tuple[Given, ...]:
+    """KIND=FROM..UNTIL of both carts, or NAME:KIND=FROM..UNTIL of one."""
+    found = []
+    for text in texts:
+        what, _, span = text.partition("=")
+        name, colon, kind = what.rpartition(":")
+        first, dots, last = span.partition("..")
+        begin = quantity(option, first.strip(), TIME) if dots else None
+        end = quantity(option, last.strip(), TIME) if dots else None
+        if begin is None or end is None or not begin < end:
+            sample = "contact=1.20..1.34 or A:hand=0..0.6"
+            raise click.UsageError(
+                f"{option} {text}: write KIND=FROM..UNTIL in s, for example {sample}."
+            )
+        known = [one for one in KINDS if one == kind.strip()]
+        if not known:
+            raise click.UsageError(f"{option} {text}: KIND is one of {', '.join(KINDS)}.")
+        if colon and known[0] == "contact":
+            raise click.UsageError(f"{option} {text}: a contact is of both carts: without a name.")
+        if colon:
+            named(option, (name.strip(),), names)
+        found.append(Given(known[0], begin, end, names.index(name.strip()) if colon else None))
+    return tuple(found)
 
 
 def weighed(texts: tuple[str, ...], names: tuple[str, str]) -> dict[str, float]:

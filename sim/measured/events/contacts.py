@@ -40,6 +40,9 @@ WEAKEST = 0.1
 SEPARATE = 0.2
 """How far apart both carts' changes may run: two stops that overlap in time are no contact."""
 
+SAME_PLACE, PRESSED = 0.15, 0.03
+"""Of the range of distances, and m: how much farther apart than at their nearest carts touch."""
+
 NEAR = 0.35
 """s. Velocities for the strength are means over at most this long."""
 
@@ -111,10 +114,36 @@ def _candidate(grid: Grid, trace: Floats, spans: list[tuple[int, int]], k: int) 
     first = slice(min(since, low - 1) if low else 0, max(low, 1))
     last = slice(min(high, n - 2) + 1, max(until, high + 1) + 1)
     change = [float(np.median(v[last]) - np.median(v[first])) for v in grid.v]
-    weight = trace[low : high + 1]
-    middle = float(weight @ grid.t[low : high + 1] / weight.sum())
+    middle = _weighted(grid, trace, low, high)
     strength = abs(change[0] * change[1]) ** 0.5
     return Contact(float(grid.t[low]), middle, float(grid.t[high]), strength)
+
+
+def middle_of(grid: Grid, begin: float, end: float) -> float:
+    """s. The middle of the push between two times."""
+    import numpy as np
+
+    trace = np.sqrt(np.abs(grid.a[0] * grid.a[1]))
+    low, high = (int(np.searchsorted(grid.t, one)) for one in (begin, end))
+    return min(max(_weighted(grid, trace, low, min(high, len(trace) - 1)), begin), end)
+
+
+def _weighted(grid: Grid, trace: Floats, low: int, high: int) -> float:
+    weight, times = trace[low : high + 1], grid.t[low : high + 1]
+    whole = float(weight.sum())
+    return float(weight @ times / whole) if whole > 0.0 else 0.5 * float(times[0] + times[-1])
+
+
+def where_near(grid: Grid, found: list[Contact]) -> list[Contact]:
+    """Without those at which the carts are far apart, for places on one axis: two hands that push
+    at one time are not a contact. All, where none is near: then the places are not on one axis."""
+    import numpy as np
+
+    gap = np.abs(grid.x[1] - grid.x[0])
+    reach = float(gap.max() - gap.min())
+    limit = float(gap.min()) + max(SAME_PLACE * reach, PRESSED)
+    there = [float(np.interp(one.middle, grid.t, gap)) for one in found]
+    return [one for one, at in zip(found, there, strict=True) if at <= limit] or found
 
 
 def chosen(found: list[Contact], at: float | None = None) -> Contact | None:

@@ -93,22 +93,3 @@ def moved(measured: Measured, frames: Frames) -> Measured:
         for track, axis in zip(measured.tracks, frames.axes, strict=True)
     ]
     return replace(measured, tracks=(tracks[0], tracks[1]), own=False)
-
-
-def turned(speeds: Speeds, frames: Frames) -> Speeds:
-    """The velocities on the common axis."""
-    s = [axis.sign for axis in frames.axes] * 2
-    places = [
-        axis.sign * (x - axis.zero)
-        for x, axis in zip(speeds.places, (*frames.axes, *frames.axes), strict=True)
-    ]
-    rows = [
-        tuple(s[i] * s[k] * c for k, c in enumerate(row)) for i, row in enumerate(speeds.covariance)
-    ]
-    v = [sign * value for sign, value in zip(s, speeds.v, strict=True)]
-    return replace(
-        speeds,
-        v=(v[0], v[1], v[2], v[3]),
-        places=(places[0], places[1], places[2], places[3]),
-        covariance=tuple(rows),
-    )

@@ -40,7 +40,7 @@ def momentum_of(
     v = speeds.v
     before, after = a * v[0] + b * v[1], a * v[2] + b * v[3]
     push = 0.5 * (abs(a * (v[2] - v[0])) + abs(b * (v[3] - v[1])))
-    friction = loss(speeds, step, outcome) * push * sum(map(abs, directions(speeds)))
+    friction = loss(speeds.v, step, outcome) * push * sum(map(abs, directions(speeds.v)))
     return Momentum(
         before,
         HALF * spread(speeds, (a, b, 0, 0)),

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 from sim.measured.events.contacts import Contact
 from sim.measured.events.in_step import Step
@@ -58,19 +59,25 @@ def slopes_of(function: Callable[[Values], float], v: Values) -> list[float]:
     return found
 
 
-def loss(speeds: Speeds, step: Step, outcome: Outcome) -> float:
-    """Share of the push that friction may take in this contact."""
+def loss(v: Values, step: Step | None, outcome: Outcome) -> float:
+    """Share of the push that friction may take in this contact; `v` before and after, in m/s."""
     if outcome != "bounce":
         return LOSS
-    v = speeds.v
     e = min(max((v[3] - v[2]) / (v[0] - v[1]), 0.0), 1.0)
     hard = LOSS + HARD * (1.0 - e) ** 2
-    return max(hard, STEPPED * step.surely) if step.cells >= FINE else hard
+    return max(hard, STEPPED * step.surely) if step and step.cells >= FINE else hard
 
 
-def directions(speeds: Speeds) -> tuple[int, int]:
-    """Of both carts while they touch: −1, 0, 1."""
-    v, greatest = speeds.v, max(map(abs, speeds.v))
+def with_loss(one: Known, share: float) -> Known:
+    """A ratio of masses from a model without friction in the contact, its interval with it."""
+    factor = math.exp(math.hypot(0.5 * math.log(one.high / one.low), share))
+    return replace(one, low=one.value / factor, high=one.value * factor,
+                   sd=one.value * math.log(factor) / HALF, alone=(one.low, one.high))  # fmt: skip
+
+
+def directions(v: Values) -> tuple[int, int]:
+    """Of both carts while they touch: −1, 0, 1; `v` before and after."""
+    greatest = max(map(abs, v))
     means = [0.5 * (v[k] + v[k + 2]) for k in (0, 1)]
     first, second = (0 if abs(m) < AT_REST * greatest else 1 if m > 0 else -1 for m in means)
     return first, second
@@ -163,7 +170,7 @@ def mass_ratio(
         return -(v[2] - v[0]) / ((v[3] - v[1]) or 1e-12)
 
     value = raw(speeds.v)
-    share, both = loss(speeds, step, outcome), directions(speeds)
+    share, both = loss(speeds.v, step, outcome), directions(speeds.v)
     shift = 0.5 * LIKELY * share * (both[0] + both[1])
     parts = spread(speeds, slopes_of(raw, speeds.v)) / abs(value), share / HALF
     sd = math.hypot(*parts, SCALES / HALF if two else 0.0)

@@ -130,6 +130,19 @@ def _named(
     return Segment(float(t[low]), float(t[high]), cart, kind, speeds)
 
 
+def segment(
+    grid: Grid, cart: int, begin: float, end: float, kind: Kind, found: Sequence[Contact]
+) -> Segment:
+    """A segment whose span and kind are given; its velocities from the readings."""
+    import numpy as np
+
+    last = len(grid.t) - 1
+    low = min(int(np.searchsorted(grid.t, begin)), last - 1)
+    high = max(low + 1, min(int(np.searchsorted(grid.t, end)), last))
+    made = _named(grid, cart, low, high, 1.0, found)
+    return replace(made, begin=begin, end=end, kind=kind)
+
+
 def _kind(speeds: tuple[float, float], slope: float, greatest: float) -> Kind:
     first, last = abs(speeds[0]), abs(speeds[1])
     middle = abs(speeds[0] + speeds[1]) / 2

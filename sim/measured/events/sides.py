@@ -45,7 +45,8 @@ SHARES = (1.0, 0.75, 0.5)
 """Of each side's window: how far the velocities depend on it is part of their uncertainty."""
 
 AS_GOOD = 1.08
-"""A step that predicts nearly as well might be the true one: its velocities count too."""
+"""A step that predicts nearly as well might be the true one: its velocities count too. Of few
+readings the errors themselves are uncertain, see `_chance`."""
 
 UNSEEN = 0.7
 """Of what brakes a cart from the edge of a contact to its middle: taken as a standard deviation,
@@ -125,9 +126,9 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     import numpy as np
 
     errors = [(step, _held_out(sides, step)) for step in STEPS]
-    best = STEPS[0]
+    best, chance = STEPS[0], _chance(sides)
     for step, error in errors:
-        if error < BETTER * dict(errors)[best]:
+        if error < min(BETTER, 1.0 - chance) * dict(errors)[best]:
             best = step
     least = dict(errors)[best]
     found = [_solved([_nearest(side, share) for side in sides], best) for share in SHARES]
@@ -135,7 +136,11 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     v = np.array([one[0][1:8:2] for one in found])
     spread = v - v.mean(axis=0)
     mean = v.mean(axis=0)
-    others = [step for step, error in errors if step != best and error < AS_GOOD * least]
+    others = [
+        step
+        for step, error in errors
+        if step != best and error < max(AS_GOOD, 1.0 + chance) * least
+    ]
     apart = np.array([_solved(sides, step)[0][1:8:2] - whole[1:8:2] for step in others])
     total = covariance[1:8:2, 1:8:2] + spread.T @ spread / (len(SHARES) - 1)
     total += 0.25 * apart.T @ apart / len(others) if others else 0.0  # as likely as the best
@@ -172,6 +177,11 @@ def _nearest(side: Side, share: float) -> Side:
     order = np.argsort(np.abs(tau))
     kept = np.sort(order[: max(min(FEWEST, len(tau)), round(share * len(tau)))])
     return tau[kept], x[kept]
+
+
+def _chance(sides: Sequence[Side]) -> float:
+    """Relative standard deviation of a root mean square of the readings that are predicted."""
+    return float((2.0 * NEAREST * sum(len(tau) for tau, _ in sides)) ** -0.5)
 
 
 def _held_out(sides: Sequence[Side], step: Step) -> float:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from sim.measured.events.contacts import Contact, chosen, contacts
-from sim.measured.events.frames import Axis, Frames, frames_of, moved, turned
+from sim.measured.events.by_hand import Given, with_contacts, with_segments
+from sim.measured.events.contacts import Contact, chosen, contacts, where_near
+from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
 from sim.measured.events.segments import Segment, segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
+from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 
@@ -24,6 +26,7 @@ class Hints:
     flips: tuple[str, ...] = ()
     zeros: Mapping[str, float] = field(default_factory=dict)
     distance: float | None = None
+    segments: tuple[Given, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +42,7 @@ class Story:
     step: Step | None = None
     outcome: Outcome | None = None
     refused: FitError | None = None
+    aside: tuple[Aside, ...] = ()
 
 
 def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
@@ -47,8 +51,10 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
     try:
         grid = grid_of(measured.tracks)
         found = contacts(grid)
-        contact = chosen(found, hints.at)
-        named = segments(grid, found)
+        found = found if measured.own else where_near(grid, found)
+        found = with_contacts(grid, found, hints.segments)
+        contact = chosen(found, _at(hints))
+        named = with_segments(grid, segments(grid, found), hints.segments, found)
         story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
         if contact is None:
             raise FitError(
@@ -60,17 +66,23 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         story = replace(story, step=step)
         raw = speeds_of(sides_of(measured.tracks, contact, named))
         frames = frames_of(measured, raw, hints.flips, hints.zeros, hints.distance)
-        speeds = turned(raw, frames)
         plain = frames.axes == (Axis(1, 0.0), Axis(1, 0.0))
         axis = measured if plain else moved(measured, frames)
+        speeds = raw if plain else speeds_of(sides_of(axis.tracks, contact, named))
         story = replace(story, frames=frames, speeds=speeds, measured=axis)
         check_push(speeds, step, contact, _frame(measured), measured.names)
         outcome = outcome_of(speeds)
-        if measured.own and outcome == "bounce":
+        if (measured.own or frames.joined) and outcome == "bounce":
             check_seen(speeds, measured.names)
         return replace(story, outcome=outcome)
     except FitError as error:
         return replace(story, refused=error)
+
+
+def _at(hints: Hints) -> float | None:
+    """s. Which contact: the one that was asked for, or set by hand."""
+    by_hand = [0.5 * (one.begin + one.end) for one in hints.segments if one.kind == "contact"]
+    return hints.at if hints.at is not None or not by_hand else by_hand[-1]
 
 
 def _frame(measured: Measured) -> float:

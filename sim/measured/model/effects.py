@@ -14,12 +14,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from sim.measured.events.correlated import inflation
-from sim.measured.model.fit import Asked, Effect, Fit, fit
+from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.motion import Parameters
+from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 
 CHANCE = 1e-3
+AS_GOOD = 1.05
+"""Times the smaller noise: two effects that leave so nearly the same are not told apart."""
+
 ALIKE = 0.35
 """Correlation of neighbouring residuals above which they are no chance."""
 
@@ -75,6 +79,18 @@ def called_for(rows: list[Compared]) -> Effect:
     """The effect that the residuals call for: the one that leaves least, if it is no chance."""
     real = [row for row in rows if row.chance is not None and row.chance < CHANCE]
     return min(real, key=lambda row: row.noise).effect if real else "none"
+
+
+def standing(rows: Sequence[Compared]) -> tuple[bool, bool]:
+    """Which carts stand still before the touch, as the fit with friction found."""
+    return next((row.fit.parameters.rests for row in rows if row.effect == "friction"),
+                (False, False))  # fmt: skip
+
+
+def undecided(rows: Sequence[Compared]) -> bool:
+    """Whether friction and a tilt are both no chance and leave nearly the same."""
+    real = [row.noise for row in rows if row.chance is not None and row.chance < CHANCE]
+    return len(real) > 1 and max(real) < AS_GOOD * min(real)
 
 
 def neighbours(fit: Fit) -> float:

@@ -9,14 +9,18 @@ honest. Every reading counts alike. Of white noise the covariance would be
 `coloured` weighs by the residuals how far the noise is from white, and widens it by as much.
 A singular value of J near zero means that the readings do not tell one unknown: its variance
 becomes infinite, and `known` refuses to print it. numpy and scipy are imported inside.
+
+Readings farther off than WILD standard deviations (told robustly: 1.48 times the median of |r|) are
+no chance of a normal noise, and their squares would move everything. Where there are such, the fit
+is done again with Huber's loss, which counts them by their distance beyond that limit; in noise and
+covariance they stand at the limit. Without any, nothing of this is done.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from sim.measured.model.bounds import bounds_of
 from sim.measured.model.contact import Law
@@ -24,6 +28,8 @@ from sim.measured.model.covariance import covariance_of
 from sim.measured.model.curves import places
 from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
+from sim.measured.model.standing import as_if_moving
+from sim.measured.model.unknowns import READ, Effect, names_of, with_values
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 
@@ -33,12 +39,16 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-Effect = Literal["none", "friction", "tilt"]
-EFFECTS: tuple[Effect, ...] = ("none", "friction", "tilt")
 SHARE = 0.95
 CLOSE = 1e-8
 """Relative. A descent ends when its steps, or what they gain, are smaller."""
 
+
+WILD = 4.0
+"""Standard deviations: of 600 normal readings one is farther off in 4 of 100 films."""
+
+ROUNDING = 1e-7
+"""Of the greatest distance of two readings: residuals below are rounding, none of them wild."""
 
 STILL = 4.0
 """A cart whose speed before the touch is below so many standard deviations stood still."""
@@ -67,6 +77,7 @@ class Fit:
     noise: float  # m, standard deviation of a reading
     freedom: int
     squares: float  # m²
+    heavy: int = 0  # readings that count less than the others
 
     def sd(self, unknown: str) -> float:
         """Standard deviation of one unknown; inf where the readings do not tell it."""
@@ -111,7 +122,21 @@ def fit(measured: Measured, asked: Asked = Asked(), start: Parameters | None = N
         tried = [_with_rest(one, times, values) for one in tried]
     solved = [_solve(one, asked, times, values) for one in tried]
     best = min(solved, key=lambda one: one[0])
-    return _made(best[1], best[2], asked, times, values)
+    limit = _limit(best[1], asked, times, values)
+    for _ in range(2 if math.isfinite(limit) else 0):
+        best = _solve(best[1], asked, times, values, limit)
+        limit = _limit(best[1], asked, times, values)
+    return _made(best[1], best[2], asked, times, values, limit)
+
+
+def _limit(p: Parameters, asked: Asked, t: Any, x: Any) -> float:
+    """m. Where readings begin to count less; infinite where none does."""
+    import numpy as np
+
+    off = np.abs(_residuals(p, asked.law, t, x))
+    reach = float(np.ptp(np.concatenate(x)))
+    limit = max(WILD * 1.4826 * float(np.median(off)), ROUNDING * reach)
+    return limit if float(off.max()) > limit else math.inf
 
 
 def _with_rest(p: Parameters, t: Any, x: Any) -> Parameters:
@@ -134,47 +159,6 @@ def _with_rest(p: Parameters, t: Any, x: Any) -> Parameters:
     return replace(p, rests=(rests[0], rests[1]), v=v)
 
 
-def _names(p: Parameters, asked: Asked) -> tuple[str, ...]:
-    """The unknowns of this fit."""
-    names = ["touch", "x", "ln_ratio", "e", "ln_w0"]
-    names += ["distance"] if asked.distance is None else []
-    names += [f"v{k + 1}" for k in range(2) if not p.rests[k]]
-    names += {"none": [], "friction": ["friction1", "friction2"], "tilt": ["tilt"]}[asked.effect]
-    return tuple(names)
-
-
-_READ: dict[str, Callable[[Parameters], float]] = {
-    "touch": lambda p: p.touch,
-    "x": lambda p: p.x,
-    "distance": lambda p: p.distance,
-    "v1": lambda p: p.v[0],
-    "v2": lambda p: p.v[1],
-    "ln_ratio": lambda p: math.log(p.ratio),
-    "e": lambda p: p.e,
-    "ln_w0": lambda p: math.log(p.w0),
-    "friction1": lambda p: p.friction[0],
-    "friction2": lambda p: p.friction[1],
-    "tilt": lambda p: p.tilt,
-}
-
-
-def _with(p: Parameters, names: Sequence[str], values: Sequence[float]) -> Parameters:
-    """The parameters with the unknowns set."""
-    got = dict(zip(names, map(float, values), strict=True))
-    return Parameters(
-        touch=got["touch"],
-        x=got["x"],
-        distance=got.get("distance", p.distance),
-        v=(got.get("v1", p.v[0]), got.get("v2", p.v[1])),
-        ratio=math.exp(got["ln_ratio"]),
-        e=got["e"],
-        w0=math.exp(got["ln_w0"]),
-        friction=(got.get("friction1", 0.0), got.get("friction2", 0.0)),
-        tilt=got.get("tilt", 0.0),
-        rests=p.rests,
-    )
-
-
 def _residuals(p: Parameters, law: Law, t: Any, x: Any) -> Floats:
     """m. Measured minus model, cart after cart."""
     import numpy as np
@@ -183,31 +167,37 @@ def _residuals(p: Parameters, law: Law, t: Any, x: Any) -> Floats:
     return np.concatenate([x[k] - places(motion, k, t[k]) for k in range(2)])
 
 
-def _solve(start: Parameters, asked: Asked, t: Any, x: Any) -> tuple[float, Parameters, Any]:
-    """Sum of squares, parameters and Jacobian (by the unknowns) of one descent."""
+def _solve(
+    start: Parameters, asked: Asked, t: Any, x: Any, limit: float = math.inf
+) -> tuple[float, Parameters, Any]:
+    """Sum of squares, parameters and Jacobian (by the unknowns) of one descent; Huber's loss beyond
+    `limit` in m."""
     import numpy as np
     from scipy.optimize import least_squares
 
-    names = _names(start, asked)
+    names = names_of(start, asked.effect, asked.distance)
     low, high = bounds_of(names, t, x)
-    begin = np.clip([_READ[name](start) for name in names], low + 1e-9 * (high - low),
+    begin = np.clip([READ[name](start) for name in names], low + 1e-9 * (high - low),
                     high - 1e-9 * (high - low))  # fmt: skip
 
     def residuals(values: Floats) -> Floats:
         # listed: a numpy number in the closed form costs three times a float
-        return _residuals(_with(start, names, values.tolist()), asked.law, t, x)
+        return _residuals(with_values(start, names, values.tolist()), asked.law, t, x)
 
     found = least_squares(
         residuals, begin, bounds=(low, high), x_scale="jac", method="trf",
         xtol=CLOSE, ftol=CLOSE, gtol=1e-12, max_nfev=80,
+        **({"loss": "huber", "f_scale": limit} if math.isfinite(limit) else {}),
     )  # fmt: skip
-    return 2.0 * float(found.cost), _with(start, names, found.x.tolist()), found.jac
+    return 2.0 * float(found.cost), with_values(start, names, found.x.tolist()), found.jac
 
 
-def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
+def _made(
+    p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any, limit: float = math.inf
+) -> Fit:
     import numpy as np
 
-    names = _names(p, asked)
+    names = names_of(p, asked.effect, asked.distance)
     residuals = _residuals(p, asked.law, t, x)
     freedom = len(residuals) - len(names)
     if freedom < 3:
@@ -220,7 +210,8 @@ def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
             when, count = ("before", before) if before < EACH_SIDE else ("after", after)
             reason = f"only {count} readings of cart {cart} lie {when} the contact"
             raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}")
-    squares = float(residuals @ residuals)
+    counted = np.clip(residuals, -limit, limit)
+    squares = float(counted @ counted)
     noise = math.sqrt(squares / freedom)
     first = len(t[0])
     return Fit(
@@ -228,10 +219,13 @@ def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
         parameters=p,
         duration=motion.duration,
         unknowns=names,
-        values=tuple(_READ[name](p) for name in names),
-        covariance=covariance_of(jacobian, (residuals[:first], residuals[first:]), freedom),
+        values=tuple(READ[name](p) for name in names),
+        covariance=covariance_of(
+            jacobian, as_if_moving((counted[:first], counted[first:]), t, p), freedom
+        ),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
         freedom=freedom,
         squares=squares,
+        heavy=int(np.sum(np.abs(residuals) > limit)),
     )

@@ -27,6 +27,8 @@ class Known:
     high: float
     sd: float
     unit: str
+    alone: tuple[float, float] | None = None
+    """The interval that the readings alone give, where more is counted."""
 
     @property
     def half(self) -> float:

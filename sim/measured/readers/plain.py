@@ -1,6 +1,7 @@
 """Tables as Tracker, spreadsheets and loggers write them: columns of time, places or forces.
 
-time      t, time, Zeit, temps, tiempo, or a unit of time; else the first column
+time      t, time, Zeit, temps, tiempo, 时间 (sim.measured.heads), or a unit of time; else the first
+          column
 position  x of each track; x_A, xA, x1, A.x; other columns (y, v_x …) are left out
 force     F_A, force 2, or a unit of force
 """
@@ -10,12 +11,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from sim.measured.heads import is_time, quantity_of
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
 from sim.measured.table import MOST_FAULTS, Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 
-_TIME = re.compile(r"(t|time|zeit|temps|tiempo|tempo|tid|czas)", re.I)
 _FORCE = re.compile(r"(.*\b)?(f|force|kraft|fuerza|forza)[\s_.-]*([a-z0-9]{0,8})", re.I)
 _POSITION = re.compile(
     r"(?:x|pos|position|place|ort)[\s_.-]*(?:of\s+)?(?P<after>[a-z0-9]{0,8})"
@@ -59,7 +60,7 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
 
 def _time_column(table: Table) -> Column:
     for column in table.columns:
-        if _TIME.fullmatch(column.name) or kind_of_unit(column.unit) == "time":
+        if is_time(column.name) or kind_of_unit(column.unit) == "time":
             return column
     first = table.columns[0]
     if _COUNTS.fullmatch(first.name):
@@ -71,11 +72,14 @@ def _time_column(table: Table) -> Column:
 def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
     """The columns with forces, else those with positions."""
     others = [column for column in table.columns if column is not time]
-    others = [c for c in others if not _TIME.fullmatch(c.name) and kind_of_unit(c.unit) != "time"]
+    others = [c for c in others if not is_time(c.name) and kind_of_unit(c.unit) != "time"]
     forces = [c for c in others if _FORCE.fullmatch(c.name) or kind_of_unit(c.unit) == "force"]
     if len(forces) >= 2:
         return _not_three(table, forces, "force sensors"), "force"
     places = [c for c in others if _POSITION.fullmatch(c.name) and not _NOT_POSITION.match(c.name)]
+    if not places:
+        places = [c for c in others if quantity_of(c.name, c.unit)[0] == "pos" and c.unit]
+        places = places if len(places) == 2 else []
     if not places and len(others) == 2 and not forces:
         places = [c for c in others if kind_of_unit(c.unit) in (None, "length")]
     return _not_three(table, places, "carts"), "length"
@@ -96,7 +100,10 @@ def _names(columns: Sequence[Column]) -> list[str]:
     for k, column in enumerate(columns):
         match = _POSITION.fullmatch(column.name) or _FORCE.fullmatch(column.name)
         parts = [part for part in (match.groups() if match else ()) if part]
-        label = column.track or (parts[-1] if parts else "" if match else column.name) or "AB"[k]
+        what, who = quantity_of(column.name, "")
+        known = match is not None or what == "pos"
+        parts = parts or [who]
+        label = column.track or parts[-1] or ("" if known else column.name) or "AB"[k]
         found.append(label.strip() or "AB"[k])
     if len(found) == 2 and found[0] == found[1]:
         found = [f"{name} {k}" for k, name in enumerate(found, 1)]

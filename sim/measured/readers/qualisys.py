@@ -11,6 +11,7 @@ principal axis), + along its largest part. Two markers that change their names a
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 
@@ -36,7 +37,7 @@ def claims(text: str) -> bool:
 
 
 def read(text: str, units: Units) -> Reading:
-    """The two markers that move most along the track; raises ReadingError."""
+    """The two markers that move most along the track, each its own way; raises ReadingError."""
     head, rows = _parts(cells.rows_of(text).rows)
     names = [name for name in head.get("MARKER_NAMES", ()) if name]
     line = rows[0].line if rows else 1
@@ -53,14 +54,19 @@ def read(text: str, units: Units) -> Reading:
     ]
     if not seen:
         raise refuse(line, f"no marker has {FEWEST} frames in which it is seen", "film again")
+    axis = axis_of([point for _, one in seen for _, _, point in one])
+    if len(seen) > 2:
+        seen = _apart([(name, one, _track(name, one, axis)) for name, one in seen])
+        axis = axis_of([point for _, one in seen for _, _, point in one])
     if len(seen) == 2 and (changed := _unchanged(seen[0][1], seen[1][1])):
         notes.append(f"the markers change their names {changed} times: changed back")
-    axis = axis_of([point for _, one in seen for _, _, point in one])
     tracks = [_track(name, one, axis) for name, one in seen]
-    tracks = sorted(tracks, key=lambda t: min(t.value) - max(t.value))[:2]
+    tracks = sorted(tracks, key=lambda t: min(t.value) - max(t.value))
     if len(names) > len(tracks):
         left = ", ".join(shown(n) for n in names if n not in {t.name for t in tracks})
-        notes.append(f"taken are the two markers that move most; left out: {left}")
+        notes.append(
+            f"taken are the two markers that move most, each its own way; left out: {left}"
+        )
     way = ", ".join(f"{part:.3f}" for part in axis)
     notes.insert(0, f"motion capture, {rate:g} frames per second, mm")
     notes.append(f"direction of the track, from the motion: ({way})")
@@ -108,6 +114,24 @@ def _marks(rows: Sequence[Row], column: int, skipped: int, rate: float) -> Marks
         if (x, y, z) != (0.0, 0.0, 0.0):
             found.append((row.line, k / rate, (x, y, z)))
     return found
+
+
+def _apart(seen: Sequence[tuple[str, Marks, Track]]) -> list[tuple[str, Marks]]:
+    """Of several markers two that both move, and against each other: not one that lies on the
+    floor, and not two of one cart."""
+
+    def moves(pair: tuple[int, int]) -> float:
+        first, second = (seen[k][2] for k in pair)
+        there = dict(zip(second.t, second.value, strict=True))
+        between = [x - there[t] for t, x in zip(first.t, first.value, strict=True) if t in there]
+        return min(_range(first.value), _range(second.value), _range(between))
+
+    best = max(itertools.combinations(range(len(seen)), 2), key=moves)
+    return [(seen[k][0], seen[k][1]) for k in best]
+
+
+def _range(values: Sequence[float]) -> float:
+    return max(values) - min(values) if values else 0.0
 
 
 def _unchanged(first: Marks, second: Marks) -> int:

@@ -16,31 +16,33 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from sim.measured.heads import Quantity, has_speeds, is_time, quantity_of
 from sim.measured.readers import plain
 from sim.measured.refusal import ReadingError, refuse, shown
 from sim.measured.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor
+from sim.measured.units import Units, factor, plain_unit
+from sim.scene.quantity import SPEED
 
-_QUANTITY = re.compile(
-    r"\W*(?P<what>position|distance|displacement|velocity|speed|acceleration|x|v|a|pos|vel|acc)"
-    r"(?:[\s_.-]*(?P<who>[A-Za-z0-9]{1,12}))?\W*", re.I,
-)  # fmt: skip
 _RUN = re.compile(r"\brun\s*#?\s*(\d+)|\b(latest)\b", re.I)
-_TIME = re.compile(r"\W*time[\s_.-]*\w{0,8}\W*", re.I)
-SPEEDS = {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001}
 _HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
 
 
 def claims(text: str) -> bool:
     """Heads with a velocity or an acceleration beside a time, or with several runs of positions."""
-    head = next((line for line in text[:20_000].splitlines() if _TIMES.search(line)), "")
-    if re.search(r"force|\bF_", head, re.I):
+    lines = text[:20_000].splitlines()
+    if any(has_speeds(line) and not _FORCES.search(line) for line in lines[:MOST_HEADS]):
+        return True
+    head = next((line for line in lines if _TIMES.search(line)), "")
+    if _FORCES.search(head):
         return False
     return bool(_HEAD.search(head)) or len({m.group(0) for m in _RUN.finditer(head)}) > 1
 
 
 _TIMES = re.compile(r"\btime\b", re.I)
+_FORCES = re.compile(r"force|kraft|\bF_|[(\[/]\s*[mk]?N\s*[)\]]?", re.I)
+MOST_HEADS = 30
+"""Lines in which the heads of a log stand."""
 
 
 def read(text: str, units: Units) -> Reading:
@@ -77,7 +79,7 @@ def _runs(text: str) -> list[str]:
 def _columns_of(table: Table, runs: Sequence[str]) -> list[Table]:
     """The columns of each run; heads have lost its label, so the order of times tells it. Empty
     where there is one run, or one time for all."""
-    cuts = [k for k, one in enumerate(table.columns) if _TIME.fullmatch(one.name)]
+    cuts = [k for k, one in enumerate(table.columns) if is_time(one.name)]
     if len(runs) < 2 or len(cuts) < len(runs):
         return []
     per = len(cuts) // len(runs)
@@ -92,19 +94,18 @@ def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> l
     """A track for each cart, by position or else by velocity. `below` gets the runs that stand
     below each other."""
     time: Column | None = None
-    carts: dict[str, dict[str, tuple[Column, Column]]] = {}
+    carts: dict[str, dict[Quantity, tuple[Column, Column]]] = {}
     for column in table.columns:
-        if _TIME.fullmatch(column.name) or (time is None and factor(column.unit, "time")):
+        if is_time(column.name) or (time is None and factor(column.unit, "time")):
             time = column
             continue
-        match = _QUANTITY.fullmatch(column.name)
-        if match and time is not None:
-            what = match["what"].lower()[:3].replace("dis", "pos").replace("spe", "vel")
-            who = column.track or match["who"] or ""
+        what, who = quantity_of(column.name, column.unit)
+        if what and time is not None:
+            who = column.track or who
             kept = carts.setdefault(who, {})
             if what in kept and not who:
                 kept = carts.setdefault(str(len(carts) + 1), {})
-            kept.setdefault({"x": "pos", "v": "vel", "a": "acc"}.get(what, what), (time, column))
+            kept.setdefault(what, (time, column))
     places = {who: kept["pos"] for who, kept in carts.items() if "pos" in kept}
     by_speed = not places
     if by_speed:
@@ -132,12 +133,15 @@ def _track(
 ) -> Track:
     clock, column = columns
     seconds = factor(clock.unit or units.time, "time")
-    metres = SPEEDS.get(column.unit or "m/s") if by_speed else factor(
-        column.unit or units.length, "length")  # fmt: skip
+    speed = SPEED.units.get(plain_unit(column.unit or "m/s"))
+    metres = factor(column.unit or units.length, "length")
+    if by_speed:
+        metres = None if speed is None else float(speed)
     if seconds is None or metres is None:
         wrong = clock if seconds is None else column
         reason = f"“{shown(wrong.unit)}” is no unit that fits {shown(wrong.name)}"
-        raise refuse(table.heads_line, reason, "time in s or ms, length in m, cm or mm")
+        hint = "velocity in m/s, cm/s, mm/s or km/h" if by_speed else "length in m, cm or mm"
+        raise refuse(table.heads_line, reason, f"time in s or ms, {hint}")
     rows = [
         (t * seconds, x * metres, line)
         for t, x, line in zip(clock.values, column.values, table.lines, strict=True)

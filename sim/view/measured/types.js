@@ -11,7 +11,9 @@
  * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
  * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],
  *   untold: {key: string, name: string, reason: string}[], noise: number, sentences: string[], scene: string,
- *   fence: string, calls_for: string | null, segments?: {from: number, until: number, cart: string, kind: string}[]}} Report
+ *   fence: string, calls_for: string | null, segments?: Segment[]}} Report
+ * @typedef {{from: number, until: number, cart: string, kind: string}} Segment times in s
+ * @typedef {{from: number, until: number, cart: string | null, kind: string}} Given by the reader; null: both carts
  * @typedef {{refused: Fault[], source?: number}} Refused
  * @typedef {{length: string, time: string, force: string}} Units an empty one: not chosen yet
  *
@@ -21,6 +23,6 @@
  *
  * What a reader has done here, as it is kept:
  * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, run?: string, from: string, until: string,
- *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
+ *   law: string, effect: string, distance: string, masses: string[], segments?: Given[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
  */
 export {};

@@ -32,6 +32,41 @@
     );
   }
 
+  // src/measured/asking.js
+  var Asking = class {
+    /** @type {Record<string, object>} */
+    #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
+    #generation = 0;
+    /**
+     * @param {import("../runtime/client.js").Client} client
+     * @param {() => Record<string, unknown>} common readings and settings, as they are when it is asked
+     * @param {() => void} answered
+     */
+    constructor(client, common, answered) {
+      this.client = client;
+      this.common = common;
+      this.answered = answered;
+    }
+    /** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
+    async ask(what, more = {}) {
+      const { header } = await this.client.ask(this.#owners[what] ?? {}, () => ({
+        kind: "measured",
+        do: what,
+        ...this.common(),
+        ...more
+      }));
+      this.answered();
+      return header;
+    }
+    /** The same; null if something newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
+    async newest(what, more) {
+      this.#generation += 1;
+      const generation = this.#generation;
+      const found = await this.ask(what, more);
+      return generation === this.#generation ? found : null;
+    }
+  };
+
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text2, type) {
@@ -459,9 +494,9 @@
   function slowAt(parts, t) {
     return parts.find((part) => t >= part.from && t < part.to);
   }
-  function advance(t, seconds, speed, parts, until) {
+  function advance(t, seconds2, speed, parts, until) {
     let now = t;
-    let left = seconds;
+    let left = seconds2;
     while (left > 0 && now < until) {
       const inside = slowAt(parts, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
@@ -571,16 +606,16 @@
     /** @param {number} now */
     #tick(now) {
       if (!this.playing) return;
-      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      const seconds2 = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
       this.#last = now;
       const before = this.time;
-      this.own += seconds;
-      this.#waited += seconds;
+      this.own += seconds2;
+      this.#waited += seconds2;
       if (this.stills && this.#waited < STILL) {
         this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
         return;
       }
-      const shown2 = this.stills ? this.#waited : seconds;
+      const shown2 = this.stills ? this.#waited : seconds2;
       this.#waited = 0;
       let next = advance(before, shown2, this.speed, this.#parts, this.until);
       if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
@@ -787,7 +822,6 @@
   function showResult(place2, report) {
     place2.hidden = false;
     const parts = [html("p", "carts-heading", "What the readings say")];
-    if (report.segments?.length) parts.push(strip(report));
     if (report.known) {
       parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
       parts.push(table(report));
@@ -801,33 +835,6 @@
     said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
     parts.push(said);
     place2.replaceChildren(...parts);
-  }
-  function strip(report) {
-    const segments = report.segments ?? [];
-    const begin = Math.min(...segments.map((one) => one.from));
-    const length = Math.max(...segments.map((one) => one.until)) - begin;
-    const made = html("div", "carts-measured-strip");
-    for (const name of report.names) {
-      const own = segments.filter((one) => one.cart === name);
-      const words = own.map((one) => `${one.kind} ${fixed(one.from, 2)} to ${fixed(one.until, 2)} s`).join(", ");
-      const bar = html("div", "carts-measured-strip-bar");
-      bar.setAttribute("role", "img");
-      bar.setAttribute("aria-label", `${name}: ${words}`);
-      for (const { from, until, kind } of own) {
-        const part = html(
-          "span",
-          "",
-          100 * (until - from) > 12 * length || kind === "contact" ? kind : ""
-        );
-        part.dataset.kind = kind;
-        part.title = `${kind}, ${fixed(from, 2)} to ${fixed(until, 2)} s`;
-        part.style.left = `${100 * (from - begin) / length}%`;
-        part.style.width = `${100 * (until - from) / length}%`;
-        bar.append(part);
-      }
-      made.append(html("span", "carts-measured-strip-name", name), bar);
-    }
-    return made;
   }
   function table(report) {
     const made = html("table", "carts-table carts-measured-known");
@@ -1060,7 +1067,7 @@
   var MOST2 = 4e6;
   var ZIP = 1347093252;
   var TYPED = "typed readings";
-  var Source = class {
+  var Source = class _Source {
     /**
      * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
      * @param {(text: string) => void} tell
@@ -1126,7 +1133,7 @@
         const bytes = await file.arrayBuffer();
         const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
         if ("refused" in found) {
-          return this.tell(found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". "));
+          return this.tell(found.refused.map(({ reason, hint: hint2 }) => `${reason} (${hint2})`).join(". "));
         }
         texts.push(found.text);
       }
@@ -1142,6 +1149,10 @@
     save(name, texts) {
       const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
       for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
+    }
+    /** A message with the lines that it names called so too. @param {string} name @param {string} text */
+    static told(name, text2) {
+      return text2.replace(/\bline (\d+)/g, (_, line) => _Source.place(name, Number(line)));
     }
     /** What a line of a text is called where it stands. @param {string} name @param {number} line */
     static place(name, line) {
@@ -1387,13 +1398,17 @@
     /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults */
     refuse(name, faults) {
       this.#part("faults").replaceChildren(
-        ...faults.map(({ line, reason, hint }) => {
+        ...faults.map(({ line, reason, hint: hint2 }) => {
           const row = document.createElement("li");
           const where = line === null ? "" : `${Source.place(name, line)}: `;
-          row.textContent = `${where}${reason}${hint ? ` (${hint})` : ""}`;
+          row.textContent = `${where}${Source.told(name, reason)}${hint2 ? ` (${hint2})` : ""}`;
           return row;
         })
       );
+    }
+    /** @param {string} textContent */
+    note(textContent) {
+      Object.assign(need(this.root, ".carts-note"), { hidden: false, textContent });
     }
     /** @param {string} text */
     busy(text2) {
@@ -1533,16 +1548,17 @@
       }
       return units;
     }
-    /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
+    /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string} empty: nothing */
     missing(read) {
-      if (read.kind === "acceleration") return [];
+      if (read.kind === "acceleration") return "";
       const kinds = (
         /** @type {("time" | "length" | "force")[]} */
         ["time", read.kind]
       );
-      return kinds.filter((kind) => !this.chosen[kind]).filter(
+      const left = kinds.filter((kind) => !this.chosen[kind]).filter(
         (kind) => read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say"))
       ).map((kind) => WORDS[kind]);
+      return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
     }
     /** Of these, what is kept. */
     get kept() {
@@ -1578,6 +1594,306 @@
     }
   };
 
+  // src/measured/kinds.js
+  var KINDS = {
+    rest: () => tr("rest"),
+    hand: () => tr("hand"),
+    coasting: () => tr("coasting"),
+    friction: () => tr("friction"),
+    contact: () => tr("contact"),
+    stop: () => tr("stop")
+  };
+  var word = (kind) => KINDS[kind]?.() ?? kind;
+  var hint = () => tr(
+    "What each cart did. Drag a boundary, or move it with the arrow keys: the fit runs again with it."
+  );
+
+  // src/measured/spans.js
+  var SAME2 = 1e-6;
+  var LEAST = 2;
+  function ofCart(segments, cart) {
+    return segments.filter((one) => one.cart === cart);
+  }
+  function limits(segments, cart, k, step) {
+    const all = linked(segments, cart, k);
+    const low = Math.max(...all.map(([left]) => left.from + LEAST * step));
+    const high = Math.min(...all.map(([, right]) => right.until - LEAST * step));
+    return [low, Math.max(low, high)];
+  }
+  function linked(segments, cart, k) {
+    const own = ofCart(segments, cart);
+    const [left, right] = [own[k], own[k + 1]];
+    if (!left || !right) return [];
+    const push = left.kind === "contact" ? "left" : right.kind === "contact" ? "right" : "";
+    if (!push) return [[left, right]];
+    const at = left.until;
+    const found = [];
+    for (const one of segments) {
+      if (Math.abs(one.until - at) > SAME2) continue;
+      const other = segments.find((s) => s.cart === one.cart && Math.abs(s.from - at) <= SAME2);
+      if (other && (push === "left" ? one : other).kind === "contact") found.push([one, other]);
+    }
+    return found;
+  }
+  function move(segments, cart, k, t) {
+    for (const [left, right] of linked(segments, cart, k)) {
+      left.until = t;
+      right.from = t;
+    }
+  }
+  function told(before, segments, cart, k) {
+    const own = ofCart(segments, cart);
+    const sides = [own[k], own[k + 1]].filter((one) => one !== void 0);
+    const push = sides.find((one) => one.kind === "contact");
+    const rows = (push ? [push] : sides).map(({ kind, from, until }) => {
+      return { kind, from, until, cart: push ? null : cart };
+    });
+    const replaced = (old) => rows.some((row) => row.cart === old.cart && row.from < old.until && old.from < row.until);
+    return [...before.filter((old) => !replaced(old)), ...rows];
+  }
+  function lanes(places, wide) {
+    const ends = [];
+    return places.map((x) => {
+      const free = ends.findIndex((end) => end <= x - wide / 2);
+      const row = free < 0 ? ends.length : free;
+      ends[row] = x + wide / 2;
+      return row;
+    });
+  }
+
+  // src/measured/strip.js
+  var WIDE = 24;
+  var USUAL2 = 320;
+  var WAITS = 500;
+  var NAMED2 = 12;
+  var STEPS = 500;
+  var seconds = (t) => fixed(t, 2);
+  var Strip = class {
+    /** What the reader has set. @type {Given[]} */
+    given = [];
+    /** @type {Segment[]} */
+    #segments = [];
+    #step = 0.01;
+    #timer = 0;
+    /** @param {HTMLElement} place @param {() => void} changed by the reader */
+    constructor(place2, changed) {
+      this.place = place2;
+      this.changed = changed;
+      new ResizeObserver(() => this.#stack()).observe(place2);
+    }
+    /** Other readings: nothing is found or set. */
+    clear() {
+      this.given = [];
+      this.show(null);
+    }
+    /** @param {{names: string[], segments?: Segment[]} | null} found @param {number[]} times s, of the readings */
+    show(found, times = []) {
+      clearTimeout(this.#timer);
+      const held = (
+        /** @type {HTMLElement | null} */
+        this.place.querySelector(":focus")
+      );
+      const at = Number(held?.getAttribute("aria-valuenow"));
+      this.#segments = structuredClone(found?.segments ?? []);
+      this.place.hidden = !this.#segments.length;
+      if (this.place.hidden) return this.place.replaceChildren();
+      const frame2 = (Number(times.at(-1)) - Number(times[0])) / (times.length - 1);
+      this.#step = Math.max(frame2 || 0, this.#length / STEPS);
+      const made = html("div", "carts-measured-strip");
+      for (const name of found?.names ?? []) {
+        const row = html("div", "carts-measured-strip-row");
+        row.dataset.cart = name;
+        row.append(this.#bar(name), ...this.#edges(name));
+        made.append(html("span", "carts-measured-strip-name", name), row);
+      }
+      this.place.replaceChildren(html("p", "carts-quiet", hint()), made);
+      if (this.given.length) this.place.append(this.#asFound());
+      this.#put();
+      this.#stack();
+      if (held) this.#focus(held.dataset.cart ?? "", at);
+    }
+    get #begin() {
+      return Math.min(...this.#segments.map((one) => one.from));
+    }
+    get #length() {
+      return Math.max(...this.#segments.map((one) => one.until)) - this.#begin;
+    }
+    /** @param {string} cart */
+    #bar(cart) {
+      const bar = html("div", "carts-measured-strip-bar");
+      bar.setAttribute("role", "img");
+      for (const { kind } of ofCart(this.#segments, cart)) {
+        const part = html("span");
+        part.dataset.kind = kind;
+        bar.append(part);
+      }
+      return bar;
+    }
+    /** @param {string} cart @returns {HTMLElement[]} a slider for each boundary */
+    #edges(cart) {
+      return ofCart(this.#segments, cart).slice(1).map((_, k) => {
+        const edge = html("span", "carts-measured-edge");
+        edge.dataset.cart = cart;
+        edge.tabIndex = 0;
+        edge.setAttribute("role", "slider");
+        edge.addEventListener("pointerdown", (event) => {
+          edge.setPointerCapture(event.pointerId);
+          edge.focus();
+          event.preventDefault();
+        });
+        edge.addEventListener("pointermove", (event) => {
+          if (edge.hasPointerCapture(event.pointerId)) this.#drag(cart, k, event.clientX);
+        });
+        edge.addEventListener("pointerup", () => {
+          this.#stack();
+          if ("moved" in edge.dataset) this.#commit(cart, k);
+        });
+        edge.addEventListener("keydown", (event) => this.#key(event, cart, k));
+        return edge;
+      });
+    }
+    /** @param {string} cart @param {number} k @param {number} x px in the window */
+    #drag(cart, k, x) {
+      const box = this.#row(cart).getBoundingClientRect();
+      this.#move(cart, k, this.#begin + (x - box.left) / box.width * this.#length);
+    }
+    /** @param {KeyboardEvent} event @param {string} cart @param {number} k */
+    #key(event, cart, k) {
+      const [low, high] = limits(this.#segments, cart, k, this.#step);
+      const now = Number(ofCart(this.#segments, cart)[k]?.until);
+      const steps = {
+        ArrowLeft: -1,
+        ArrowDown: -1,
+        ArrowRight: 1,
+        ArrowUp: 1,
+        PageDown: -10,
+        PageUp: 10
+      };
+      const by = steps[
+        /** @type {keyof typeof steps} */
+        event.key
+      ];
+      const to = event.key === "Home" ? low : event.key === "End" ? high : now + by * this.#step;
+      if (!Number.isFinite(to)) return;
+      event.preventDefault();
+      this.#move(cart, k, to);
+      this.#stack();
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => this.#commit(cart, k), WAITS);
+    }
+    /** @param {string} cart @param {number} k @param {number} t s */
+    #move(cart, k, t) {
+      const [low, high] = limits(this.#segments, cart, k, this.#step);
+      move(this.#segments, cart, k, Math.min(high, Math.max(low, t)));
+      const edge = this.#row(cart).querySelectorAll(".carts-measured-edge")[k];
+      if (edge instanceof HTMLElement) edge.dataset.moved = "";
+      this.#put();
+    }
+    /** @param {string} cart @param {number} k */
+    #commit(cart, k) {
+      this.given = told(this.given, this.#segments, cart, k);
+      this.changed();
+    }
+    #asFound() {
+      const button = html("button", "carts-button carts-measured-as-found", tr("As found"));
+      button.setAttribute("type", "button");
+      button.addEventListener("click", () => {
+        this.given = [];
+        this.changed();
+      });
+      return button;
+    }
+    /** @param {string} cart @returns {HTMLElement} */
+    #row(cart) {
+      const rows = [...this.place.querySelectorAll(".carts-measured-strip-row")];
+      return (
+        /** @type {HTMLElement} */
+        rows.find((row) => (
+          /** @type {HTMLElement} */
+          row.dataset.cart === cart
+        ))
+      );
+    }
+    /** Everything at its place, and in words. */
+    #put() {
+      for (const cart of new Set(this.#segments.map((one) => one.cart))) {
+        const own = ofCart(this.#segments, cart);
+        const row = this.#row(cart);
+        const spans = own.map(
+          ({ kind, from, until }) => `${word(kind)} ${seconds(from)} – ${seconds(until)} s`
+        );
+        const bar = (
+          /** @type {HTMLElement} */
+          row.firstElementChild
+        );
+        put(bar, "aria-label", `${cart}: ${spans.join(", ")}`);
+        for (const [k, { kind, from, until }] of own.entries()) {
+          const part = (
+            /** @type {HTMLElement} */
+            bar.children[k]
+          );
+          const named = kind === "contact" || NAMED2 * (until - from) > this.#length;
+          part.textContent = named ? word(kind) : "";
+          part.title = spans[k] ?? "";
+          part.style.left = `${100 * (from - this.#begin) / this.#length}%`;
+          part.style.width = `${100 * (until - from) / this.#length}%`;
+        }
+        for (const [k, edge] of [...row.querySelectorAll(".carts-measured-edge")].entries())
+          this.#value(
+            /** @type {HTMLElement} */
+            edge,
+            cart,
+            k
+          );
+      }
+    }
+    /** @param {HTMLElement} edge @param {string} cart @param {number} k */
+    #value(edge, cart, k) {
+      const own = ofCart(this.#segments, cart);
+      const [low, high] = limits(this.#segments, cart, k, this.#step);
+      const at = Number(own[k]?.until);
+      const [first, second] = [word(own[k]?.kind ?? ""), word(own[k + 1]?.kind ?? "")];
+      edge.style.left = `${100 * (at - this.#begin) / this.#length}%`;
+      put(edge, "aria-label", tr("{cart}: from {first} to {second}", { cart, first, second }));
+      put(edge, "aria-valuemin", String(low));
+      put(edge, "aria-valuemax", String(high));
+      put(edge, "aria-valuenow", String(at));
+      put(
+        edge,
+        "aria-valuetext",
+        tr("{first} until {time} s, then {second}", { first, second, time: seconds(at) })
+      );
+    }
+    /** Handles that would lie over each other stand below each other. */
+    #stack() {
+      for (const row of this.place.querySelectorAll(".carts-measured-strip-row")) {
+        const width = row.getBoundingClientRect().width || USUAL2;
+        const edges = (
+          /** @type {HTMLElement[]} */
+          [
+            ...row.querySelectorAll(".carts-measured-edge")
+          ]
+        );
+        const rows = lanes(
+          edges.map((edge) => Number.parseFloat(edge.style.left) / 100 * width),
+          WIDE
+        );
+        for (const [k, edge] of edges.entries()) edge.style.setProperty("--lane", String(rows[k]));
+        row.style.setProperty(
+          "--lanes",
+          String(Math.max(0, ...rows) + 1)
+        );
+      }
+    }
+    /** The handle that was held, after all was drawn anew. @param {string} cart @param {number} at s */
+    #focus(cart, at) {
+      const off = (edge) => Math.abs(Number(edge.getAttribute("aria-valuenow")) - at);
+      const edges = [...this.#row(cart)?.querySelectorAll(".carts-measured-edge") ?? []];
+      const nearest = edges.sort((a, b) => off(a) - off(b))[0];
+      if (nearest instanceof HTMLElement) nearest.focus();
+    }
+  };
+
   // src/measured/element.js
   var PACKAGES = ["numpy", "scipy"];
   function measuredElement(client, base) {
@@ -1592,15 +1908,21 @@
       /** @type {Read | null} */
       #read = null;
       report = (
-        /** @type {Report | null} */
+        /** @type {import("../../../view/measured/types.js").Report | null} */
         null
       );
       // of the last fit
       /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
       complete = Promise.resolve();
-      /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
-      #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
-      #generation = 0;
+      #asking = new Asking(
+        client,
+        () => ({
+          texts: this.#texts,
+          ...this.settings?.asked,
+          segments: this.strip?.given ?? []
+        }),
+        () => this.setAttribute("data-state", "live")
+      );
       #leaving = new AbortController();
       // ends what the element hears of the worker
       connectedCallback() {
@@ -1616,8 +1938,12 @@
           (name, texts) => this.#take(name, texts),
           () => this.#keep(),
           (text2) => this.#refuse(text2 ? [{ line: null, reason: text2, hint: "" }] : []),
-          (zip) => this.#ask("unzip", { zip }),
+          (zip) => this.#asking.ask("unzip", { zip }),
           base
+        );
+        this.strip = new Strip(
+          need(this, ".carts-measured-spans"),
+          () => void this.fit(this.#kept.fitted === "compared")
         );
         this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
@@ -1625,7 +1951,7 @@
           save: () => this.source?.save(this.#name, this.#texts),
           fit: () => void this.fit(),
           compare: () => void this.fit(true),
-          tracker: () => this.#ask("tracker"),
+          tracker: () => this.#asking.ask("tracker"),
           early: () => void client.need(PACKAGES).catch(() => {
           })
         });
@@ -1645,6 +1971,7 @@
         );
         this.#kept = { ...empty(facts), ...await this.keeper?.get() };
         this.settings?.fill(this.#kept);
+        if (this.strip) this.strip.given = this.#kept.segments ?? [];
         if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
         if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
         if (!this.#texts.length) return this.#whenLive();
@@ -1675,13 +2002,15 @@
       #take(name, texts) {
         this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
         this.settings?.clear();
+        this.strip?.clear();
         this.complete = this.#reading();
       }
       /** @param {boolean} again whether the readings are others now */
       #changed(again) {
         this.#kept.fitted = "";
-        if (again) this.complete = this.#reading();
-        else this.#moved();
+        if (!again) return this.#moved();
+        this.strip?.clear();
+        this.complete = this.#reading();
       }
       #moved() {
         if (this.#read?.kind === "length") this.complete = this.#byHand();
@@ -1690,31 +2019,20 @@
         this.#kept = {
           ...this.#kept,
           ...this.settings?.kept,
+          segments: this.strip?.given ?? [],
           cells: this.source?.grid.cells ?? [],
           pasted: this.source?.paste.value ?? ""
         };
         void this.keeper?.put(structuredClone(this.#kept));
       }
-      /** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
-      async #ask(what, more = {}) {
-        const { header } = await client.ask(this.#owners[what] ?? {}, () => ({
-          kind: "measured",
-          do: what,
-          texts: this.#texts,
-          ...this.settings?.asked,
-          ...more
-        }));
-        this.dataset.state = "live";
-        return header;
-      }
       /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
       async #newest(what, more, show) {
-        this.#generation += 1;
-        const generation = this.#generation;
         try {
-          const found = await this.#ask(what, more);
-          if (generation !== this.#generation) return false;
+          const found = await this.#asking.newest(what, more);
+          if (!found) return false;
           this.#refuse(found.refused ?? []);
+          const story = found.report ?? found;
+          if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
           if (found.refused) return false;
           show(found);
           return true;
@@ -1737,12 +2055,10 @@
         this.#read = read;
         this.settings?.offer(read.runs ?? []);
         this.report = read.report ?? null;
-        const missing2 = drawn ? this.settings?.missing(read) ?? [] : [];
-        if (missing2.length) {
-          const reason = `This file does not say its units. Choose ${missing2.join(" and ")}.`;
-          this.#refuse([{ line: null, reason, hint: "" }]);
-        }
-        const motion = read.kind === "length" && !missing2.length && drawn !== null;
+        const missing2 = drawn ? this.settings?.missing(read) : "";
+        if (missing2) this.#refuse([{ line: null, reason: missing2, hint: "" }]);
+        const motion = read.kind === "length" && !missing2 && drawn !== null;
+        this.strip?.show(null);
         this.picture?.readings(this.#name, read, motion);
         if (!motion) return;
         this.hands?.reach(read.tracks, read.names);
@@ -1775,7 +2091,7 @@
         this.picture?.busy("Starting numpy and scipy …");
         try {
           await client.need(PACKAGES);
-          await this.#ask("ready");
+          await this.#asking.ask("ready");
           this.picture?.busy("Fitting …");
           performance.mark("carts:measured-asked");
           if (!await this.#newest("fit", { compare }, (found) => this.#fitted(found))) return;
@@ -1792,7 +2108,7 @@
           this.picture?.busy("");
         }
       }
-      /** @param {Drawn & {report: Report}} found */
+      /** @param {Drawn & {report: NonNullable<CartsMeasured["report"]>}} found */
       #fitted(found) {
         this.report = found.report;
         if (this.hands) this.hands.value = found.parameters;
@@ -1810,8 +2126,7 @@
       }
       /** @param {string} text */
       #note(text2) {
-        const note = need(this, ".carts-note");
-        Object.assign(note, { hidden: false, textContent: `Python cannot do this here: ${text2}` });
+        this.picture?.note(`Python cannot do this here: ${text2}`);
         if (client.state === "failed") this.dataset.state = "failed";
       }
     };

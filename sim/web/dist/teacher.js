@@ -1466,6 +1466,7 @@ ${source(facts)}
 <div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">Play</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label="time"><output class="carts-measured-clock"></output></div></div>
 <div class="carts-measured-figures">
 <p class="carts-measured-legend"></p>
+<div class="carts-measured-spans" hidden></div>
 <svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label="readings over time; the numbers are in the table below">${!facts.read && hint}</svg>
 <svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label="residuals: measured minus model" hidden></svg>
 <p class="carts-measured-spread" role="status"></p>

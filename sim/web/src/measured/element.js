@@ -1,16 +1,17 @@
 /** `<carts-measured>`: readings of real carts, the model laid over them by hand, and its fit by Python. */
 
 import { need } from "../shared/dom.js";
+import { Asking } from "./asking.js";
 import { wireButtons } from "./buttons.js";
 import { Hands } from "./hands.js";
 import { empty, keeper } from "./keep.js";
 import { Picture } from "./picture.js";
 import { Settings } from "./settings.js";
 import { Source } from "./source.js";
+import { Strip } from "./strip.js";
 
 /** @typedef {import("../../../view/measured/types.js").Read} Read */
 /** @typedef {import("../../../view/measured/types.js").Drawn} Drawn */
-/** @typedef {import("../../../view/measured/types.js").Report} Report */
 /** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 /** @typedef {import("../../../view/measured/types.js").Facts} Facts */
 
@@ -25,12 +26,18 @@ export function measuredElement(client, base) {
     #kept = /** @type {Kept} */ ({});
     /** @type {Read | null} */
     #read = null;
-    report = /** @type {Report | null} */ (null); // of the last fit
+    report = /** @type {import("../../../view/measured/types.js").Report | null} */ (null); // of the last fit
     /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
     complete = Promise.resolve();
-    /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
-    #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
-    #generation = 0;
+    #asking = new Asking(
+      client,
+      () => ({
+        texts: this.#texts,
+        ...this.settings?.asked,
+        segments: this.strip?.given ?? [],
+      }),
+      () => this.setAttribute("data-state", "live"),
+    );
     #leaving = new AbortController(); // ends what the element hears of the worker
 
     connectedCallback() {
@@ -47,8 +54,12 @@ export function measuredElement(client, base) {
         (name, texts) => this.#take(name, texts),
         () => this.#keep(),
         (text) => this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []),
-        (zip) => this.#ask("unzip", { zip }),
+        (zip) => this.#asking.ask("unzip", { zip }),
         base,
+      );
+      this.strip = new Strip(
+        need(this, ".carts-measured-spans"),
+        () => void this.fit(this.#kept.fitted === "compared"),
       );
       this.picture.watch = (time, places) => this.source?.films.at(time, places);
       wireButtons(this, {
@@ -56,7 +67,7 @@ export function measuredElement(client, base) {
         save: () => this.source?.save(this.#name, this.#texts),
         fit: () => void this.fit(),
         compare: () => void this.fit(true),
-        tracker: () => this.#ask("tracker"),
+        tracker: () => this.#asking.ask("tracker"),
         early: () => void client.need(PACKAGES).catch(() => {}),
       });
       if (facts.read) this.#show(facts.read, null);
@@ -74,6 +85,7 @@ export function measuredElement(client, base) {
       const facts = /** @type {Facts} */ (this.#facts);
       this.#kept = { ...empty(facts), ...(await this.keeper?.get()) };
       this.settings?.fill(this.#kept);
+      if (this.strip) this.strip.given = this.#kept.segments ?? [];
       if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
       if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
       if (!this.#texts.length) return this.#whenLive();
@@ -108,14 +120,16 @@ export function measuredElement(client, base) {
     #take(name, texts) {
       this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
       this.settings?.clear();
+      this.strip?.clear();
       this.complete = this.#reading();
     }
 
     /** @param {boolean} again whether the readings are others now */
     #changed(again) {
       this.#kept.fitted = "";
-      if (again) this.complete = this.#reading();
-      else this.#moved();
+      if (!again) return this.#moved();
+      this.strip?.clear();
+      this.complete = this.#reading();
     }
 
     #moved() {
@@ -126,33 +140,21 @@ export function measuredElement(client, base) {
       this.#kept = {
         ...this.#kept,
         ...this.settings?.kept,
+        segments: this.strip?.given ?? [],
         cells: this.source?.grid.cells ?? [],
         pasted: this.source?.paste.value ?? "",
       };
       void this.keeper?.put(structuredClone(this.#kept));
     }
 
-    /** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
-    async #ask(what, more = {}) {
-      const { header } = await client.ask(this.#owners[what] ?? {}, () => ({
-        kind: "measured",
-        do: what,
-        texts: this.#texts,
-        ...this.settings?.asked,
-        ...more,
-      }));
-      this.dataset.state = "live";
-      return header;
-    }
-
     /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
     async #newest(what, more, show) {
-      this.#generation += 1;
-      const generation = this.#generation;
       try {
-        const found = await this.#ask(what, more);
-        if (generation !== this.#generation) return false;
+        const found = await this.#asking.newest(what, more);
+        if (!found) return false;
         this.#refuse(found.refused ?? []);
+        const story = found.report ?? found; // a refused fit has one too
+        if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
         if (found.refused) return false;
         show(found);
         return true;
@@ -174,12 +176,10 @@ export function measuredElement(client, base) {
       this.#read = read;
       this.settings?.offer(read.runs ?? []);
       this.report = read.report ?? null;
-      const missing = drawn ? (this.settings?.missing(read) ?? []) : [];
-      if (missing.length) {
-        const reason = `This file does not say its units. Choose ${missing.join(" and ")}.`;
-        this.#refuse([{ line: null, reason, hint: "" }]);
-      }
-      const motion = read.kind === "length" && !missing.length && drawn !== null;
+      const missing = drawn ? this.settings?.missing(read) : "";
+      if (missing) this.#refuse([{ line: null, reason: missing, hint: "" }]);
+      const motion = read.kind === "length" && !missing && drawn !== null;
+      this.strip?.show(null);
       this.picture?.readings(this.#name, read, motion);
       if (!motion) return;
       this.hands?.reach(read.tracks, read.names);
@@ -211,7 +211,7 @@ export function measuredElement(client, base) {
       this.picture?.busy("Starting numpy and scipy …");
       try {
         await client.need(PACKAGES);
-        await this.#ask("ready");
+        await this.#asking.ask("ready");
         this.picture?.busy("Fitting …");
         performance.mark("carts:measured-asked");
         if (!(await this.#newest("fit", { compare }, (found) => this.#fitted(found)))) return;
@@ -226,7 +226,7 @@ export function measuredElement(client, base) {
       }
     }
 
-    /** @param {Drawn & {report: Report}} found */
+    /** @param {Drawn & {report: NonNullable<CartsMeasured["report"]>}} found */
     #fitted(found) {
       this.report = found.report;
       if (this.hands) this.hands.value = found.parameters;
@@ -242,8 +242,7 @@ export function measuredElement(client, base) {
 
     /** @param {string} text */
     #note(text) {
-      const note = need(this, ".carts-note");
-      Object.assign(note, { hidden: false, textContent: `Python cannot do this here: ${text}` });
+      this.picture?.note(`Python cannot do this here: ${text}`);
       if (client.state === "failed") this.dataset.state = "failed";
     }
   };

@@ -125,10 +125,15 @@ export class Picture {
       ...faults.map(({ line, reason, hint }) => {
         const row = document.createElement("li");
         const where = line === null ? "" : `${Source.place(name, line)}: `;
-        row.textContent = `${where}${reason}${hint ? ` (${hint})` : ""}`;
+        row.textContent = `${where}${Source.told(name, reason)}${hint ? ` (${hint})` : ""}`;
         return row;
       }),
     );
+  }
+
+  /** @param {string} textContent */
+  note(textContent) {
+    Object.assign(need(this.root, ".carts-note"), { hidden: false, textContent });
   }
 
   /** @param {string} text */

@@ -1,7 +1,6 @@
 /** What a fit says: numbers with their intervals, what is not told and why, sentences. */
 
 import { tableOf } from "../../../view/measured/table.js";
-import { fixed } from "../../../view/numbers.js";
 import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/measured/types.js").Report} Report */
@@ -10,7 +9,6 @@ import { html } from "../shared/dom.js";
 export function showResult(place, report) {
   place.hidden = false;
   const parts = [html("p", "carts-heading", "What the readings say")];
-  if (report.segments?.length) parts.push(strip(report));
   if (report.known) {
     parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
     parts.push(table(report));
@@ -24,40 +22,6 @@ export function showResult(place, report) {
   said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
   parts.push(said);
   place.replaceChildren(...parts);
-}
-
-/**
- * What each cart did, as a coloured strip over the time of the readings; the same in words for those who hear it.
- * @param {Report} report
- */
-function strip(report) {
-  const segments = report.segments ?? [];
-  const begin = Math.min(...segments.map((one) => one.from));
-  const length = Math.max(...segments.map((one) => one.until)) - begin;
-  const made = html("div", "carts-measured-strip");
-  for (const name of report.names) {
-    const own = segments.filter((one) => one.cart === name);
-    const words = own
-      .map((one) => `${one.kind} ${fixed(one.from, 2)} to ${fixed(one.until, 2)} s`)
-      .join(", ");
-    const bar = html("div", "carts-measured-strip-bar");
-    bar.setAttribute("role", "img");
-    bar.setAttribute("aria-label", `${name}: ${words}`);
-    for (const { from, until, kind } of own) {
-      const part = html(
-        "span",
-        "",
-        100 * (until - from) > 12 * length || kind === "contact" ? kind : "",
-      );
-      part.dataset.kind = kind;
-      part.title = `${kind}, ${fixed(from, 2)} to ${fixed(until, 2)} s`;
-      part.style.left = `${(100 * (from - begin)) / length}%`;
-      part.style.width = `${(100 * (until - from)) / length}%`;
-      bar.append(part);
-    }
-    made.append(html("span", "carts-measured-strip-name", name), bar);
-  }
-  return made;
 }
 
 /** @param {Report} report */

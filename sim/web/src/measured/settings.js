@@ -111,16 +111,17 @@ export class Settings {
     return units;
   }
 
-  /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
+  /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string} empty: nothing */
   missing(read) {
-    if (read.kind === "acceleration") return []; // a phone names its units
+    if (read.kind === "acceleration") return ""; // a phone names its units
     const kinds = /** @type {("time" | "length" | "force")[]} */ (["time", read.kind]);
-    return kinds
+    const left = kinds
       .filter((kind) => !this.chosen[kind])
       .filter((kind) =>
         read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say")),
       )
       .map((kind) => WORDS[kind]);
+    return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
   }
 
   /** Of these, what is kept. */

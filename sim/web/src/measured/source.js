@@ -92,6 +92,11 @@ export class Source {
     for (const text of texts) download(one, text, "text/plain;charset=utf-8");
   }
 
+  /** A message with the lines that it names called so too. @param {string} name @param {string} text */
+  static told(name, text) {
+    return text.replace(/\bline (\d+)/g, (_, line) => Source.place(name, Number(line)));
+  }
+
   /** What a line of a text is called where it stands. @param {string} name @param {number} line */
   static place(name, line) {
     if (name !== TYPED) return `line ${line}`;

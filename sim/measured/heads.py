@@ -1,0 +1,75 @@
+"""What a column holds, by its unit and by what it is called in schools of many languages.
+
+A unit says it surely (m/s is a velocity, whatever stands before it), a word where no unit is. Whose
+column it is stands at the end: “Position 1”, “v_A”, “位置B”, “Position, Ch 2”.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Literal
+
+from sim.measured.units import plain_unit
+from sim.scene.quantity import LENGTH, SPEED, TIME
+
+Quantity = Literal["time", "pos", "vel", "acc"]
+
+WORDS: dict[Quantity, str] = {
+    "time": "t|time|timestamp|clock|zeit|uhrzeit|temps|tiempo|tempo|tid|tijd|czas|время|时间|時間|"
+    "时刻|時刻|masa|நேரம்",
+    "pos": "x|s|pos|position|place|distance|displacement|ort|weg|strecke|abstand|abscisse|posición|"
+    "posicion|distancia|posizione|posição|positie|läge|położenie|положение|координата|位置|位移|距离|"
+    "坐标|kedudukan|sesaran|jarak|நிலை|இடப்பெயர்ச்சி",
+    "vel": "v|vel|velocity|speed|geschwindigkeit|vitesse|velocidad|velocità|velocidade|snelheid|"
+    "hastighet|prędkość|скорость|速度|halaju|kelajuan|laju|வேகம்|திசைவேகம்",
+    "acc": "a|acc|acceleration|beschleunigung|accélération|aceleración|accelerazione|aceleração|"
+    "versnelling|acceleratie|przyspieszenie|ускорение|加速度|pecutan|முடுக்கம்",
+}
+SECONDS_SQUARED = re.compile(r"[cm]?m\W?s\W{0,2}[2²]|[cm]?m\W?s⁻²|g", re.I)
+SPEED_UNITS = r"(?:[cm]?m/s|km/h)"
+_SPEED_HEAD = re.compile(
+    rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:[\t;,|\"]|$|Run)", re.I
+)
+_NAMED = {
+    kind: re.compile(rf"\W*(?:{words})(?:(?:[\s_.,-]*(?:of\s+|ch\s*)?)"
+                     r"(?P<who>[A-Za-z0-9]{1,12}))?\W*", re.I)
+    for kind, words in WORDS.items()
+}  # fmt: skip
+_TIME = re.compile(rf"\W*(?:{WORDS['time']})(?:[\s_.-]+[A-Za-z0-9]{{1,8}}|\d{{0,2}})\W*", re.I)
+_WHO = re.compile(r".+?(?:[\s_.,-]+(?P<after>[A-Za-z0-9]{1,12})|(?P<digits>\d{1,2}))\W*")
+
+
+def is_time(name: str) -> bool:
+    """Whether a column with this name holds times; “Time 2” is the second sensor's."""
+    return _TIME.fullmatch(name) is not None
+
+
+def quantity_of(name: str, unit: str) -> tuple[Quantity | None, str]:
+    """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s."""
+    kind = _by_unit(unit)
+    for one, pattern in _NAMED.items():
+        match = pattern.fullmatch(name)
+        if match and one != "time" and kind in (None, one):
+            return one, match["who"] or ""
+    if kind is None or kind == "time":
+        return kind, ""
+    match = _WHO.fullmatch(name)
+    return kind, (match["after"] or match["digits"]) if match else ""
+
+
+def _by_unit(unit: str) -> Quantity | None:
+    unit = plain_unit(unit)
+    if not unit:
+        return None
+    if unit in TIME.units:
+        return "time"
+    if unit in LENGTH.units:
+        return "pos"
+    if unit in SPEED.units:
+        return "vel"
+    return "acc" if SECONDS_SQUARED.fullmatch(unit) else None
+
+
+def has_speeds(head: str) -> bool:
+    """Whether a line of heads names a unit of velocity or acceleration."""
+    return _SPEED_HEAD.search(head) is not None

@@ -1,0 +1,50 @@
+"""The readings of a standing cart are tidier than those of a moving one, and tell nothing of these.
+
+A compressed film repeats the picture of what stands still: on made films (H.264, crf 20) its mark
+is off by 0.07 mm, a moving one by 0.25 mm. One size of noise for all readings then comes out too
+small for the few frames of the contact, and the stiffness and the instant of the touch are told too
+surely. So where a cart that stands before the touch is clearly tidier, its residuals count as if
+they were as large as those of the moving readings.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from sim.measured.model.motion import Parameters
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+    Both = tuple[Floats, Floats]
+
+STANDS = 0.02
+"""Share of the approach below which a cart stands."""
+
+TIDIER = 0.5
+"""Times the noise of the moving ones. Of eight readings with one noise 2 in 100 are so tidy."""
+
+FEWEST = 8
+
+
+def as_if_moving(residuals: Both, t: Both, p: Parameters) -> Both:
+    """m. The residuals of both carts, those of a standing cart enlarged."""
+    import numpy as np
+
+    stands = tuple(
+        (times < p.touch) & (abs(v) < STANDS * p.approach) for times, v in zip(t, p.v, strict=True)
+    )
+    still = np.concatenate([r[k] for r, k in zip(residuals, stands, strict=True)])
+    moving = np.concatenate([r[~k] for r, k in zip(residuals, stands, strict=True)])
+    if len(still) < FEWEST or len(moving) < FEWEST:
+        return residuals
+    tidy, usual = (math.sqrt(float(np.mean(part**2))) for part in (still, moving))
+    if not 0.0 < tidy < TIDIER * usual:
+        return residuals
+    first, second = (
+        np.where(k, r * (usual / tidy), r) for r, k in zip(residuals, stands, strict=True)
+    )
+    return first, second
