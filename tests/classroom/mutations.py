@@ -11,8 +11,6 @@ and no cell of its tables begins a formula.
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import json
 import random
 import re
@@ -20,11 +18,8 @@ import sys
 from base64 import b64encode
 from collections import Counter
 from collections.abc import Callable
-from html.parser import HTMLParser
 from typing import Any
 
-from sim.classroom.report.class_csv import items_csv, students_csv
-from sim.classroom.show.report_page import report_html
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.handed_on import handed_on
 from sim.classroom.summary.merge import merged
@@ -32,6 +27,7 @@ from sim.classroom.summary.numbers import SummaryError
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
 from sim.classroom.tables.dropped import dropped_report
+from tests.classroom.sound import sound
 from tests.classroom.tables import judged
 
 HOSTILE = (
@@ -53,42 +49,6 @@ TABLES = (
     + "".join(f"S{k},{t},{k % 2},{k % 3},1\n" for t in ("pre", "post") for k in range(8)),
     "name,Q1,Q2,Q3\nKEY,a,b,c\n" + "".join(f"N{k},{'abcd'[k % 4]},b,-\n" for k in range(9)),
 )  # fmt: skip
-FORMULA = re.compile(r"[\s\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff\"']*[=+@＝＋＠]")
-NUMBER = re.compile(r"-?\d")
-ELEMENTS = frozenset(
-    (
-        "p",
-        "h2",
-        "h3",
-        "h4",
-        "h5",
-        "ul",
-        "ol",
-        "li",
-        "section",
-        "figure",
-        "div",
-        "table",
-        "thead",
-        "tbody",
-        "tr",
-        "th",
-        "td",
-        "bdi",
-        "small",
-        "span",
-        "details",
-        "summary",
-        "svg",
-        "g",
-        "path",
-        "circle",
-        "rect",
-        "line",
-        "text",
-        "title",
-    )
-)
 
 
 def of_table(dice: random.Random) -> str:
@@ -132,31 +92,6 @@ def of_summary(dice: random.Random) -> str:
     read = Read(unit="summaries", read=2, counted=2 - len(left_out), refused=left_out)
     sound(document(whole.lessons, whole.groups, read))
     return "left out" if left_out else "added"
-
-
-def sound(report: dict[str, Any]) -> None:
-    """JSON without NaN, HTML of ours alone, no cell that a spreadsheet would run."""
-    json.dumps(report, allow_nan=False)
-    reader = _Elements()
-    reader.feed(report_html(report))
-    assert reader.found <= ELEMENTS, reader.found - ELEMENTS
-    for text in (students_csv(report), items_csv(report)):
-        for row in csv.reader(io.StringIO(text.removeprefix("\ufeff"))):
-            for cell in row:
-                assert cell.startswith("'") or not FORMULA.match(cell), cell
-                assert not cell.startswith("-") or NUMBER.match(cell), cell
-
-
-class _Elements(HTMLParser):
-    """The elements of a page; none may have a handler, and no address leads anywhere."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.found: set[str] = set()
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.found.add(tag)
-        assert not [name for name, _ in attrs if name.startswith("on") or name in ("href", "src")]
 
 
 def _broken(content: bytes, dice: random.Random) -> bytes:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from sim.classroom.files.reading import Source
@@ -111,3 +113,11 @@ def school_files(seed: int, count: int, folder: str = "", **more: Any) -> list[S
 
 FORMS = ("pre", "post", "delayed")
 KEY = Source("key.json", keys(BANK, FORMS).encode())
+
+
+def lay(folder: Path, sources: Sequence[Source]) -> Path:
+    """Write them into a new folder."""
+    folder.mkdir(parents=True)
+    for source in sources:
+        (folder / source.name).write_bytes(source.content)
+    return folder

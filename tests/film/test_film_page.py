@@ -13,7 +13,7 @@ from sim.measured.tracks import read_measured
 from tests.film.collision import QUICK, Filmed, filmed
 from tests.film.maker import Stage, encoded, frames
 from tests.measured.makers import truth
-from tests.web.classroom.test_class_page import CATCH, LAST
+from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
 from tests.web.figures.measured_site import build_measured
 from tests.web.runtime.boot_site import ROOT

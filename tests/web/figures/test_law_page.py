@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.classroom.test_class_page import CATCH, LAST
+from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
 from tests.web.figures.law_site import build_law
 

@@ -14,7 +14,7 @@ from sim.measured.tracks import read_measured
 from tests.measured.devices import Motion, phone, sensor_carts
 from tests.measured.makers import as_text, film, truth
 from tests.measured.test_devices import below
-from tests.web.classroom.test_class_page import CATCH, LAST
+from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
 from tests.web.figures.measured_site import build_measured
 

@@ -1,0 +1,110 @@
+"""What the page “Class results” saves, prints and deletes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sim.classroom.files.reading import Source
+from tests.classroom.makers import random_class, sources
+from tests.web.classroom.class_site import BANK, KEY, choose, complete, saved
+from tests.web.conftest import OpenPage
+
+pytestmark = pytest.mark.browser
+
+
+SAVED = {
+    "html": "<!doctype html>",
+    "csv": "lesson,form,group,student",
+    "items": "lesson,form,item",
+}
+
+
+@pytest.mark.one_browser
+def test_reports_and_tables_are_saved(page: Page) -> None:
+    choose(page, [*sources(random_class(BANK, 6)), KEY])
+    complete(page)
+    for name, begins in SAVED.items():
+        text = saved(page, f".carts-class-save-{name}").decode("utf-8-sig")
+        assert text.startswith(begins)
+        assert "FOX-1" in text or name == "items"
+    assert saved(page, ".carts-class-save-png").startswith(b"\x89PNG")
+
+
+@pytest.mark.one_browser
+def test_a_table_of_marks_is_dropped_told_apart_and_left_out(page: Page) -> None:
+    before = "student,total\n" + "".join(f"S{k},{5 + k % 4}\n" for k in range(12))
+    after = "student,total\n" + "".join(f"S{k},{9 + k % 5}\n" for k in range(12))
+    choose(page, [Source("one.csv", before.encode()), Source("two.csv", after.encode())])
+    tables = page.locator(".carts-class-tables")
+    expect(tables.locator("li")).to_have_count(2, timeout=60_000)
+    tables.locator("select").nth(0).select_option("pre")
+    tables.locator("select").nth(1).select_option("post")
+    tables.locator("input").fill("15")
+    report = page.locator(".carts-class-report")
+    expect(report).to_contain_text("Hake's gain", timeout=60_000)
+    tables.get_by_role("button", name="Leave out").first.click()
+    expect(tables.locator("li")).to_have_count(1)
+    expect(report).not_to_contain_text("Hake's gain")
+
+
+@pytest.mark.one_browser
+def test_everything_can_be_deleted(page: Page) -> None:
+    choose(page, [*sources(random_class(BANK, 6)), KEY])
+    complete(page)
+    page.get_by_role("button", name="Delete everything").click()
+    page.get_by_role("button", name="Delete", exact=True).click()
+    expect(page.locator(".carts-class-report")).to_be_empty()
+    expect(page.locator(".carts-class-list > summary")).to_have_text("Files: 0, no key file")
+    choose(page, [sources(random_class(BANK, 1))[0]])
+    expect(page.locator(".carts-class-report")).to_contain_text("1 of 1 files")
+
+
+@pytest.mark.one_browser
+def test_it_prints_without_its_controls_and_fits_a_phone(page: Page) -> None:
+    choose(page, [*sources(random_class(BANK, 6)), KEY])
+    complete(page)
+    page.set_viewport_size({"width": 360, "height": 700})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    if page.context.browser and page.context.browser.browser_type.name == "chromium":
+        page.emulate_media(media="print")  # Firefox's driver cannot
+        expect(page.locator(".carts-class-controls")).to_be_hidden()
+        expect(page.locator(".carts-class-table.means")).to_be_visible()
+
+
+def test_on_the_real_page_a_worksheet_needs_no_key_and_the_report_is_what_prints(
+    site: Path, open_page: OpenPage
+) -> None:
+    from tests.classroom.test_practice_keys import keys_of
+
+    key = [k for k in keys_of(site) if k["lesson"] == "newtons-third-law"][-1]  # the original
+    item = next(i for i in key["forms"][0]["items"] if i["type"] == "single")
+    number = 1 + key["forms"][0]["items"].index(item)
+    right = item["key"]["correct"][0]
+    time = "2026-09-01T08:00:00.000Z"
+    files = [
+        {
+            "format": 1, "kind": "newtons-carts-answers", "site": key["site"],
+            "lesson": key["lesson"], "lessonHash": "", "student": f"FOX-{k}", "form": "worksheet",
+            "created": time, "saved": time, "items": [
+                {"id": item["id"], "hash": item["hash"], "type": "single", "tries": 1,
+                 "value": right if k < 4 else "", "first": time, "last": time}
+            ],
+        }
+        for k in range(6)
+    ]  # fmt: skip
+    page = open_page(site / "teachers" / "class-results.html", folder=site)
+    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1)
+    choose(page, sources(files))
+    cell = page.get_by_role("cell", name=f"Question {number}", exact=True)
+    row = page.locator(".carts-class-table.overview tr").filter(has=cell)
+    expect(row).to_contain_text("4 of 6", timeout=60_000)
+    complete(page)
+    if page.context.browser and page.context.browser.browser_type.name == "chromium":
+        page.emulate_media(media="print")
+        expect(page.locator("h1")).to_be_visible()
+        expect(row).to_be_visible()
+        expect(page.locator(".carts-class-controls")).to_be_hidden()
+        expect(page.locator("#five-minutes")).to_be_hidden()
