@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import math
 import re
-import zipfile
-from collections.abc import Callable, Sequence
 from random import Random
 from typing import Any
 
@@ -14,11 +11,8 @@ import pytest
 
 from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.events.story import Hints, story_of
-from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
-from sim.measured.units import Units
-from sim.measured.zipped import texts_of
-from tests.measured.devices import Motion, motion_capture, phone, sensor_carts, tracker_project
+from tests.measured.devices import Motion, motion_capture, sensor_carts, tracker_project
 
 FILMED = 2e-4
 """m. Ten standard deviations of the noise that the makers add."""
@@ -171,84 +165,6 @@ def test_momentum_of_weighed_carts_agrees_and_that_of_wrong_masses_does_not() ->
     assert not wrong["momentum"]["agree"]
 
 
-def test_a_tracker_project_holds_places_times_and_scale() -> None:
-    made = Motion(v=(0.5, -0.1), until=2.0, touch=1.0)
-    found = read_measured([tracker_project(made)])
-    assert found.names == ("A", "B")
-    times = list(found.tracks[0].t)
-    assert times[0] == pytest.approx(0.0)
-    for cart, track in enumerate(found.tracks):
-        assert track.value == pytest.approx(made.places(cart, times), abs=3e-3)
-    told = report(tracker_project(made))
-    assert told["outcome"] == "bounce"
-    one = known(told)["mass_ratio"]
-    assert one["low"] <= made.ratio <= one["high"]
-
-
-@pytest.mark.parametrize(
-    ("change", "reason"),
-    [
-        (("</object>\n", ""), "damaged"),
-        (('"delta_t"', '"other"'), "frame to frame"),
-        (("800.0", "1.0"), "no length scale"),
-        (('type="double">2.0<', 'type="double">two<'), "no number"),
-        (("<object class", "<!DOCTYPE a [<!ENTITY b 'c'>]><object class"), "document type"),
-        (("PointMass", "Else"), "no point mass"),
-    ],
-)
-def test_a_project_that_says_too_little_is_refused(change: tuple[str, str], reason: str) -> None:
-    text = tracker_project(Motion()).replace(*change)
-    with pytest.raises(ReadingError) as caught:
-        read_measured([text])
-    fault = caught.value.faults[0]
-    assert reason in fault.reason
-    assert 1 <= fault.line <= text.count("\n") + 1
-
-
-def test_phones_are_read_along_the_way_they_are_pushed_also_from_a_zip() -> None:
-    texts = [phone(Motion(), k, seed=k) for k in (0, 1)]
-    found = read_measured(texts)
-    assert found.kind == "acceleration"
-    assert any("(0.6" in note and "0.8" in note for note in found.notes)
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w") as pack:
-        pack.writestr("meta/device.csv", "property,value\n")
-        pack.writestr("Raw Data.csv", texts[0])
-    assert texts_of(packed.getvalue()) == [texts[0].removeprefix("\ufeff")]
-    with pytest.raises(ReadingError, match="damaged"):
-        texts_of(packed.getvalue()[:300])
-
-
-def test_one_phone_is_refused_by_name() -> None:
-    with pytest.raises(ReadingError, match="1 phones: two are needed"):
-        read_measured([phone(Motion(), 0)])
-
-
-def test_runs_side_by_side_and_below_each_other_are_told_and_one_is_read() -> None:
-    text = sensor_carts(LOGGED).removeprefix("\ufeff")
-    lines = text.splitlines()
-    below = "\n".join([*lines, *lines[1:]])
-    found = read_measured([below])
-    assert any("the time starts anew in line" in note for note in found.notes)
-    assert len(found.tracks[0].t) == len(lines) - 1
-    heads = lines[0].strip('"').split('","')
-    both = [",".join(f'"Run {n}: {h}"' for n in (1, 2) for h in heads)]
-    both += [f"{line},{line}" for line in lines[1:]]
-    found = read_measured(["\n".join(both)])
-    assert any("other runs in the file: 2" in note for note in found.notes)
-    assert len(found.tracks) == 2
-
-
-def test_a_lost_cart_leaves_a_gap_that_is_named() -> None:
-    lines = sensor_carts(LOGGED).splitlines()
-    for k in range(30, 36):
-        cells = lines[k].split(",")
-        lines[k] = ",".join([cells[0], "", "", "", *cells[4:]])
-    found = read_measured(["\n".join(lines)])
-    assert any("6 rows without a reading" in note for note in found.notes)
-    assert any("no reading from" in note for note in found.notes)
-
-
 def every_number(told: Any) -> list[float]:
     if isinstance(told, dict):
         return [x for value in told.values() for x in every_number(value)]
@@ -287,35 +203,3 @@ def test_readings_without_a_contact_are_refused_with_a_code() -> None:
     assert found.refused is not None
     assert found.report["refused"]["code"] in ("no-contact", "no-change", "no-approach")
     assert found.report["refused"]["sentence"]
-
-
-def beside(texts: Sequence[str]) -> str:
-    """Logs of equal length as runs side by side, as loggers export them."""
-    lines = [text.removeprefix("\ufeff").splitlines() for text in texts]
-    heads = [",".join(f"{name.strip(chr(34))} Run #{k}" for name in rows[0].split(","))
-             for k, rows in enumerate(lines, 1)]  # fmt: skip
-    rows = [",".join(parts) for parts in zip(*(one[1:] for one in lines), strict=True)]
-    return "\n".join([",".join(heads), *rows]) + "\n"
-
-
-def below(texts: Sequence[str]) -> str:
-    """Logs one under the other: the time starts anew."""
-    first, *others = [text.splitlines() for text in texts]
-    return "\n".join([*first, *(line for one in others for line in one[1:])]) + "\n"
-
-
-@pytest.mark.parametrize("together", [beside, below], ids=["side by side", "below each other"])
-def test_of_several_runs_the_one_that_is_asked_for_is_read(
-    together: Callable[[Sequence[str]], str],
-) -> None:
-    texts = [sensor_carts(Motion(), seed=k) for k in (1, 2, 3)]
-    text = together(texts)
-    for k, one in enumerate(texts, 1):
-        found, alone = read_measured([text], Units(run=k)), read_measured([one])
-        assert found.runs == ("1", "2", "3")
-        assert [track.t for track in found.tracks] == [track.t for track in alone.tracks]
-        assert [track.value for track in found.tracks] == [t.value for t in alone.tracks]
-    assert read_measured([text]).tracks[0].value == read_measured([texts[0]]).tracks[0].value
-    with pytest.raises(ReadingError, match="there is no run 4: this file has 3"):
-        read_measured([text], Units(run=4))
-    assert read_measured([texts[0]]).runs == ()

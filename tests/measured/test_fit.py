@@ -12,14 +12,12 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
-from sim.measured.made import filmed
 from sim.measured.model.effects import called_for, compare
 from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.known import told
 from sim.measured.model.motion import Motion, Parameters
-from sim.measured.refusal import FitError
 from sim.measured.report import motion_report
-from sim.measured.tracks import Measured, between
+from sim.measured.tracks import Measured
 from sim.measured.words import of_balance
 from sim.scene import read_scene
 from tests.measured.makers import NOISE, TOLD, Truth, film, random_truth, truth
@@ -224,24 +222,6 @@ def test_centimetres_taken_for_metres_are_noticed() -> None:
     assert any("really in the units" in one for one in said)
     said = motion_report(measured, fit(measured))["sentences"]
     assert not any("really in the units" in one for one in said)
-
-
-def parted() -> Measured:
-    scene = read_scene({"carts": {"A": {"mass": 1, "position": 0.3, "velocity": 0.1},
-                                  "B": {"mass": 1, "position": 0.9, "velocity": 0.5}},
-                        "until": 1})  # fmt: skip
-    return filmed(scene, rate=60, noise=NOISE, seed=1)
-
-
-def before_only() -> Measured:
-    return between(film(truth()), None, 0.3)
-
-
-@pytest.mark.parametrize("measured", [parted(), before_only()], ids=["parting", "before only"])
-def test_readings_without_a_contact_are_refused_in_words(measured: Measured) -> None:
-    with pytest.raises(FitError) as caught:
-        fit(measured)
-    assert caught.value.hint
 
 
 @pytest.mark.parametrize("e", [0.0, 1.0])

@@ -1,0 +1,62 @@
+"""Logs of phones and sensors in a page: zipped, of two phones, with several runs."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.measured.devices import Motion, phone, sensor_carts
+from tests.measured.test_device_files import below
+from tests.web.conftest import OpenPage
+from tests.web.figures.test_measured_page import LIVE, STARTS, benches, choose, opened
+
+__all__ = ["benches"]  # a fixture
+
+pytestmark = pytest.mark.browser
+
+
+def test_two_phones_of_which_one_zipped_its_log_are_compared(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    first, second = (phone(Motion(), cart, seed=cart, clock=0.3 * cart) for cart in (0, 1))
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as pack:
+        pack.writestr("meta/device.csv", "property,value\n")
+        pack.writestr("Raw Data.csv", first)
+    payloads = [
+        {"name": "left.zip", "mimeType": "application/zip", "buffer": packed.getvalue()},
+        {"name": "right.csv", "mimeType": "text/csv", "buffer": second.encode()},
+    ]
+    page.locator(".carts-measured-file").set_input_files(payloads)  # type: ignore[arg-type]
+    result = page.locator(".carts-measured-result")
+    expect(result).to_contain_text("Greatest acceleration of", timeout=STARTS)
+    expect(result).to_contain_text("clock is set by the contact itself")
+    expect(page.locator(".carts-measured-legend")).to_contain_text("phone on")
+    damaged = {**payloads[0], "buffer": packed.getvalue()[:300]}
+    page.locator(".carts-measured-file").set_input_files([damaged])  # type: ignore[arg-type]
+    expect(page.locator(".carts-measured-faults")).to_contain_text("damaged")
+    expect(result).to_contain_text("Greatest acceleration of")  # the last good one stays
+
+
+@pytest.mark.one_browser
+def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPage) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    logs = [sensor_carts(Motion(), seed=seed) for seed in (1, 2)]
+    choose(page, "log.csv", below(logs).removeprefix("\ufeff"))
+    run = page.locator(".carts-measured-run")
+    expect(run).to_be_visible(timeout=STARTS)
+    expect(run).to_have_value("1")
+    first = page.locator(".carts-measured-table table").text_content()
+    run.select_option("2")
+    expect(page.locator(".carts-measured-table table")).not_to_have_text(first or "")
+    page.reload()
+    expect(run).to_have_value("2", timeout=STARTS)  # kept with the readings
+    choose(page, "one.csv", logs[0].removeprefix("\ufeff"))
+    expect(run).to_be_hidden()
