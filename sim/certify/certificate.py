@@ -32,7 +32,7 @@ from sim.certify.instants import Instant
 from sim.certify.row import Told
 from sim.certify.run import MOST_EVENTS, BallRun
 from sim.scene.model import Scene
-from sim.scene.said import said
+from sim.scene.said import reason_of, said
 
 BITS = (160, 320, 1280, 5120)
 """Precision of the balls, one after the other. A pair is done with the first; a thousand contacts
@@ -161,7 +161,7 @@ def _run(
     except NotProvableError as error:
         told = () if run is None else _sorted(run, names)
         hopeless = isinstance(error, NoBoundError)
-        return Certificate({}, {}, told, False, error.args[0], ctx.prec, hopeless)
+        return Certificate({}, {}, told, False, reason_of(error), ctx.prec, hopeless)
     events = _sorted(run, names)
     doubt = run.doubt or _unordered(events)
     seen = {
