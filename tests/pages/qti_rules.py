@@ -8,7 +8,8 @@ public repository oat-sa/qti-sdk. Compared type by type: AssessmentItem, -ItemRe
 ResponseDeclaration, OutcomeDeclaration, DefaultValue, Mapping, OutcomeProcessing,
 ResponseCondition, ResponseIf, NumericLogic1toMany, OrderInteraction, MatchInteraction,
 SimpleMatchSet, SimpleChoice, SimpleAssociableChoice, ModalFeedback with its content body, content
-of a rubric, lists, breaks, and every type of the manifest. The others follow the model's document
+of a rubric, lists, breaks, Equal, StringMatch, ExtendedTextInteraction, TextEntryInteraction,
+TestPart, and every type of the manifest. The others follow the model's document
 and its examples.
 """
 
