@@ -67,8 +67,8 @@ def test_the_installed_runtime_is_what_its_own_sources_give(
 
     (source,) = installed.folder.glob("lib/*/site-packages/sim")
     packed = runtime.pack(
-        tmp_path, packages=frozenset({runtime.TEACHER}), cache=CACHE, report=lambda _: None,
-        source=source,
+        tmp_path, packages=frozenset({runtime.TEACHER, runtime.PROOF}), cache=CACHE,
+        report=lambda _: None, source=source,
     )  # fmt: skip
     folder = made / "site" / "assets" / "carts" / "runtime"
     assert {p.name: p.read_bytes() for p in packed.folder.iterdir()} == {
