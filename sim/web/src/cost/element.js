@@ -99,7 +99,10 @@ export function costElement(client) {
     async compute(point) {
       this.#generation += 1;
       const generation = this.#generation;
-      if (point) this.#select("method").value = point.method;
+      if (point) {
+        this.#select("method").value = point.method;
+        this.#note("The point of the map is being run …");
+      }
       const method = this.#select("method").value;
       const adaptive = ADAPTIVE.includes(method);
       this.#select("step").hidden = adaptive;
