@@ -1888,7 +1888,8 @@
     /** The handle that was held, after all was drawn anew. @param {string} cart @param {number} at s */
     #focus(cart, at) {
       const off = (edge) => Math.abs(Number(edge.getAttribute("aria-valuenow")) - at);
-      const edges = [...this.#row(cart)?.querySelectorAll(".carts-measured-edge") ?? []];
+      const within = this.#row(cart) ?? this.place;
+      const edges = [...within.querySelectorAll(".carts-measured-edge")];
       const nearest = edges.sort((a, b) => off(a) - off(b))[0];
       if (nearest instanceof HTMLElement) nearest.focus();
     }

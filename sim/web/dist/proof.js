@@ -221,9 +221,10 @@
     /** Another run is there: what was proved is no longer of it. */
     forget() {
       this.#turn += 1;
+      const was = !this.table.hidden;
       this.table.hidden = true;
       this.#show(null);
-      say(this.note, "");
+      say(this.note, was ? tr("The values have changed: prove them again.") : "");
     }
     /** @param {Band | null} band null: none */
     #show(band) {

@@ -233,7 +233,8 @@ export class Strip {
   #focus(cart, at) {
     const off = (/** @type {Element} */ edge) =>
       Math.abs(Number(edge.getAttribute("aria-valuenow")) - at);
-    const edges = [...(this.#row(cart)?.querySelectorAll(".carts-measured-edge") ?? [])];
+    const within = this.#row(cart) ?? this.place; // “As found” is gone: the first boundary then
+    const edges = [...within.querySelectorAll(".carts-measured-edge")];
     const nearest = edges.sort((a, b) => off(a) - off(b))[0];
     if (nearest instanceof HTMLElement) nearest.focus();
   }
