@@ -60,16 +60,9 @@ def _instants(scene: Scene) -> list[float]:
 def _band(scene: Scene, found: Certificate) -> dict[str, Any] | None:
     if not found.seen:
         return None
-    names = [cart.name for cart in scene.carts]
-    rows = [
-        {name: bounds(ball) for name, ball in zip(names, balls, strict=True)}
+    rows = found.seen.values()
+    x, v = (
+        {cart.name: [bounds(row[which][k]) for row in rows] for k, cart in enumerate(scene.carts)}
         for which in (0, 1)
-        for balls in (row[which] for row in found.seen.values())
-    ]
-    count = len(found.seen)
-    x, v = rows[:count], rows[count:]
-    return {
-        "t": list(found.seen),
-        "x": {name: [row[name] for row in x] for name in names},
-        "v": {name: [row[name] for row in v] for name in names},
-    }
+    )
+    return {"t": list(found.seen), "x": x, "v": v}
