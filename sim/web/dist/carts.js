@@ -1108,12 +1108,8 @@
             await client2.need(PACKAGES);
           }
           const scene = point?.scene ?? this.#scene;
-          const { header, numbers } = await client2.ask(this, () => ({
-            kind: "cost",
-            scene,
-            method,
-            ...size
-          }));
+          const message = { kind: "cost", scene, method, ...size };
+          const { header, numbers } = await client2.ask(this, () => message);
           if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();

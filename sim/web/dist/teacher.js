@@ -3653,21 +3653,31 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   var shape = (pieces) => pieces.map(({ kind, name, id }) => `${kind} ${name} ${id}`).join("\n");
   var plain = (text2) => text2.replace(/\r\n?/g, "\n");
 
-  // src/teach/source.js
-  async function loadLesson(address) {
-    const page2 = (
+  // src/shared/bring.js
+  function bring(name, address) {
+    const known = () => (
       /** @type {any} */
-      globalThis
+      globalThis[name] ?? null
     );
-    await new Promise((resolve, reject) => {
+    if (known()) return Promise.resolve(known());
+    return new Promise((resolve) => {
       const script = document.createElement("script");
       script.src = address;
-      script.onload = resolve;
-      script.onerror = () => reject(new Error("the lesson's text is missing in this site"));
+      script.onload = () => resolve(known());
+      script.onerror = () => {
+        script.remove();
+        resolve(null);
+      };
       document.head.append(script);
     });
-    const packed2 = page2.__cartsLesson;
-    delete page2.__cartsLesson;
+  }
+
+  // src/teach/source.js
+  async function loadLesson(address) {
+    const packed2 = await bring("__cartsLesson", address);
+    if (packed2 === null) throw new Error("the lesson's text is missing in this site");
+    delete /** @type {any} */
+    globalThis.__cartsLesson;
     const bytes = Uint8Array.from(atob(packed2), (letter) => letter.charCodeAt(0));
     const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
     return JSON.parse(decoder.decode(await gunzip([bytes])));

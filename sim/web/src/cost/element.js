@@ -116,12 +116,8 @@ export function costElement(client) {
           await client.need(PACKAGES);
         }
         const scene = point?.scene ?? this.#scene;
-        const { header, numbers } = await client.ask(this, () => ({
-          kind: "cost",
-          scene,
-          method,
-          ...size,
-        }));
+        const message = { kind: "cost", scene, method, ...size };
+        const { header, numbers } = await client.ask(this, () => message);
         if (generation !== this.#generation) return;
         if (!header.ok) throw refusal(header.problems ?? []);
         this.#live();

@@ -1,6 +1,7 @@
 /** The lesson's text as the build shipped it, see sim/pages/teach/publish.py. */
 
 import { gunzip } from "../runtime/payload.js";
+import { bring } from "../shared/bring.js";
 
 /**
  * @typedef {object} Told
@@ -14,16 +15,9 @@ import { gunzip } from "../runtime/payload.js";
 
 /** @param {string} address of the script @returns {Promise<Told>} */
 export async function loadLesson(address) {
-  const page = /** @type {any} */ (globalThis);
-  await new Promise((resolve, reject) => {
-    const script = document.createElement("script");
-    script.src = address;
-    script.onload = resolve;
-    script.onerror = () => reject(new Error("the lesson's text is missing in this site"));
-    document.head.append(script);
-  });
-  const packed = page.__cartsLesson;
-  delete page.__cartsLesson;
+  const packed = await bring("__cartsLesson", address);
+  if (packed === null) throw new Error("the lesson's text is missing in this site");
+  delete (/** @type {any} */ (globalThis).__cartsLesson);
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
   return JSON.parse(decoder.decode(await gunzip([bytes])));
