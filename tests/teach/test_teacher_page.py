@@ -133,11 +133,14 @@ def chromium(driver: Any) -> Any:
     started.close()
 
 
-def test_every_lesson_is_saved_as_it_is_on_disk_with_the_teachers_own_file(
+def test_a_lesson_of_each_kind_is_saved_as_it_is_on_disk_with_the_teachers_own_file(
     lessons: Path, chromium: Browser
 ) -> None:
+    """With notes for teachers, with nothing that is withheld, an exam; every lesson's text is held
+    in `test_round_trip.py`."""
     page = chromium.new_page()
-    for path in sorted((ROOT / "worksheets").glob("*.md")):
+    for name in (LESSON, "return-week-1", "test-forces-and-motion"):
+        path = ROOT / "worksheets" / f"{name}.md"
         page.goto((lessons / "worksheets" / f"{path.stem}.html").as_uri() + "?teacher")
         page.wait_for_selector(".carts-teach:is([data-state=ready], [data-state=asks])")
         asks = page.get_attribute(".carts-teach", "data-state") == "asks"

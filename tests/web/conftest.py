@@ -45,8 +45,9 @@ OpenPage = Callable[..., Page]
 
 
 def launch(driver: Playwright, name: str) -> Browser:
-    """Start a browser by name."""
-    return getattr(driver, name).launch(**LAUNCH[name])
+    """Start a browser by name; Chromium without a desktop's windows where Debian has it so."""
+    light = {"executable_path": LIGHT} if name == "chromium" and LIGHT.exists() else {}
+    return getattr(driver, name).launch(**LAUNCH[name] | light)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -66,6 +67,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 _drivers: list[Playwright] = []  # at most one: a second in the same process refuses to start
+_running: dict[str, Browser] = {}
+"""The browsers that run, by name: each is started once and stays for the files to come (started anew
+for every file Chromium costs a second, Firefox three)."""
 
 
 @pytest.fixture(scope="session")
@@ -77,6 +81,9 @@ def driver() -> Iterator[Playwright]:
     with sync_playwright() as started:
         _drivers.append(started)
         yield started
+        for running in _running.values():
+            running.close()
+        _running.clear()
         _drivers.clear()
 
 
@@ -86,13 +93,12 @@ def browser_name(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture(scope="session")
-def browser(driver: Playwright, browser_name: str) -> Iterator[Browser]:
+def browser(driver: Playwright, browser_name: str) -> Browser:
     if not Path(LAUNCH[browser_name]["executable_path"]).exists():
         pytest.fail(f"{browser_name} is not installed: run `make browsers`")
-    light = {"executable_path": LIGHT} if browser_name == "chromium" and LIGHT.exists() else {}
-    started = getattr(driver, browser_name).launch(**LAUNCH[browser_name] | light)
-    yield started
-    started.close()
+    if browser_name not in _running or not _running[browser_name].is_connected():
+        _running[browser_name] = launch(driver, browser_name)
+    return _running[browser_name]
 
 
 @pytest.fixture

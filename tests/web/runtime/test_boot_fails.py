@@ -86,7 +86,7 @@ def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_si
         "window.Worker = class extends Worker {\n"
         "  constructor(...given) { super(...given); setTimeout(() => this.terminate(), 50); }\n"
         "};\n"
-        "window.bootPatience = 12;\n",
+        "window.bootPatience = 6;\n",
         encoding="utf-8",
     )
     page = open_page(

@@ -73,11 +73,19 @@ def opened(site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int]
     )
 
 
+def large_enough(page: Page, least: float) -> None:
+    """Carts to take hold of, at least `least` px long, and letters to read."""
+    carts, letters = page.evaluate(LENGTHS), page.evaluate(LETTERS)
+    assert carts and letters
+    assert [one for one in carts if one["length"] < least] == []
+    assert [one for one in letters if one["size"] < LEAST_LETTER] == []
+
+
 @pytest.mark.parametrize(
     "lesson",
     [*LESSONS[:2], *(pytest.param(name, marks=pytest.mark.one_browser) for name in LESSONS[2:])],
 )
-def test_on_a_laptop_everything_one_plays_with_is_seen_together(
+def test_on_a_laptop_everything_one_plays_with_is_seen_together_and_large_enough(
     site: Path, open_page: OpenPage, lesson: str
 ) -> None:
     page, (_, height) = opened(site, open_page, lesson, LAPTOP), LAPTOP
@@ -87,29 +95,18 @@ def test_on_a_laptop_everything_one_plays_with_is_seen_together(
     all_shown(page)
     assert too_low(page, height, {**parts, ".carts-plot": 2}) == []
     assert page.evaluate(WIDTHS) == before  # the picture never shrinks
+    large_enough(page, least=64)
 
 
 @pytest.mark.one_browser
 @pytest.mark.parametrize("lesson", LESSONS)
-def test_on_a_phone_picture_and_play_are_seen_together(
+def test_on_a_phone_picture_and_play_are_seen_together_and_large_enough(
     site: Path, open_page: OpenPage, lesson: str
 ) -> None:
     page, (_, height) = opened(site, open_page, lesson, PHONE), PHONE
     assert too_low(page, height, {".carts-stage": 1, ".carts-play": 1}) == []
-
-
-@pytest.mark.one_browser
-@pytest.mark.parametrize(("screen", "least"), [(LAPTOP, 64), (PHONE, 36)])
-@pytest.mark.parametrize("lesson", LESSONS)
-def test_carts_are_large_enough_to_take_hold_of_and_letters_to_read(
-    site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int], least: float
-) -> None:
-    page = opened(site, open_page, lesson, screen)
     all_shown(page)
-    carts, letters = page.evaluate(LENGTHS), page.evaluate(LETTERS)
-    assert carts and letters
-    assert [one for one in carts if one["length"] < least] == []
-    assert [one for one in letters if one["size"] < LEAST_LETTER] == []
+    large_enough(page, least=36)
 
 
 @pytest.mark.one_browser
