@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from sim.scene.said import Said, said, template
+from sim.scene.said import Said, counted, said
 
 FEWEST = 5
 """Students. Below, answers are listed and nothing is computed from them."""
@@ -31,10 +31,15 @@ def numbers(values: Sequence[float]) -> tuple[float, ...]:
     return found
 
 
-STUDENTS = template("{n} students: at least {needed} are needed")
+def of_students(n: int, needed: int) -> Said:
+    """That there are too few students."""
+    return counted(
+        "1 student: at least {needed} are needed", "{n} students: at least {needed} are needed",
+        n=n, needed=f"{needed}",
+    )  # fmt: skip
 
 
-def at_least(count: int, needed: int, says: str = STUDENTS) -> None:
-    """Refuses a group that is too small; `says`: a template with the places n and needed."""
+def at_least(count: int, needed: int, says: Callable[[int, int], Said] = of_students) -> None:
+    """Refuses a group that is too small; `says`: the sentence of how many are there and needed."""
     if count < needed:
-        raise RefusalError(Said(says, {"n": str(count), "needed": str(needed)}))
+        raise RefusalError(says(count, needed))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -17,18 +17,23 @@ from sim.country.said import belief_rows_of, prediction_rows_of
 from sim.country.sums import cells_of, groups_of, lessons_of
 from sim.country.topics import topic_rows_of, topics_in
 from sim.lesson.csv_text import safe_text
-from sim.scene.said import Said, said, template
+from sim.scene.said import counted, said
 
-SAYS = {
-    "same": ("same-file", template(
+SAYS: Mapping[str, tuple[str, Callable[[int], str]]] = {
+    "same": ("same-file", lambda n: counted(
+        "1 file holds the answers of another file of its code word: these count once. Is that what "
+        "happened? It is:",
         "{n} files hold the answers of another file of their code word: these count once. Is that "
-        "what happened? One of them:")),
-    "again": ("saved-again", template(
+        "what happened? One of them:", n=n)),
+    "again": ("saved-again", lambda n: counted(
+        "1 file was saved by a student who saved again: the last one counts. Is that what "
+        "happened? It is:",
         "{n} files were saved by students who saved again: the last one counts. Is that what "
-        "happened? One of them:")),
-    "doubled": ("doubled-id", template(
+        "happened? One of them:", n=n)),
+    "doubled": ("doubled-id", lambda n: counted(
+        "1 file shares its code word and differs: it does not count. Is that what happened? It is:",
         "{n} files share a code word and differ: none of them counts. Is that what happened? One "
-        "of them:")),
+        "of them:", n=n)),
 }  # fmt: skip
 
 
@@ -87,16 +92,20 @@ def _flags(counts: Counts) -> list[Flag]:
         found: list[Cell] = [cell for cell in counts.claims if cell["claim"] == claim]
         if found:
             n = sum(cell["n"] for cell in found)
-            text = Said(words, {"n": f"{n:,}"})
-            flags.append(Flag(code, text, tuple(cell["of"] for cell in found)))
+            flags.append(Flag(code, words(n), tuple(cell["of"] for cell in found)))
     if counts.nameless:
-        text = said("{n} files have no code word: each counts as a person of its own.",
-                    n=f"{counts.nameless:,}")  # fmt: skip
+        text = counted("1 file has no code word: it counts as a person of its own.",
+                       "{n} files have no code word: each counts as a person of its own.",
+                       n=counts.nameless)  # fmt: skip
         flags.append(Flag("no-code", text, ()))
     foreign = sum(cell["n"] for cell in counts.totals if cell["foreign"])
     if foreign:
-        text = said("{n} files hold answers to another wording of a question. They are listed and "
-                    "not counted.", n=f"{foreign:,}")  # fmt: skip
+        text = counted(
+            "1 file holds answers to another wording of a question. It is listed and not counted.",
+            "{n} files hold answers to another wording of a question. They are listed and not "
+            "counted.",
+            n=foreign,
+        )
         flags.append(Flag("foreign-version", text, ()))
     return flags
 
@@ -110,5 +119,7 @@ def _notes(counts: Counts) -> list[str]:
     )
     if not left:
         return []
-    return [said("{n} files were written without the key that others had: they are not counted.",
-                 n=f"{left:,}")]  # fmt: skip
+    return [counted(
+        "1 file was written without the key that others had: it is not counted.",
+        "{n} files were written without the key that others had: they are not counted.", n=left,
+    )]  # fmt: skip

@@ -16,7 +16,7 @@ from urllib.parse import quote
 
 import yaml
 
-from sim.pages.language import tr
+from sim.pages.language import tr, tr_counted
 
 HOME = "index.md"
 CLASS_RESULTS = "class-results.md"
@@ -132,7 +132,9 @@ def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
         yield ""
         words = [_plain(str(head["description"]))] if head.get("description") else []
         words += (
-            [tr("{n} minutes.", n=head["minutes"])] if isinstance(head.get("minutes"), int) else []
+            [tr_counted("1 minute.", "{n} minutes.", n=head["minutes"])]
+            if isinstance(head.get("minutes"), int)
+            else []
         )
         yield from ([" ".join(words), ""] if words else [])
 

@@ -10,7 +10,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from sim.pages.language import tr_html
+from sim.pages.language import tr_counted, tr_html
 
 _UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
 
@@ -25,7 +25,7 @@ def templates(package: str) -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    made.globals["tr"] = tr_html
+    made.globals |= {"tr": tr_html, "tr_counted": tr_counted}
     made.filters["lower_first"] = lambda text: text[:1].lower() + text[1:]
     return made
 

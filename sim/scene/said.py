@@ -5,6 +5,12 @@
 It is English text wherever text is wanted. Who speaks another language takes the template, which is
 its key in the catalogues, and the values, which may be sentences themselves; no finished sentence
 is ever taken apart. Templates stand in the call as text: that is how the catalogues find them.
+
+    counted("1 run", "{n} runs", n=3)
+
+English has a form for one and a form for more; other languages have one, three or six of them. A
+catalogue gives all forms of its language under the form for more, and under the empty key which of
+them each number takes: `FORMS`, `form_of`.
 """
 
 from __future__ import annotations
@@ -14,28 +20,58 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 PLACE = re.compile(r"\{(\w+)\}")
+FORMS = "\0"
+"""Stands between the forms of a counted sentence in a catalogue, as in gettext's own files."""
+RULE = ""
+"""The key in a catalogue of the rule of its language: for each number from 0 to 199 the digit of
+its form. Rules of languages look at a number below a hundred, and else at its last two digits."""
 
 
 class Said(str):
-    """The English text of `template` with its `values` at their places {name}."""
+    """The English text of `template` with its `values` at their places {name}. A sentence that
+    counts `n` of something has another text for `one`."""
 
     template: str
     values: Mapping[str, str]
+    one: str
 
-    def __new__(cls, template: str, values: Mapping[str, str]) -> Said:
+    def __new__(cls, template: str, values: Mapping[str, str], one: str = "") -> Said:
         """Make the English text."""
-        text = PLACE.sub(lambda place: values.get(place[1], place[0]), template)
-        made = super().__new__(cls, text)
-        made.template, made.values = template, values
+        made = super().__new__(cls, _filled(_english(template, values, one), values))
+        made.template, made.values, made.one = template, values, one
         return made
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Said, (self.template, dict(self.values))
+        return Said, (self.template, dict(self.values), self.one)
+
+
+def _filled(template: str, values: Mapping[str, str]) -> str:
+    return PLACE.sub(lambda place: values.get(place[1], place[0]), template)
+
+
+def _english(template: str, values: Mapping[str, str], one: str) -> str:
+    return one if one and _count(values) == 1 else template
+
+
+def _count(values: Mapping[str, str]) -> int:
+    return int(values["n"].replace(",", ""))
 
 
 def said(template: str, **values: str) -> Said:
     """The sentence; every value is text, or a sentence of its own."""
     return Said(template, values)
+
+
+def counted(one: str, more: str, *, n: int, **values: str) -> Said:
+    """The sentence for `n` of something: the template for one, and the one for any other number."""
+    return Said(more, {"n": f"{n:,}", **values}, one)
+
+
+def form_of(rule: str, n: int) -> int:
+    """The number of the form that `n` takes, by the rule of a language; without a rule English."""
+    if not rule:
+        return 0 if n == 1 else 1
+    return int(rule[n if n < len(rule) else 100 + n % 100])
 
 
 def template(text: str) -> str:
@@ -84,7 +120,18 @@ def in_words(text: str, words: Mapping[str, str]) -> str:
     if not isinstance(text, Said):
         return words.get(text, text)
     values = {name: in_words(value, words) for name, value in text.values.items()}
-    return str(Said(words.get(text.template, text.template), values))
+    return _filled(_template(text, words), values)
+
+
+def _template(text: Said, words: Mapping[str, str]) -> str:
+    """What stands for the sentence's template in a language."""
+    ours = words.get(text.template)
+    if ours is None:
+        return _english(text.template, text.values, text.one)
+    if not text.one:
+        return ours
+    forms = ours.split(FORMS)
+    return forms[min(form_of(words.get(RULE, ""), _count(text.values)), len(forms) - 1)]
 
 
 def wire(text: str) -> str | dict[str, Any]:
@@ -92,11 +139,13 @@ def wire(text: str) -> str | dict[str, Any]:
     if not isinstance(text, Said):
         return text
     values = {name: wire(value) for name, value in text.values.items()}
-    return {"code": text.template, "values": values}
+    counts = {"one": text.one} if text.one else {}
+    return {"code": text.template, "values": values, **counts}
 
 
 def from_wire(told: Any) -> str:
     """The sentence that `wire` has taken apart."""
     if not isinstance(told, Mapping):
         return str(told)
-    return Said(told["code"], {name: from_wire(value) for name, value in told["values"].items()})
+    values = {name: from_wire(value) for name, value in told["values"].items()}
+    return Said(told["code"], values, told.get("one", ""))

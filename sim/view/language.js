@@ -5,6 +5,8 @@
 
 /** @type {Record<string, string>} */
 const catalogue = /** @type {any} */ (globalThis).cartsWords ?? {};
+const FORMS = "\0"; // between the forms of a counted sentence; see `sim/scene/said.py`
+const RULE = catalogue[""] ?? ""; // for each number from 0 to 199 the digit of its form
 
 /**
  * A sentence in the reader's language. It must stand here as text, so that it is found for the
@@ -16,16 +18,37 @@ export function tr(sentence, values = {}) {
 }
 
 /**
+ * A sentence for `n` of something, in the form that its number has in the reader's language.
+ * @param {string} one @param {string} more @param {number} n
+ * @param {Record<string, string | number>} values @returns {string}
+ */
+export function counted(one, more, n, values = {}) {
+  return filled(form(one, more, n), { n, ...values });
+}
+
+/** @param {string} one @param {string} more @param {number} n @returns {string} its template */
+function form(one, more, n) {
+  const ours = catalogue[more]?.split(FORMS);
+  if (!ours) return n === 1 ? one : more;
+  const english = n === 1 ? 0 : 1;
+  const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + (n % 100)]) : english;
+  return String(ours[Math.min(asked, ours.length - 1)]);
+}
+
+/**
  * A sentence as Python sends it: its template, which is its key in the catalogues, and the values in it,
- * which may be such sentences themselves. A word alone is its own key.
- * @typedef {string | {code: string, values: Record<string, Said>}} Said
+ * which may be such sentences themselves; `one` where it counts. A word alone is its own key.
+ * @typedef {string | {code: string, values: Record<string, Said>, one?: string}} Said
  */
 
 /** @param {Said} sentence @returns {string} in the reader's language */
 export function told(sentence) {
   if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
   const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
-  return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+  const { code, one } = sentence;
+  const n = Number(String(sentence.values.n).replace(/,/g, ""));
+  const template = one ? form(one, code, n) : (catalogue[code] ?? code);
+  return filled(template, Object.fromEntries(values));
 }
 
 /** @param {string} template @param {Record<string, string | number>} values */

@@ -68,8 +68,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 _drivers: list[Playwright] = []  # at most one: a second in the same process refuses to start
 _running: dict[str, Browser] = {}
-"""The browsers that run, by name: each is started once and stays for the files to come (started anew
-for every file Chromium costs a second, Firefox three)."""
+"""The browsers that run, by name: each is started once and stays for the files to come (started
+anew for every file Chromium costs a second, Firefox three)."""
 
 
 @pytest.fixture(scope="session")

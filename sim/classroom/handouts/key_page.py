@@ -15,7 +15,7 @@ from sim.classroom.report.marked import lesson_title
 from sim.classroom.show.html_parts import Tell, text
 from sim.classroom.show.prose import prose
 from sim.lesson.kinds.arrange import Matching
-from sim.scene.said import said, template
+from sim.scene.said import counted, said, template
 
 
 def key_html(keys: Sequence[KeyedForm], tell: Tell) -> str:
@@ -26,7 +26,7 @@ def key_html(keys: Sequence[KeyedForm], tell: Tell) -> str:
 def _form(form: KeyedForm, tell: Tell) -> str:
     name = f"{text(lesson_title(form.lesson, (form,)))} · {tell(FORMS[form.form])}"
     worth = sum(item.worth for item in form.items.values())
-    marks = tell(said("{n} marks in all", n=f"{worth}"))
+    marks = tell(counted("1 mark in all", "{n} marks in all", n=worth))
     rows = "".join(f"<li>{'<br>'.join(_item(item, tell))}</li>" for item in form.items.values())
     head = f"<header><h2>{name}</h2><span>{marks}</span></header>"
     return f'<section class="carts-sheet">{head}<ol>{rows}</ol></section>'

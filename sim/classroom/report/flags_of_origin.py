@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from sim.classroom.report.flag import Flag
 from sim.classroom.report.marked import Marked
-from sim.scene.said import said
+from sim.scene.said import counted, said
 
 NAMED = 5
 """Items or sites that a question names."""
@@ -19,10 +19,12 @@ def foreign(files: Sequence[Marked]) -> list[Flag]:
     if other:
         items = sorted({name for file in other for name in file.foreign})
         named = ", ".join(items[:NAMED])
-        text = said(
+        text = counted(
+            "1 file holds answers to another wording of {items}. Do file and key come from the "
+            "same version of the lesson? This file is listed and not counted.",
             "{n} files hold answers to another wording of {items}. Do file and key come from the "
             "same version of the lesson? These files are listed and not counted.",
-            n=f"{len(other)}",
+            n=len(other),
             items=said("{items} and others", items=named) if len(items) > NAMED else named,
         )  # fmt: skip
         flags.append(Flag("foreign-version", text, tuple(file.name for file in other)))
@@ -67,11 +69,11 @@ def nameless(files: Sequence[Marked]) -> list[Flag]:
     names = tuple(file.name for file in files if not file.file.student.strip())
     if not names:
         return []
-    text = (
-        said("1 file has no code word: it counts as a person of its own. Do you know whose it is? "
-             "Then give it a code word.")
-        if len(names) == 1
-        else said("{n} files have no code word: each counts as a person of its own. Do you know "
-                  "whose they are? Then give them a code word.", n=f"{len(names)}")
-    )  # fmt: skip
+    text = counted(
+        "1 file has no code word: it counts as a person of its own. Do you know whose it is? Then "
+        "give it a code word.",
+        "{n} files have no code word: each counts as a person of its own. Do you know whose they "
+        "are? Then give them a code word.",
+        n=len(names),
+    )
     return [Flag("no-code", text, names)]

@@ -16,7 +16,7 @@ from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import NO_QUESTIONS
 from sim.lesson.kinds.number import NEAR, Number, Wrong
 from sim.lesson.mark import is_empty
-from sim.scene.said import joined, said
+from sim.scene.said import counted, joined, said
 
 
 def item_rows(
@@ -183,10 +183,9 @@ def item_sentence(row: dict[str, Any]) -> str:
         return ""
     if row["unread"]:
         left = f"{row['empty']}"
-        if row["unread"] == 1:
-            return said("1 answer to be read by you, {open} left it open.", open=left)
-        return said("{n} answers to be read by you, {open} left it open.", n=f"{row['unread']}",
-                    open=left)  # fmt: skip
+        return counted("1 answer to be read by you, {open} left it open.",
+                       "{n} answers to be read by you, {open} left it open.",
+                       n=row["unread"], open=left)  # fmt: skip
     return joined(_right(row), _certain(row), _chosen(row), _rough(row))
 
 

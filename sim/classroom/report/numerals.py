@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sim.scene.said import said
+from sim.scene.said import counted
 
 
 def number(value: float, places: int = 2) -> str:
@@ -19,9 +19,9 @@ def signed(value: float, places: int = 2) -> str:
 
 def students(count: int) -> str:
     """1 student, 2 students."""
-    return said("1 student") if count == 1 else said("{n} students", n=f"{count}")
+    return counted("1 student", "{n} students", n=count)
 
 
 def runs(count: int) -> str:
     """1 run, 2 runs."""
-    return said("1 run") if count == 1 else said("{n} runs", n=f"{count}")
+    return counted("1 run", "{n} runs", n=count)

@@ -15,7 +15,7 @@ from sim.classroom.statistics.compare import TTest
 from sim.classroom.statistics.gain import EDGE
 from sim.classroom.statistics.ranks import SignedRanks
 from sim.classroom.statistics.spread import Spread
-from sim.scene.said import joined, said, template
+from sim.scene.said import counted, joined, said, template
 
 ONE_ITEM = template(
     "One item is no diagnosis. The tables say which answers were chosen, and what students who "
@@ -49,7 +49,7 @@ COUNTED = {
 }  # fmt: skip
 
 
-def counted(files: Mapping[str, Any]) -> str:
+def of_files(files: Mapping[str, Any]) -> str:
     """What a report counts: files of answers, rows of a table, or summaries of schools."""
     nothing, some = COUNTED[files.get("unit", "files")]
     if not files["read"]:
@@ -70,8 +70,9 @@ def too_few(n: int, fewest: int) -> str:
 
 def too_few_pairs(n: int, fewest: int) -> str:
     """The same of those who took both tests."""
-    return said("{n} students took both tests: no statistics for fewer than {fewest}.", n=f"{n}",
-                fewest=f"{fewest}")  # fmt: skip
+    return counted("1 student took both tests: no statistics for fewer than {fewest}.",
+                   "{n} students took both tests: no statistics for fewer than {fewest}.",
+                   n=n, fewest=f"{fewest}")  # fmt: skip
 
 
 def of_p(p: float) -> str:

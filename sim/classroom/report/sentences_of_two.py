@@ -5,7 +5,7 @@ from __future__ import annotations
 from sim.classroom.report.numerals import number, signed
 from sim.classroom.report.sentences import of_p
 from sim.classroom.statistics.compare import PaperZ, TTest
-from sim.scene.said import joined, listed, said, template
+from sim.scene.said import counted, joined, listed, said, template
 
 ONE_CLASS = template(
     "Each group is one class here. 30 students in one room are not 30 independent experiments: "
@@ -59,17 +59,17 @@ def of_paper_z(z: float) -> str:
 
 def too_few(n: int, group: str, fewest: int) -> str:
     """A group that is too small to be compared."""
-    return said(
+    return counted(
+        "1 student of “{group}” took both tests: no comparison with fewer than {fewest}.",
         "{n} students of “{group}” took both tests: no comparison with fewer than {fewest}.",
-        n=f"{n}", group=group, fewest=f"{fewest}",
+        n=n, group=group, fewest=f"{fewest}",
     )  # fmt: skip
 
 
 def of_classes(counts: tuple[int, int], groups: tuple[str, str], *, robust: bool) -> str:
     """What may be concluded where whole classes were taught in one way or the other."""
     made = listed([
-        said("“{group}” of 1 class", group=group) if count == 1
-        else said("“{group}” of {n} classes", group=group, n=f"{count}")
+        counted("“{group}” of 1 class", "“{group}” of {n} classes", n=count, group=group)
         for group, count in zip(groups, counts, strict=True)
     ])  # fmt: skip
     if robust:

@@ -9,7 +9,7 @@ import re
 from collections.abc import Sequence
 
 from sim.classroom.show.html_parts import Tell, text
-from sim.scene.said import said, template
+from sim.scene.said import counted, said, template
 
 WIDTH = 620
 _LEFT, _RIGHT = 150, 24
@@ -113,7 +113,7 @@ def curves(drawn: Sequence[Sequence[float]], tell: Tell, highest: float = 10.0) 
         _text(8, top + 8, tell(template("large")), "key"),
         _text(8, zero + 4, "0", "key"),
     ]
-    label = tell(said("{n} drawn curves over each other", n=f"{len(drawn)}"))
+    label = tell(counted("1 drawn curve", "{n} drawn curves over each other", n=len(drawn)))
     content = "".join([axis, *paths, *words])
     return (
         f'<svg class="carts-class-plot carts-class-curves" role="img" aria-label="{label}" '

@@ -8,7 +8,7 @@ from typing import Any
 from sim.classroom.report.numerals import runs, students
 from sim.classroom.show.html_parts import Tell, table, text
 from sim.lesson.answer_file import CHALLENGE, FOUND_FORCE
-from sim.scene.said import said, template
+from sim.scene.said import counted, said, template
 
 Row = Mapping[str, Any]
 
@@ -50,10 +50,8 @@ def _challenge(row: Row) -> str:
 
 
 def _force(row: Row) -> str:
-    if row["runs"] == 1:
-        return said("{students} found it, in 1 try.", students=students(row["n"]))
-    return said("{students} found it, in {n} tries.", students=students(row["n"]),
-                n=f"{row['runs']}")  # fmt: skip
+    return counted("{students} found it, in 1 try.", "{students} found it, in {n} tries.",
+                   n=row["runs"], students=students(row["n"]))  # fmt: skip
 
 
 def _read(row: Row) -> str:

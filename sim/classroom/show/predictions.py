@@ -7,7 +7,7 @@ from typing import Any
 
 from sim.classroom.show.drawing import curves
 from sim.classroom.show.html_parts import Tell, person, table, text
-from sim.scene.said import said, template
+from sim.scene.said import counted, said, template
 
 Row = Mapping[str, Any]
 
@@ -41,7 +41,7 @@ def _prediction(row: Row, tell: Tell) -> str:
     )
     if reasons:
         count = len(row["reasons"])
-        why = said("Why: 1 reason") if count == 1 else said("Why: {n} reasons", n=f"{count}")
+        why = counted("Why: 1 reason", "Why: {n} reasons", n=count)
         parts.append(
             f"<details><summary>{tell(why)}</summary>"
             f'<ul class="carts-class-says">{reasons}</ul></details>'
@@ -50,7 +50,7 @@ def _prediction(row: Row, tell: Tell) -> str:
 
 
 def _how_many(row: Row) -> str:
-    count = said("1 prediction") if row["n"] == 1 else said("{n} predictions", n=f"{row['n']}")
+    count = counted("1 prediction", "{n} predictions", n=row["n"])
     if open_ones := row["n"] - row["locked"]:
         return said("{predictions}, {n} of them not locked.", predictions=count, n=f"{open_ones}")
     return said("{sentence}.", sentence=count)

@@ -14,7 +14,7 @@ from sim.classroom.report.sentences import TITLES, unmarked
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import Tell, listed, person, table, telling, text
 from sim.classroom.show.questions import form_html
-from sim.scene.said import Said, commas, joined, said, template
+from sim.scene.said import Said, commas, counted, joined, said, template
 
 Row = Mapping[str, Any]
 MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
@@ -33,14 +33,12 @@ def report_html(report: Row, words: Mapping[str, str] = ENGLISH) -> str:
 
 
 def _count(files: Row, tell: Tell) -> str:
-    made = f'<p class="carts-class-count">{tell(say.counted(files))}</p>'
+    made = f'<p class="carts-class-count">{tell(say.of_files(files))}</p>'
     if lost := len(files["refused"]) + files["refused_more"]:
         names = commas([row["name"] for row in files["refused"][:MOST_LOST]])
         names = said("{names} …", names=names) if lost > MOST_LOST else names
-        unread = (
-            said("1 file could not be read: {names}", names=names) if lost == 1
-            else said("{n} files could not be read: {names}", n=f"{lost}", names=names)
-        )  # fmt: skip
+        unread = counted("1 file could not be read: {names}",
+                         "{n} files could not be read: {names}", n=lost, names=names)  # fmt: skip
         made += f'<p class="carts-class-lost">{tell(unread)}</p>'
     if files["set_aside"]:
         aside = ", ".join(person(name, tell) for name in files["set_aside"])

@@ -20,7 +20,7 @@ from sim.classroom.refusal import RefusalError
 from sim.classroom.statistics.compare import TTest, t_test
 from sim.classroom.statistics.pair_sums import PairSums
 from sim.classroom.statistics.spread import root
-from sim.scene.said import said
+from sim.scene.said import counted
 
 FEWEST_CLASSES = 8
 
@@ -32,8 +32,10 @@ Halves = tuple[PairSums | None, PairSums | None]
 def clustered(classes: Sequence[Halves]) -> TTest:
     """First minus second group, in marks. Needs scipy."""
     if len(classes) < FEWEST_CLASSES:
-        raise RefusalError(said("{n} classes: at least {needed} are needed",
-                                n=str(len(classes)), needed=str(FEWEST_CLASSES)))  # fmt: skip
+        raise RefusalError(counted(
+            "1 class: at least {needed} are needed", "{n} classes: at least {needed} are needed",
+            n=len(classes), needed=f"{FEWEST_CLASSES}",
+        ))  # fmt: skip
     for which in (0, 1):
         if sum(halves[which] is not None for halves in classes) < 2:
             raise RefusalError("a group has one class only")

@@ -12,11 +12,18 @@ from dataclasses import dataclass
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
 from sim.classroom.statistics.spread import Spread, differences, spread
 from sim.classroom.statistics.tails import normal_inside, normal_two_sided, t_quantile, t_two_sided
-from sim.scene.said import template
+from sim.scene.said import Said, counted, template
 
 ALL_EQUAL = template("all the differences are equal: there is no spread to compare them with")
 NO_SPREAD = template("all marks within both groups are equal: there is no spread")
-PAIRS = template("{n} pairs: at least {needed} are needed")
+
+
+def of_pairs(n: int, needed: int) -> Said:
+    """That there are too few students with both marks."""
+    return counted(
+        "1 pair: at least {needed} are needed", "{n} pairs: at least {needed} are needed",
+        n=n, needed=f"{needed}",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,13 +52,13 @@ def t_test(difference: float, se: float, df: float, level: float = 0.95) -> TTes
 def paired_t(later: Sequence[float], earlier: Sequence[float], *, fewest: int = FEWEST) -> TTest:
     """Student's t of the differences within students. Refuses fewer than `fewest` pairs."""
     found = differences(later, earlier)
-    at_least(len(found), max(2, fewest), PAIRS)
+    at_least(len(found), max(2, fewest), of_pairs)
     return change_of(spread(found), fewest=fewest)
 
 
 def change_of(gain: Spread, *, fewest: int = FEWEST) -> TTest:
     """The same from the spread of the differences."""
-    at_least(gain.n, max(2, fewest), PAIRS)
+    at_least(gain.n, max(2, fewest), of_pairs)
     if gain.sd == 0:
         raise RefusalError(ALL_EQUAL)
     return t_test(gain.mean, gain.se, gain.n - 1)

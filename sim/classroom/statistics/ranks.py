@@ -17,11 +17,19 @@ from typing import Any, Literal
 from sim.classroom.refusal import RefusalError, at_least
 from sim.classroom.statistics.spread import differences
 from sim.classroom.statistics.tails import normal_two_sided
-from sim.scene.said import template
+from sim.scene.said import Said, counted
 
 MOST_COUNTED = 50
-CHANGED = template("{n} students whose marks changed: at least {needed} are needed")
 FEWEST_CHANGED = 5  # with four, even “all went up” has p = 0.125
+
+
+def of_changed(n: int, needed: int) -> Said:
+    """That the marks of too few students changed at all."""
+    return counted(
+        "1 student whose marks changed: at least {needed} are needed",
+        "{n} students whose marks changed: at least {needed} are needed",
+        n=n, needed=f"{needed}",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +59,7 @@ def signed_ranks(found: Mapping[Any, int], *, fewest: int = FEWEST_CHANGED) -> S
     """The same from how many students have each difference, as floats or exact numbers."""
     changed = {d: count for d, count in found.items() if d and count}
     n = sum(changed.values())
-    at_least(n, max(1, fewest), CHANGED)
+    at_least(n, max(1, fewest), of_changed)
     ranks = _doubled_ranks(changed)
     whole = sum(ranks[abs(d)] * count for d, count in changed.items())
     plus = sum(ranks[abs(d)] * count for d, count in changed.items() if d > 0)

@@ -16,7 +16,7 @@ from fractions import Fraction
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
 from sim.classroom.statistics.spread import Exact
-from sim.scene.said import said, template
+from sim.scene.said import counted
 
 
 def around(n: int, total: Exact, squares: Exact) -> Fraction:
@@ -30,9 +30,10 @@ def alpha(n: int, items: Sequence[tuple[Exact, Exact]], totals: Mapping[Exact, i
     k = len(items)
     if k < 2:
         raise RefusalError(
-            said("{n} questions: at least 2 are needed", n=str(k)) if k != 1
-            else template("1 question: at least 2 are needed")
-        )  # fmt: skip
+            counted(
+                "1 question: at least 2 are needed", "{n} questions: at least 2 are needed", n=k
+            )
+        )
     whole = around(
         n, sum(t * f for t, f in totals.items()), sum(t * t * f for t, f in totals.items())
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.scene.said import said
+from sim.scene.said import counted, said
 
 MOST_NAMED = 8
 """Columns that a note names."""
@@ -26,11 +26,13 @@ def rows_equal(who: str, count: int) -> str:
 
 def rows_nameless(count: int) -> str:
     """Rows that do not say whose they are."""
-    if count == 1:
-        return said("1 row has no name: it counts as a person of its own, and is in no pair of "
-                    "before and after.")  # fmt: skip
-    return said("{n} rows have no name: each counts as a person of its own, and is in no pair of "
-                "before and after.", n=f"{count}")  # fmt: skip
+    return counted(
+        "1 row has no name: it counts as a person of its own, and is in no pair of before and "
+        "after.",
+        "{n} rows have no name: each counts as a person of its own, and is in no pair of before "
+        "and after.",
+        n=count,
+    )
 
 
 def left_out(columns: Sequence[str]) -> str:

@@ -19,7 +19,7 @@ from sim.classroom.summary.of_answers import lessons_of
 from sim.classroom.summary.reading import MOST_BYTES, read_summary
 from sim.classroom.summary.sums import LessonSums
 from sim.classroom.summary.written import summary_file
-from sim.scene.said import reason_of, said
+from sim.scene.said import counted, reason_of
 
 
 def write_summary(
@@ -30,11 +30,9 @@ def write_summary(
     write_whole(path, summary)
     if not summary.withheld:
         return ""
-    if summary.withheld == 1:
-        return said("{file}: 1 group is too small and withheld (fewer than 5 students)",
-                    file=str(path))  # fmt: skip
-    return said("{file}: {n} groups are too small and withheld (fewer than 5 students)",
-                file=str(path), n=f"{summary.withheld}")  # fmt: skip
+    return counted("{file}: 1 group is too small and withheld (fewer than 5 students)",
+                   "{file}: {n} groups are too small and withheld (fewer than 5 students)",
+                   n=summary.withheld, file=str(path))  # fmt: skip
 
 
 def write_whole(path: Path, summary: Summary) -> None:

@@ -8,11 +8,11 @@ from typing import Any
 
 from sim.classroom.report.numerals import number
 from sim.classroom.report.second_thoughts import thoughts
-from sim.classroom.report.sentences import counted, unmarked
+from sim.classroom.report.sentences import of_files, unmarked
 from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside
 from sim.cli.tables import table
-from sim.scene.said import in_words, joined, said, template
+from sim.scene.said import counted, in_words, joined, said, template
 
 Tell = Callable[[str], str]
 """A sentence in the language of the report, safe for a terminal."""
@@ -44,7 +44,7 @@ def teller(words: Mapping[str, str]) -> Tell:
 
 
 def _parts(report: Mapping[str, Any], tell: Tell) -> Iterator[str]:
-    yield tell(counted(report["files"]))
+    yield tell(of_files(report["files"]))
     yield "\n".join(
         f"? {tell(f['sentence'])}\n  {', '.join(map(tell, f['files'][:MOST_FILES]))}"
         for f in report["flags"]
@@ -128,8 +128,9 @@ def _prediction(row: Mapping[str, Any], tell: Tell) -> str:
     """How many predicted what; of drawn curves only how many there are."""
     says = list(map(_counted, row["answers"]))
     if row["curves"]:
-        says.append(said("{n} curves (see the report that --html writes)",
-                         n=f"{len(row['curves'])}"))  # fmt: skip
+        says.append(counted("1 curve (see the report that --html writes)",
+                            "{n} curves (see the report that --html writes)",
+                            n=len(row["curves"])))  # fmt: skip
     if row["more"]:
         says.append(said("and {n} more", n=f"{row['more']}"))
     if row["reasons"]:

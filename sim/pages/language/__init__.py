@@ -17,7 +17,7 @@ from sim.pages.language.catalogue import (
     words_of,
     words_script,
 )
-from sim.pages.language.say import mark, speaking, spoken, told, tr, tr_html
+from sim.pages.language.say import mark, speaking, spoken, told, tr, tr_counted, tr_html
 
 __all__ = [
     "ENGLISH",
@@ -31,6 +31,7 @@ __all__ = [
     "spoken",
     "told",
     "tr",
+    "tr_counted",
     "tr_html",
     "words",
     "words_of",

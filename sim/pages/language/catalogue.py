@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
+
+from sim.scene.said import FORMS, RULE
 
 FOLDER = Path(__file__).parent / "catalogues"
+NUMBERS = 200
+"""So many numbers a rule of forms is asked for: all below 100, and each pair of last digits."""
 INNER = tuple(
     f"sim/{layer}"
     for layer in ("scene", "effects", "laws", "dynamics", "worlds", "mine", "certify")
@@ -63,7 +68,7 @@ def of_page(stated: object, file: str, theme: str) -> str:
 @cache
 def words(language: str) -> Mapping[str, str]:
     """What each English sentence is in a language; empty for English."""
-    return {key: said for key, (said, _) in _entries(language).items()}
+    return {key: said for key, (said, _) in _entries(language).items()} | _rule(language)
 
 
 def words_of(language: str, folders: tuple[str, ...]) -> dict[str, str]:
@@ -72,7 +77,7 @@ def words_of(language: str, folders: tuple[str, ...]) -> dict[str, str]:
         key: said
         for key, (said, places) in _entries(language).items()
         if any(place.startswith(folders) for place in places)
-    }
+    } | _rule(language)
 
 
 @cache
@@ -85,24 +90,61 @@ def words_script(language: str) -> str:
     }
     if not found:
         return ""
+    found |= _rule(language)
     text = json.dumps(found, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
     return f"globalThis.cartsWords={text};\n"
 
 
 @cache
 def _entries(language: str) -> Mapping[str, tuple[str, tuple[str, ...]]]:
-    """Sentence → what is said, and the files that say it."""
+    """Sentence → what is said, and the files that say it. The key of one that counts is its form
+    for more, and all forms are said."""
     if language == ENGLISH:
         return {}
+    return {
+        key_of(entry.id): (FORMS.join(forms), tuple(name for name, _ in entry.locations))
+        for entry in read(language)
+        if entry.id and all(forms := forms_of(entry.string)) and not entry.fuzzy
+    }
+
+
+@cache
+def read(language: str) -> Any:
+    """The catalogue of a language, as its file has it."""
     from babel.messages.pofile import read_po  # only a page in another language needs it
 
     with (FOLDER / f"{language}.po").open("rb") as file:
-        catalog = read_po(file, locale=language.replace("-", "_"))
-    return {
-        str(entry.id): (str(entry.string), tuple(name for name, _ in entry.locations))
-        for entry in catalog
-        if entry.id and entry.string and not entry.fuzzy
-    }
+        return read_po(file, locale=language.replace("-", "_"))
+
+
+def key_of(sentence: str | Sequence[str]) -> str:
+    """What a sentence is called in `words`; of forms for one and for more the latter."""
+    return sentence if isinstance(sentence, str) else sentence[-1]
+
+
+def forms_of(said: str | Sequence[str]) -> tuple[str, ...]:
+    """What is said, as one form or as all of them."""
+    return (said,) if isinstance(said, str) else tuple(said)
+
+
+@cache
+def _rule(language: str) -> dict[str, str]:
+    """Which form each number takes, under its key; nothing for English."""
+    return {} if language == ENGLISH else {RULE: rule_of(read(language).plural_expr)}
+
+
+def rule_of(expression: str) -> str:
+    """The forms of the numbers from 0 to 199 by gettext's expression (`Plural-Forms: …; plural=`).
+
+    Raises ValueError for one that looks at more of a number than its last two digits.
+    """
+    from gettext import c2py
+
+    form = c2py(expression)
+    rule = [form(n) for n in range(NUMBERS)]
+    if any(form(n) != rule[100 + n % 100] for n in range(NUMBERS, 10 * NUMBERS)):
+        raise ValueError(f"plural={expression}: more of a number than its last two digits counts")
+    return "".join(map(str, rule))
 
 
 def _in_page(location: str) -> bool:

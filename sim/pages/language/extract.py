@@ -13,9 +13,17 @@ from typing import Any
 
 from babel.messages import Catalog
 from babel.messages.extract import extract_from_file
-from babel.messages.pofile import read_po, write_po
+from babel.messages.pofile import write_po
 
-from sim.pages.language.catalogue import ENGLISH, FOLDER, INNER, LANGUAGES
+from sim.pages.language.catalogue import (
+    ENGLISH,
+    FOLDER,
+    INNER,
+    LANGUAGES,
+    forms_of,
+    key_of,
+    read,
+)
 
 ROOT = Path(__file__).parents[3]
 # Folders that are looked through, with the method for each kind of file in them and the functions
@@ -35,6 +43,9 @@ ERRORS = (
     "_DamagedError",
 )
 """Errors whose message a teacher reads in a report."""
+
+COUNTED = ("counted", "tr_counted")
+"""Calls with two forms of a sentence: for one, and for more."""
 
 SOURCES = (
     ("sim/pages", "*.py", "python", ("tr", "mark")),
@@ -61,52 +72,61 @@ msgstr ""
 "Language: {code}\\n"
 "Content-Type: text/plain; charset=UTF-8\\n"
 "Content-Transfer-Encoding: 8bit\\n"
+"Plural-Forms: {rule}\\n"
 
 """
 
 
 def sentences() -> dict[str, list[str]]:
-    """Every sentence, with the files that say it; sorted."""
-    found: dict[str, set[str]] = {}
+    """Every sentence, by its key in the catalogues, with the files that say it; sorted."""
+    return {key_of(sentence): files for sentence, files in _found().items()}
+
+
+def counted_sentences() -> dict[str, str]:
+    """Of each sentence that counts: its form for more and its form for one."""
+    return {pair[1]: pair[0] for pair in _found() if isinstance(pair, tuple)}
+
+
+def _found() -> dict[str | tuple[str, ...], list[str]]:
+    found: dict[str | tuple[str, ...], set[str]] = {}
     for file, sentence in _everywhere():
         found.setdefault(sentence, set()).add(file)
-    return {sentence: sorted(found[sentence]) for sentence in sorted(found)}
+    return {sentence: sorted(found[sentence]) for sentence in sorted(found, key=key_of)}
 
 
-def _everywhere() -> Iterator[tuple[str, str]]:
+def _everywhere() -> Iterator[tuple[str, str | tuple[str, ...]]]:
     for folder, pattern, method, functions in SOURCES:
+        asked = {**dict.fromkeys(functions), **dict.fromkeys(COUNTED, (1, 2))}
         for path in sorted((ROOT / folder).rglob(pattern)):
             options = OPTIONS.get(path.suffix, {})
             for _, message, _, _ in extract_from_file(
-                method, path, keywords=dict.fromkeys(functions), options=options
+                method, path, keywords=asked, options=options
             ):
-                if isinstance(message, str) and message:
+                if isinstance(message, tuple) or message:
                     yield path.relative_to(ROOT).as_posix(), message
 
 
 def updated(language: str) -> Catalog:
-    """The catalogue of a language with every sentence of the sources and no other."""
-    before = _read(language)
+    """The catalogue of a language with every sentence of the sources and no other.
+
+    Its forms are those that the file names in its head (`Plural-Forms`); a new one gets gettext's.
+    """
+    before = read(language) if (FOLDER / f"{language}.po").exists() else None
     made = Catalog(locale=language.replace("-", "_"))
-    for sentence, files in sentences().items():
+    if before:
+        made.mime_headers = [("Plural-Forms", before.plural_forms)]
+    for sentence, files in _found().items():
         old = before.get(sentence) if before else None
-        said = str(old.string) if old and not old.fuzzy else ""
         places: list[Any] = [(file, None) for file in files]  # no lines: they change too often
-        made.add(sentence, said, locations=places)
+        forms = isinstance(sentence, tuple)
+        same = old if old and not old.fuzzy and old.pluralizable == forms else None
+        made.add(sentence, same.string if same else "", locations=places)
     return made
 
 
 def names_in(sentence: str) -> set[str]:
     """The names in braces that a sentence has."""
     return set(re.findall(r"\{(\w+)\}", sentence))
-
-
-def _read(language: str) -> Catalog | None:
-    path = FOLDER / f"{language}.po"
-    if not path.exists():
-        return None
-    with path.open("rb") as file:
-        return read_po(file, locale=language.replace("-", "_"))
 
 
 def main() -> None:
@@ -116,10 +136,11 @@ def main() -> None:
             continue
         catalog = updated(language)
         with (FOLDER / f"{language}.po").open("wb") as file:
-            file.write(HEAD.format(name=LANGUAGES[language], code=language).encode())
+            head = {"name": LANGUAGES[language], "code": language, "rule": catalog.plural_forms}
+            file.write(HEAD.format(**head).encode())
             write_po(file, catalog, width=100, omit_header=True, sort_output=True)
-        open_ones = sum(1 for entry in catalog if entry.id and not entry.string)
-        print(f"{language}: {len(catalog)} sentences, {open_ones} not translated yet")
+        left = [entry for entry in catalog if entry.id and not all(forms_of(entry.string or ""))]
+        print(f"{language}: {len(catalog)} sentences, {len(left)} not translated yet")
 
 
 if __name__ == "__main__":

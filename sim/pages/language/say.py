@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from markupsafe import Markup, escape
 
-from sim.scene.said import PLACE, in_words
+from sim.scene.said import PLACE, counted, in_words
 
 _words: ContextVar[Mapping[str, str]] = ContextVar("carts-words", default=MappingProxyType({}))
 
@@ -27,6 +27,12 @@ def tr(sentence: str, **values: object) -> str:
     """
     said = _words.get().get(sentence, sentence)
     return PLACE.sub(lambda place: str(values.get(place[1], place[0])), said)
+
+
+def tr_counted(one: str, more: str, *, n: int, **values: object) -> str:
+    """The sentence for `n` of something, as `counted` of sim.scene.said."""
+    texts = {name: str(value) for name, value in values.items()}
+    return in_words(counted(one, more, n=n, **texts), _words.get())
 
 
 def tr_html(sentence: str, **values: object) -> Markup:

@@ -41,8 +41,20 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function counted(one, more, n, values = {}) {
+    return filled(form(one, more, n), { n, ...values });
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
@@ -88,8 +100,8 @@
     return found;
   }
   function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item2) => item2.id === entry?.id && item2.form === form) ?? null;
+    const form2 = entry?.form ?? "worksheet";
+    return outline()?.items.find((item2) => item2.id === entry?.id && item2.form === form2) ?? null;
   }
   function placeOf(entry) {
     if (entry?.type === "challenge") return entry.id;
@@ -114,8 +126,8 @@
   function stamped(entry) {
     const page = outline();
     if (!page || !isHere(entry)) return entry;
-    const { form = "worksheet", hash: hash2 = "" } = itemOf(entry) ?? {};
-    return { form, lesson: page.lesson, lessonHash: page.hash, hash: hash2, ...entry };
+    const { form: form2 = "worksheet", hash: hash2 = "" } = itemOf(entry) ?? {};
+    return { form: form2, lesson: page.lesson, lessonHash: page.hash, hash: hash2, ...entry };
   }
 
   // src/answers/bar.js
@@ -510,25 +522,25 @@
       this.ready = this.#open();
     }
     /** The key of an answer. @param {string} form @param {string} id */
-    key(form, id) {
-      return form === "worksheet" ? `${this.page}#${id}` : `${this.page}#${form}:${id}`;
+    key(form2, id) {
+      return form2 === "worksheet" ? `${this.page}#${id}` : `${this.page}#${form2}:${id}`;
     }
     /** @param {string} form @param {string} id @returns {any} */
-    get(form, id) {
-      return this.#known.get(this.key(form, id)) ?? null;
+    get(form2, id) {
+      return this.#known.get(this.key(form2, id)) ?? null;
     }
     /** Every answer of this student that the browser lets this page see. @returns {[string, any][]} */
     entries() {
       return [...this.#known];
     }
     /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
-    async put(form, entry) {
+    async put(form2, entry) {
       const blind = !this.store;
       await this.ready;
-      const key = this.key(form, entry.id);
+      const key = this.key(form2, entry.id);
       const blindly = blind || this.unread && !this.#known.has(key);
       const known2 = this.#known.get(key) ?? (blindly ? await this.#before(key) : void 0);
-      const full = (blindly ? merged : keepEarlier)(known2, { ...entry, form });
+      const full = (blindly ? merged : keepEarlier)(known2, { ...entry, form: form2 });
       this.#known.set(key, full);
       const work = this.#write(key, full);
       this.#writing.add(work);
@@ -591,7 +603,7 @@
     /** How much of this page is answered. @returns {{done: number, of: number}} */
     progress() {
       const items2 = (outline()?.items ?? []).filter(
-        ({ id, form, level, type }) => form === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id)
+        ({ id, form: form2, level, type }) => form2 === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id)
       );
       const done = items2.filter((item2) => {
         const entry = this.get(item2.form, item2.id);
@@ -743,7 +755,7 @@
   var MOST_ITEMS = 2e3;
   var LONGEST = 2e4;
   var TEXTS = ["unit", "sure", "said", "asked", "locked", "why"];
-  var FORMS = ["worksheet", "pre", "post", "delayed"];
+  var FORMS2 = ["worksheet", "pre", "post", "delayed"];
   var ID = /^[a-z_][a-z0-9-]{0,63}$/;
   var HASH = /^[0-9a-f]{12}$/;
   var TIME = /^\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z$/;
@@ -752,17 +764,17 @@
     for (const [key, entry] of entries) {
       if (!entry || typeof entry !== "object" || typeof entry.id !== "string") continue;
       const page = key.split("#")[0] ?? "";
-      const form = FORMS.includes(entry.form) ? entry.form : "worksheet";
+      const form2 = FORMS2.includes(entry.form) ? entry.form : "worksheet";
       const lesson = entry.lesson ?? page.split("/").pop() ?? "page";
-      const name = `${page} ${form}`;
-      const group = groups.get(name) ?? { lesson, form, page, kept: (
+      const name = `${page} ${form2}`;
+      const group = groups.get(name) ?? { lesson, form: form2, page, kept: (
         /** @type {any[]} */
         []
       ) };
       group.kept.push(entry);
       groups.set(name, group);
     }
-    return [...groups.values()].map(({ lesson, form, page, kept }) => {
+    return [...groups.values()].map(({ lesson, form: form2, page, kept }) => {
       const last = [...kept].sort((a, b) => String(a.last).localeCompare(String(b.last))).pop();
       const state = kept.find((entry) => entry.type === "form");
       const content = {
@@ -772,19 +784,19 @@
         lesson,
         lessonHash: last?.lessonHash ?? "",
         student,
-        form,
+        form: form2,
         created: kept.map((entry) => entry.first).filter(Boolean).sort()[0] ?? now,
         saved: now,
         page,
         ...state?.handed ? { handed: state.handed, code: state.code ?? "" } : {},
         items: kept.filter((entry) => entry.type !== "form").flatMap(items)
       };
-      return { lesson, form, page, name: fileName(lesson, form, student, "carts.json"), content };
+      return { lesson, form: form2, page, name: fileName(lesson, form2, student, "carts.json"), content };
     });
   }
-  function fileName(lesson, form, student, ending) {
+  function fileName(lesson, form2, student, ending) {
     const safe = (text) => text.replace(/[^\p{L}\p{N}+_-]+/gu, "-").slice(0, 80);
-    return `${safe(lesson)}.${form}.${safe(student) || "no-code"}.${ending}`;
+    return `${safe(lesson)}.${form2}.${safe(student) || "no-code"}.${ending}`;
   }
   function items(entry) {
     const all = [...entry.earlier ?? [], entry];
@@ -821,22 +833,22 @@
     }
     const problem = wrong(content, site);
     if (problem) return { problem };
-    const { page, lesson, form, lessonHash } = content;
+    const { page, lesson, form: form2, lessonHash } = content;
     const found2 = /* @__PURE__ */ new Map();
     for (const row of content.items) {
       const entry = clean(row);
       if (!entry)
         return { problem: tr("An answer in this file is damaged. Nothing was taken from it.") };
-      const key = form === "worksheet" ? `${page}#${entry.id}` : `${page}#${form}:${entry.id}`;
+      const key = form2 === "worksheet" ? `${page}#${entry.id}` : `${page}#${form2}:${entry.id}`;
       const other = found2.get(key);
-      const full = { ...entry, form, lesson, lessonHash };
+      const full = { ...entry, form: form2, lesson, lessonHash };
       found2.set(
         key,
         other ? { ...full, earlier: [...other.earlier ?? [], { ...other, earlier: void 0 }] } : full
       );
     }
-    if (TIME.test(content.handed ?? "")) found2.set(`${page}#${form}:_form`, handedIn(content));
-    return { student: content.student, form, lesson, entries: [...found2] };
+    if (TIME.test(content.handed ?? "")) found2.set(`${page}#${form2}:_form`, handedIn(content));
+    return { student: content.student, form: form2, lesson, entries: [...found2] };
   }
   function wrong(content, site) {
     const isTable = typeof content === "object" && content !== null && !Array.isArray(content);
@@ -851,7 +863,7 @@
       (text) => typeof text === "string" && text.length <= 200 && !/[\p{Cc}#@]/u.test(text)
     );
     const hash2 = content.lessonHash === "" || HASH.test(String(content.lessonHash));
-    if (!texts || !hash2 || !content.page || !FORMS.includes(content.form)) {
+    if (!texts || !hash2 || !content.page || !FORMS2.includes(content.form)) {
       return tr("This file is damaged. Nothing was taken from it.");
     }
     if (!Array.isArray(content.items) || content.items.length > MOST_ITEMS) {
@@ -896,12 +908,12 @@
       ([key, part2]) => /^[\w.+-]{1,64}$/.test(key) && !key.startsWith("__") && isPlain(part2, depth + 1)
     );
   }
-  function handedIn({ handed, code, created, form, lesson, lessonHash }) {
+  function handedIn({ handed, code, created, form: form2, lesson, lessonHash }) {
     const known2 = typeof code === "string" && /^[0-9A-Z-]{0,14}$/.test(code) ? code : "";
     return {
       id: "_form",
       type: "form",
-      form,
+      form: form2,
       lesson,
       lessonHash,
       value: { handed, code: known2 },
@@ -995,7 +1007,10 @@
       const count = file.content.items.length;
       const last = file.content.items.map((item2) => item2.last).sort().pop();
       const name = html("span", "carts-answers-name");
-      name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
+      name.append(
+        html("strong", "", file.lesson),
+        ` · ${NAMES[file.form]} · ${counted("1 answer", "{n} answers", count)}`
+      );
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
       const asked = html("p", "carts-answers-whose");
       const keep = (student) => {
@@ -1063,9 +1078,6 @@
     );
     box.focus();
   }
-  function counted(count) {
-    return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
-  }
   function elsewhere(found2, book2) {
     const words3 = [];
     if (found2.student !== book2.student) {
@@ -1104,7 +1116,7 @@
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
       const where = elsewhere(found2, book2);
-      const count = counted(changed);
+      const count = counted("1 answer", "{n} answers", changed);
       const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
       say(told, `${taken} ${where}`.trim());
       const predicted = found2.entries.some(([, entry]) => entry.locked);
@@ -1225,20 +1237,20 @@
     const all = options.length > 0 && options.every((count) => count > 0);
     return all && options.reduce((size, count) => size * BigInt(count + 1), 1n) <= 1n << ANSWER_BITS;
   }
-  function encode(options, chosen2, form) {
+  function encode(options, chosen2, form2) {
     let number2 = 0n;
     options.forEach((count, k) => {
       number2 = number2 * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
     });
-    const whole2 = number2 << CHECK_BITS | BigInt(check(number2, form));
+    const whole2 = number2 << CHECK_BITS | BigInt(check(number2, form2));
     const letters = Array.from(
       { length: 12 },
       (_, k) => ALPHABET[Number(whole2 >> BigInt(55 - 5 * k) & 31n)]
     );
     return [0, 4, 8].map((k) => letters.slice(k, k + 4).join("")).join("-");
   }
-  function check(number2, form) {
-    const bytes = [...new TextEncoder().encode(form)];
+  function check(number2, form2) {
+    const bytes = [...new TextEncoder().encode(form2)];
     for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number2 >> 8n * k & 255n));
     let crc = 65535;
     for (const byte of bytes) {
@@ -1272,8 +1284,8 @@
     } else if (rule.done && rule.done !== "worksheet") {
       const handed = state.handed[rule.done];
       if (!handed) {
-        const form = NAMES2[rule.done] ?? rule.done;
-        why.push(tr("It opens when {form} is handed in.", { form }));
+        const form2 = NAMES2[rule.done] ?? rule.done;
+        why.push(tr("It opens when {form} is handed in.", { form: form2 }));
       } else if (rule.days) {
         const day = new Date(handed);
         day.setDate(day.getDate() + rule.days);
@@ -1429,7 +1441,11 @@
       /** @param {boolean} on */
       #ask(on) {
         const left = this.#questions().filter((question) => !question.answered).length;
-        const missing = left === 1 ? tr("1 question is not answered.") : tr("{count} questions are not answered.", { count: left });
+        const missing = counted(
+          "1 question is not answered.",
+          "{n} questions are not answered.",
+          left
+        );
         const words3 = [
           left ? missing : "",
           book2.student ? "" : tr("You have typed no code word yet: My answers."),
@@ -1493,9 +1509,9 @@
   }
   function handedForms(book2) {
     const found2 = {};
-    for (const form of ["pre", "post", "delayed"]) {
-      const handed = book2.get(form, STATE)?.handed;
-      if (handed) found2[form] = handed;
+    for (const form2 of ["pre", "post", "delayed"]) {
+      const handed = book2.get(form2, STATE)?.handed;
+      if (handed) found2[form2] = handed;
     }
     return found2;
   }
@@ -1536,9 +1552,11 @@
         html(
           "p",
           "carts-quiet",
-          tr("{count} answers of a form that was handed in are kept and not shown.", {
-            count: hidden
-          })
+          counted(
+            "1 answer of a form that was handed in is kept and not shown.",
+            "{n} answers of a form that was handed in are kept and not shown.",
+            hidden
+          )
         )
       );
     const list = html("dl", "carts-answers-said");
@@ -2769,7 +2787,7 @@
   }
 
   // src/question/element.js
-  var FORMS2 = {
+  var FORMS3 = {
     single: choiceForm,
     multiple: choiceForm,
     confidence: choiceForm,
@@ -2804,7 +2822,7 @@
         if (this.#form) return;
         this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
         this.formName = this.closest("carts-quiz")?.getAttribute("data-form") ?? "worksheet";
-        const make = FORMS2[this.facts.type];
+        const make = FORMS3[this.facts.type];
         if (!make) return;
         this.#form = make(this, () => this.#changed(), this.facts);
         this.#entry = this.#fresh();
@@ -3037,7 +3055,7 @@
       link.parentElement
     );
     if (place2.querySelector("form")) return Promise.resolve(false);
-    const form = document.createElement("form");
+    const form2 = document.createElement("form");
     const label2 = html("label", "", `${tr("Your teacher's word")} `);
     const box = document.createElement("input");
     Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
@@ -3045,18 +3063,18 @@
     const wrong2 = html("span", "carts-error");
     wrong2.setAttribute("role", "alert");
     label2.append(box);
-    form.append(label2, " ", button2, " ", wrong2);
-    place2.append(form);
+    form2.append(label2, " ", button2, " ", wrong2);
+    place2.append(form2);
     box.focus();
     return new Promise((resolve) => {
-      form.addEventListener("submit", (event) => {
+      form2.addEventListener("submit", (event) => {
         event.preventDefault();
         if (wordSum("teacher", box.value) !== sum) {
           wrong2.textContent = tr("That is not the word.");
           return;
         }
         retain(KEY, sum);
-        form.remove();
+        form2.remove();
         resolve(true);
       });
     });

@@ -415,13 +415,28 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function counted(one, more, n3, values = {}) {
+    return filled(form(one, more, n3), { n: n3, ...values });
+  }
+  function form(one, more, n3) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n3 === 1 ? one : more;
+    const english = n3 === 1 ? 0 : 1;
+    const asked3 = RULE ? Number(RULE[n3 < RULE.length ? n3 : 100 + n3 % 100]) : english;
+    return String(ours[Math.min(asked3, ours.length - 1)]);
   }
   function told2(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
     const values = Object.entries(sentence.values).map(([name2, value]) => [name2, told2(value)]);
-    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+    const { code, one } = sentence;
+    const n3 = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n3) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
@@ -738,7 +753,7 @@
 
   // src/cost/guess.js
   function guessFirst(root, rows) {
-    const [form, known2] = [need(root, ".carts-cost-guess"), need(root, ".carts-cost-known")];
+    const [form2, known2] = [need(root, ".carts-cost-guess"), need(root, ".carts-cost-known")];
     const error = (
       /** @type {HTMLSelectElement} */
       need(root, ".carts-cost-error")
@@ -752,7 +767,7 @@
       need(root, ".carts-cost-times")
     );
     const skip = need(root, ".carts-cost-skip");
-    form.hidden = false;
+    form2.hidden = false;
     known2.hidden = true;
     const open2 = () => {
       known2.hidden = false;
@@ -3695,8 +3710,8 @@
     return found2;
   }
   function itemOf(entry2) {
-    const form = entry2?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry2?.id && item.form === form) ?? null;
+    const form2 = entry2?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry2?.id && item.form === form2) ?? null;
   }
   function placeOf(entry2) {
     if (entry2?.type === "challenge") return entry2.id;
@@ -3713,8 +3728,8 @@
   function stamped(entry2) {
     const page2 = outline();
     if (!page2 || !isHere(entry2)) return entry2;
-    const { form = "worksheet", hash = "" } = itemOf(entry2) ?? {};
-    return { form, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry2 };
+    const { form: form2 = "worksheet", hash = "" } = itemOf(entry2) ?? {};
+    return { form: form2, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry2 };
   }
 
   // src/answers/entry.js
@@ -5533,7 +5548,9 @@
   }
   function sizeWords({ step, rtol, steps: steps2 }) {
     if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
-    return tr("{count} steps of {step}", { count: steps2, step: duration(Number(step)) });
+    return counted("1 step of {step}", "{n} steps of {step}", Number(steps2), {
+      step: duration(Number(step))
+    });
   }
   function stepWords(until, parts2) {
     return tr("{step} (run / {parts})", { step: duration(until / parts2), parts: parts2 });
@@ -9489,7 +9506,11 @@ ${lines4.join("\n")}
       const more = seenOnes.length - items.length;
       if (more > 0)
         items.push(
-          html("li", "carts-more-events", tr("… and {count} more events.", { count: more }))
+          html(
+            "li",
+            "carts-more-events",
+            counted("… and 1 more event.", "… and {n} more events.", more)
+          )
         );
       this.list.replaceChildren(...items);
       const scrolled = items.length > IN_FULL;

@@ -5,8 +5,20 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function counted(one, more, n, values = {}) {
+    return filled(form(one, more, n), { n, ...values });
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
@@ -81,8 +93,8 @@
     }
     /** @param {GivenMark} mark */
     give(mark) {
-      const { lesson, form, student, item } = mark;
-      this.marks.set(JSON.stringify([lesson, form, plain(student), item]), mark);
+      const { lesson, form: form2, student, item } = mark;
+      this.marks.set(JSON.stringify([lesson, form2, plain(student), item]), mark);
     }
     /** What Python is told with every question. @returns {Record<string, unknown>} */
     told() {
@@ -166,8 +178,8 @@
             changed();
           });
           const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
-          const [name, , lesson, , student, form] = file.row;
-          label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
+          const [name, , lesson, , student, form2] = file.row;
+          label.append(box, " ", html("bdi", "", student), ` · ${form2} · ${lesson}${group} `);
           label.append(html("span", "carts-class-quiet", name));
           line.append(label);
           if (!student) line.append(" ", codeFor(file, changed));
@@ -188,7 +200,7 @@
   }
   function keysWord(count) {
     if (!count) return tr("no key file");
-    return count === 1 ? tr("key for 1 form") : tr("key for {n} forms", { n: count });
+    return counted("key for 1 form", "key for {n} forms", count);
   }
   function codeFor(file, changed) {
     const box = (
@@ -510,8 +522,8 @@
     const give = (one, marks) => {
       const answer = one.answers[at];
       if (!answer || marks > one.worth) return;
-      const { lesson, form, id: item } = one;
-      classroom.give({ lesson, form, student: answer.student, item, marks });
+      const { lesson, form: form2, id: item } = one;
+      classroom.give({ lesson, form: form2, student: answer.student, item, marks });
       at = Math.min(at + 1, one.answers.length - 1);
       show();
       marked();
@@ -524,10 +536,7 @@
       const answer = one.answers[at];
       const done = one.answers.filter(({ student }) => markOf(one, student) !== void 0).length;
       const n = questions.length;
-      say(
-        title,
-        n === 1 ? tr("Read and mark: 1 question") : tr("Read and mark: {n} questions", { n })
-      );
+      say(title, counted("Read and mark: 1 question", "Read and mark: {n} questions", n));
       const pick = (
         /** @type {HTMLSelectElement} */
         html("select", "carts-class-question")
@@ -820,7 +829,7 @@
   // src/class/element.js
   var PACKAGES = ["numpy", "scipy"];
   var SOON = 700;
-  var readIn = (count, seconds) => count === 1 ? tr("1 file read in {seconds} s.", { seconds }) : tr("{n} files read in {seconds} s.", { n: count, seconds });
+  var readIn = (count, seconds) => counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds });
   function classElement(client) {
     const here = spokenHere();
     return class CartsClass extends HTMLElement {

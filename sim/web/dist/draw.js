@@ -11145,13 +11145,28 @@ ${second && across3}
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function counted(one, more, n, values = {}) {
+    return filled(form(one, more, n), { n, ...values });
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function told2(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
     const values = Object.entries(sentence.values).map(([name, value]) => [name, told2(value)]);
-    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
@@ -12421,14 +12436,14 @@ ${own.map((one) => control(one, fence.id))}</div>`;
     ]
   };
   var KNOBS = Array.from({ length: POINTS }, (_, k) => k);
-  var FORMS = { arrows, curve: curve2, choice: choice2, text };
+  var FORMS2 = { arrows, curve: curve2, choice: choice2, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
     const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
     return html`<div class="carts-predict" data-kind=${spec.kind} role="group" aria-labelledby="${id}-ask">
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
-${FORMS[spec.kind](baked, spec)}
+${FORMS2[spec.kind](baked, spec)}
 ${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
@@ -15213,7 +15228,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const more = seenOnes.length - items.length;
       if (more > 0)
         items.push(
-          html2("li", "carts-more-events", tr("… and {count} more events.", { count: more }))
+          html2(
+            "li",
+            "carts-more-events",
+            counted("… and 1 more event.", "… and {n} more events.", more)
+          )
         );
       this.list.replaceChildren(...items);
       const scrolled = items.length > IN_FULL;

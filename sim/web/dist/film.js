@@ -36,6 +36,7 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
   }

@@ -5,6 +5,7 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
   }

@@ -41,13 +41,25 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function told(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
     const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
-    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
@@ -2076,8 +2088,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return found;
   }
   function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+    const form2 = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form2) ?? null;
   }
   function placeOf(entry) {
     if (entry?.type === "challenge") return entry.id;
@@ -2094,8 +2106,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   function stamped(entry) {
     const page2 = outline();
     if (!page2 || !isHere(entry)) return entry;
-    const { form = "worksheet", hash = "" } = itemOf(entry) ?? {};
-    return { form, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry };
+    const { form: form2 = "worksheet", hash = "" } = itemOf(entry) ?? {};
+    return { form: form2, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry };
   }
 
   // src/answers/entry.js

@@ -5,13 +5,25 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function told(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
     const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
-    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));

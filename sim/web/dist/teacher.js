@@ -167,13 +167,25 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function told(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
     const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
-    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
@@ -2311,14 +2323,14 @@ ${own.map((one) => control(one, fence.id))}</div>`;
     ]
   };
   var KNOBS = Array.from({ length: POINTS }, (_, k) => k);
-  var FORMS = { arrows, curve: curve2, choice, text };
+  var FORMS2 = { arrows, curve: curve2, choice, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
     const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
     return html2`<div class="carts-predict" data-kind=${spec.kind} role="group" aria-labelledby="${id}-ask">
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
-${FORMS[spec.kind](baked, spec)}
+${FORMS2[spec.kind](baked, spec)}
 ${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
@@ -3123,9 +3135,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
     /** @param {Field[]} fields @param {import("./types.js").Finding[]} findings of the block */
     show(fields, findings) {
-      const form = JSON.stringify(fields.map(({ path: path2, kind, group }) => [path2, kind, group]));
-      if (form !== this.#form) this.#build(fields);
-      this.#form = form;
+      const form2 = JSON.stringify(fields.map(({ path: path2, kind, group }) => [path2, kind, group]));
+      if (form2 !== this.#form) this.#build(fields);
+      this.#form = form2;
       for (const field of fields) {
         const row = this.#rows.get(JSON.stringify(field.path));
         if (!row) continue;

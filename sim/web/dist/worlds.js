@@ -5,13 +5,25 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
+  var FORMS = "\0";
+  var RULE = catalogue[""] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
   }
   function told(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
     const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
-    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
@@ -1973,8 +1985,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return found;
   }
   function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+    const form2 = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form2) ?? null;
   }
   function placeOf(entry) {
     if (entry?.type === "challenge") return entry.id;
@@ -1987,8 +1999,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   function stamped(entry) {
     const page = outline();
     if (!page || !isHere(entry)) return entry;
-    const { form = "worksheet", hash = "" } = itemOf(entry) ?? {};
-    return { form, lesson: page.lesson, lessonHash: page.hash, hash, ...entry };
+    const { form: form2 = "worksheet", hash = "" } = itemOf(entry) ?? {};
+    return { form: form2, lesson: page.lesson, lessonHash: page.hash, hash, ...entry };
   }
 
   // src/answers/entry.js

@@ -1,6 +1,6 @@
 /** Files: save, table for a spreadsheet, print, and bring answers back in from a file. */
 
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { readCode } from "./codes.js";
@@ -41,7 +41,10 @@ function rows(book, told) {
       .sort()
       .pop();
     const name = html("span", "carts-answers-name");
-    name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
+    name.append(
+      html("strong", "", file.lesson),
+      ` · ${NAMES[file.form]} · ${counted("1 answer", "{n} answers", count)}`,
+    );
     if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
     const asked = html("p", "carts-answers-whose");
     const keep = (/** @type {string} */ student) => {
@@ -112,11 +115,6 @@ function askWhose(place, book, keep) {
   box.focus();
 }
 
-/** @param {number} count @returns {string} */
-function counted(count) {
-  return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
-}
-
 /** What to do to see answers that are not this page's or this student's; empty: nothing. */
 /** @param {{student: string, lesson: string, entries: [string, any][]}} found @param {import("./book.js").Book} book */
 function elsewhere(found, book) {
@@ -160,7 +158,7 @@ function importRow(book, told) {
     const changed = await book.take(found.student, found.entries).catch(() => -1);
     if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
     const where = elsewhere(found, book);
-    const count = counted(changed);
+    const count = counted("1 answer", "{n} answers", changed);
     const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
     say(told, `${taken} ${where}`.trim());
     // A scene takes its prediction up only when the page is read.

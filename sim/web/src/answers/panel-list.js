@@ -1,6 +1,6 @@
 /** What was answered on this page, in words; also to questions that are no longer there. */
 
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
 import { handedForms } from "../question/quiz.js";
 import { html } from "../shared/dom.js";
 import { isEmpty } from "./entry.js";
@@ -36,9 +36,11 @@ export function listPart(book) {
       html(
         "p",
         "carts-quiet",
-        tr("{count} answers of a form that was handed in are kept and not shown.", {
-          count: hidden,
-        }),
+        counted(
+          "1 answer of a form that was handed in is kept and not shown.",
+          "{n} answers of a form that was handed in are kept and not shown.",
+          hidden,
+        ),
       ),
     );
   const list = html("dl", "carts-answers-said");

@@ -1,6 +1,6 @@
 /** `<carts-class>`: the files of a class, read and reported by Python in the page's worker. */
 
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { Classroom } from "./classroom.js";
 import { drops } from "./drops.js";
@@ -18,9 +18,7 @@ const SOON = 700; // ms until a first table is made of what has been read so far
 
 /** @param {number} count @param {string} seconds */
 const readIn = (count, seconds) =>
-  count === 1
-    ? tr("1 file read in {seconds} s.", { seconds })
-    : tr("{n} files read in {seconds} s.", { n: count, seconds });
+  counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds });
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function classElement(client) {

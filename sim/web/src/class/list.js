@@ -1,6 +1,6 @@
 /** The files that were read, each with a box to leave it out; and hand-in codes typed from paper. */
 
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
@@ -46,7 +46,7 @@ export function fileList(classroom, changed) {
 /** @param {number} count */
 function keysWord(count) {
   if (!count) return tr("no key file");
-  return count === 1 ? tr("key for 1 form") : tr("key for {n} forms", { n: count });
+  return counted("key for 1 form", "key for {n} forms", count);
 }
 
 /** A box for the code word of a file that has none. @param {import("./classroom.js").Held} file @param {() => void} changed */

@@ -1,6 +1,6 @@
 /** One question in words, read across the class and marked by a key: 0, 1, 2 … go on to the next. */
 
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
 import { html, say } from "../shared/dom.js";
 import { plain } from "./classroom.js";
@@ -47,10 +47,7 @@ export function reader(classroom, marked) {
     const answer = one.answers[at];
     const done = one.answers.filter(({ student }) => markOf(one, student) !== undefined).length;
     const n = questions.length;
-    say(
-      title,
-      n === 1 ? tr("Read and mark: 1 question") : tr("Read and mark: {n} questions", { n }),
-    );
+    say(title, counted("Read and mark: 1 question", "Read and mark: {n} questions", n));
     const pick = /** @type {HTMLSelectElement} */ (html("select", "carts-class-question"));
     pick.setAttribute("aria-label", tr("Question"));
     pick.append(...questions.map((q) => new Option(name(q), name(q), false, q === one)));

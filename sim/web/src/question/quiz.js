@@ -1,6 +1,6 @@
 /** `<carts-quiz>`: a form that opens and closes by its rules and is handed in as a whole. */
 
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
 import { need, say } from "../shared/dom.js";
 import { encode, fits } from "./handin.js";
@@ -120,10 +120,11 @@ export function quizElement(book) {
     /** @param {boolean} on */
     #ask(on) {
       const left = this.#questions().filter((question) => !question.answered).length;
-      const missing =
-        left === 1
-          ? tr("1 question is not answered.")
-          : tr("{count} questions are not answered.", { count: left });
+      const missing = counted(
+        "1 question is not answered.",
+        "{n} questions are not answered.",
+        left,
+      );
       const words = [
         left ? missing : "",
         book.student ? "" : tr("You have typed no code word yet: My answers."),

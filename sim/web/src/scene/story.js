@@ -2,7 +2,7 @@
 
 import { marks } from "../../../view/effects-words.js";
 import { exits } from "../../../view/exits.js";
-import { tr } from "../../../view/language.js";
+import { counted } from "../../../view/language.js";
 import { modelSentences } from "../../../view/model-words.js";
 import { fixed } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
@@ -73,7 +73,11 @@ export class Story {
     const more = seenOnes.length - items.length;
     if (more > 0)
       items.push(
-        html("li", "carts-more-events", tr("… and {count} more events.", { count: more })),
+        html(
+          "li",
+          "carts-more-events",
+          counted("… and 1 more event.", "… and {n} more events.", more),
+        ),
       );
     this.list.replaceChildren(...items);
     const scrolled = items.length > IN_FULL;

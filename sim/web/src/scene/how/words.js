@@ -1,6 +1,6 @@
 /** Every sentence of “How is this computed?”. */
 
-import { told, tr } from "../../../../view/language.js";
+import { counted, told, tr } from "../../../../view/language.js";
 import { fixed, short } from "../../../../view/numbers.js";
 
 /** @typedef {{cost: {solution: number, points: number}}} Cost seconds */
@@ -94,7 +94,9 @@ export function costWords({ cost }) {
 /** @param {Compared} how @returns {string} the length of a step, or the tolerance */
 export function sizeWords({ step, rtol, steps }) {
   if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
-  return tr("{count} steps of {step}", { count: steps, step: duration(Number(step)) });
+  return counted("1 step of {step}", "{n} steps of {step}", Number(steps), {
+    step: duration(Number(step)),
+  });
 }
 
 /** @param {number} until in s @param {number} parts @returns {string} beside the slider */
