@@ -4,20 +4,15 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
-GUIDES = [ROOT / "docs" / "developers" / name for name in ("add-an-effect.md", "add-a-law.md")]
-FILE = re.compile(r"^(`{3,})\w+ title=\"([^\"]+)\"\n(.*?)^\1$", re.M | re.S)
-COPIED = ("sim", "docs", "worksheets", "tests", "mkdocs.yml", "pyproject.toml", "README.md")
+from tests.guides import copy_project, python, shown_in
+
+GUIDES = ("add-an-effect.md", "add-a-law.md")
 
 B, W, M, T = 0.4, 0.8, 0.5, 4.0
 V = W * (1.0 - math.exp(-B * T / M))
@@ -27,33 +22,12 @@ X = 0.5 + W * T - (M * W / B) * (1.0 - math.exp(-B * T / M))
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the project with the files of the guides, and nothing else changed."""
-    copy = tmp_path_factory.mktemp("project")
-    for name in COPIED:
-        if (ROOT / name).is_dir():
-            away = shutil.ignore_patterns("__pycache__", "node_modules")
-            shutil.copytree(ROOT / name, copy / name, ignore=away)
-        else:
-            shutil.copy(ROOT / name, copy / name)
+    copy = copy_project(tmp_path_factory.mktemp("project"))
     for guide in GUIDES:
-        for _, place, text in FILE.findall(guide.read_text(encoding="utf-8")):
+        for place, text in shown_in(guide).items():
             (copy / place).parent.mkdir(parents=True, exist_ok=True)
             (copy / place).write_text(text, encoding="utf-8")
     return copy
-
-
-def python(project: Path, *words: str) -> str:
-    """Run a command of the copy; what it prints."""
-    done = subprocess.run(
-        [sys.executable, *words],
-        cwd=project,
-        env=os.environ | {"PYTHONPATH": str(project)},
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
-    return done.stdout
 
 
 def carts(project: Path, command: str, *words: str) -> Any:

@@ -16,12 +16,11 @@ from sim.pages.language import ENGLISH, LANGUAGES, of_page, speaking, told, tr, 
 from sim.pages.language.catalogue import (
     FOLDER,
     UnknownLanguageError,
-    forms_of,
-    key_of,
     read,
     words_script,
 )
 from sim.pages.language.extract import ROOT, SOURCES, counted_sentences, names_in, sentences
+from sim.pages.language.plurals import forms_of, key_of
 from sim.scene.effects import kinds
 from sim.scene.said import RULE, Said, listed, said
 from tests import registry

@@ -14,7 +14,7 @@ from babel.messages.plurals import PLURALS
 from py_mini_racer import MiniRacer
 
 from sim.pages.language import LANGUAGES, speaking, told, tr_counted, words
-from sim.pages.language.catalogue import rule_of
+from sim.pages.language.plurals import rule_of
 from sim.scene.said import FORMS, RULE, counted, from_wire, wire
 
 ROOT = Path(__file__).parents[2]

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from sim.pages.language.plurals import forms_of, key_of, rule_of
 from sim.scene.said import FORMS, RULE
 
 FOLDER = Path(__file__).parent / "catalogues"
-NUMBERS = 200
-"""So many numbers a rule of forms is asked for: all below 100, and each pair of last digits."""
 INNER = tuple(
     f"sim/{layer}"
     for layer in ("scene", "effects", "laws", "dynamics", "worlds", "mine", "certify")
@@ -117,34 +116,10 @@ def read(language: str) -> Any:
         return read_po(file, locale=language.replace("-", "_"))
 
 
-def key_of(sentence: str | Sequence[str]) -> str:
-    """What a sentence is called in `words`; of forms for one and for more the latter."""
-    return sentence if isinstance(sentence, str) else sentence[-1]
-
-
-def forms_of(said: str | Sequence[str]) -> tuple[str, ...]:
-    """What is said, as one form or as all of them."""
-    return (said,) if isinstance(said, str) else tuple(said)
-
-
 @cache
 def _rule(language: str) -> dict[str, str]:
     """Which form each number takes, under its key; nothing for English."""
     return {} if language == ENGLISH else {RULE: rule_of(read(language).plural_expr)}
-
-
-def rule_of(expression: str) -> str:
-    """The forms of the numbers from 0 to 199 by gettext's expression (`Plural-Forms: …; plural=`).
-
-    Raises ValueError for one that looks at more of a number than its last two digits.
-    """
-    from gettext import c2py
-
-    form = c2py(expression)
-    rule = [form(n) for n in range(NUMBERS)]
-    if any(form(n) != rule[100 + n % 100] for n in range(NUMBERS, 10 * NUMBERS)):
-        raise ValueError(f"plural={expression}: more of a number than its last two digits counts")
-    return "".join(map(str, rule))
 
 
 def _in_page(location: str) -> bool:

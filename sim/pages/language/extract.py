@@ -20,10 +20,9 @@ from sim.pages.language.catalogue import (
     FOLDER,
     INNER,
     LANGUAGES,
-    forms_of,
-    key_of,
     read,
 )
+from sim.pages.language.plurals import forms_of, key_of
 
 ROOT = Path(__file__).parents[3]
 # Folders that are looked through, with the method for each kind of file in them and the functions
