@@ -6,6 +6,7 @@ from typing import Any
 
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
+from sim.classroom.show.report_page import report_html
 from tests.classroom.makers import answers, bank, keys, random_class, sources
 
 BANK = bank(6)
@@ -111,3 +112,13 @@ def test_clocks_and_haste_are_asked_about() -> None:
     early = answers(BANK, "BEE", "post", ALL, day=1)
     late = answers(BANK, "BEE", "pre", ALL, day=2)
     assert codes(report(early, late)) == ["post-before-pre"]
+
+
+def test_of_questions_of_one_kind_the_first_are_asked_in_full_and_the_others_on_demand() -> None:
+    late = [answers(BANK, f"OWL-{k}", "pre", ALL, saved="2019-01-01T00:00:00Z") for k in range(6)]
+    made = report(*late)
+    asked = [flag["sentence"] for flag in made["flags"] if flag["code"] == "impossible-times"]
+    assert len(asked) == 6
+    before, folded, after = report_html(made).partition("<details><summary>4 more like these")
+    assert folded and [sentence in before for sentence in asked] == [True] * 2 + [False] * 4
+    assert all(sentence in after for sentence in asked[2:])

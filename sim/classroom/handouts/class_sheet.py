@@ -12,6 +12,7 @@ from typing import Any
 from sim.classroom.handouts.belief_map import belief_map
 from sim.classroom.handouts.wording import FORMS, cut, numbers
 from sim.classroom.report.numerals import number, students
+from sim.classroom.report.sentences import left_open
 from sim.classroom.show.html_parts import Tell, table, text
 from sim.scene.said import said, template
 
@@ -20,8 +21,8 @@ SHADES = 4
 """Steps of grey in the map: paper shows no more."""
 
 MOST_SAID = 4
-SHORT = 62
-"""Characters of a question in the table: a line of it."""
+SHORT = 130
+"""Characters of a question or an answer: two lines of the table. Nearly all are told whole."""
 
 VERDICTS = {
     "right": template("answered right"),
@@ -60,7 +61,8 @@ def _parts(form: Row, tell: Tell) -> Iterator[str]:
                       of=str(form["of"]))
             for one in means
         )  # fmt: skip
-        yield f"<p>{'<br>'.join(map(tell, said_))}</p>"
+        told = [*said_, *filter(None, [left_open(form["items"])])]
+        yield f"<p>{'<br>'.join(map(tell, told))}</p>"
     if form["talk"]:
         rows = "".join(f"<li>{tell(row['sentence'])}</li>" for row in form["talk"])
         yield f"<h3>{tell(template('What to talk about first'))}</h3><ol>{rows}</ol>"

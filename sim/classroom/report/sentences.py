@@ -7,7 +7,7 @@ is not said to be equal.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from sim.classroom.report.numerals import number, signed, students
@@ -55,6 +55,19 @@ def of_files(files: Mapping[str, Any]) -> str:
     if not files["read"]:
         return nothing
     return said(some, counted=f"{files['counted']}", read=f"{files['read']}")
+
+
+def left_open(items: Iterable[Mapping[str, Any]]) -> str:
+    """How much of what gives marks nobody answered; "" where all did."""
+    asked = [item for item in items if item["worth"] and not item.get("optional")]
+    empty, whole = sum(item["empty"] for item in asked), sum(item["n"] for item in asked)
+    if not empty:
+        return ""
+    return counted(
+        "1 of {all} answers was left open: it gives no marks.",
+        "{n} of {all} answers were left open: they give no marks.",
+        n=empty, all=f"{whole:,}",
+    )  # fmt: skip
 
 
 def unmarked(form: str) -> str:

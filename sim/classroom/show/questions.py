@@ -15,6 +15,7 @@ from sim.classroom.show.prose import prose
 from sim.scene.said import said, template
 
 Row = Mapping[str, Any]
+TOGETHER = template("How well these questions measure one thing together")
 OFTEN_THINK = template("students who choose it often think")
 
 
@@ -27,7 +28,9 @@ def form_html(form: Row, tell: Tell) -> str:
         parts.append(f"<h4>{tell(template('What to talk about first'))}</h4>")
         parts.append(listed((row["sentence"] for row in form["talk"]), tell, "talk"))
     parts.append(_overview(items, tell))
-    parts.append(listed(form["sentences"], tell))
+    if form["sentences"]:
+        parts.append(f"<details><summary>{tell(TOGETHER)}</summary>"
+                     f"{listed(form['sentences'], tell)}</details>")  # fmt: skip
     if form["beliefs"]:
         beliefs = template("Beliefs behind two answers or more of a student")
         parts.append(f"<h4>{tell(beliefs)}</h4>")

@@ -19,6 +19,7 @@ from sim.scene.said import Said, commas, counted, joined, said, template
 Row = Mapping[str, Any]
 MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
 MOST_FLAGGED = 12  # names of files beside a question to the teacher
+MOST_OF_A_KIND = 2  # questions of one kind that are asked in full
 ENGLISH: Mapping[str, str] = {}
 
 
@@ -60,14 +61,29 @@ def _refused(files: Row, tell: Tell) -> str:
 def _flags(flags: Sequence[Row], tell: Tell) -> str:
     if not flags:
         return ""
-    rows = [
-        f"<li>{tell(flag['sentence'])} <span>"
-        f"{', '.join(person(name, tell) for name in flag['files'][:MOST_FLAGGED])}"
-        f"{' …' if len(flag['files']) > MOST_FLAGGED else ''}</span></li>"
-        for flag in flags
-    ]
+    kinds: dict[str, list[str]] = {}
+    for flag in flags:
+        kinds.setdefault(flag["code"], []).append(_flag(flag, tell))
+    rows = "".join(_kind(rows, tell) for rows in kinds.values())
     title = tell(template("Look at this first"))
-    return f'<h2>{title}</h2><ul class="carts-class-flags">{"".join(rows)}</ul>'
+    return f'<h2>{title}</h2><ul class="carts-class-flags">{rows}</ul>'
+
+
+def _flag(flag: Row, tell: Tell) -> str:
+    names = ", ".join(person(name, tell) for name in flag["files"][:MOST_FLAGGED])
+    more = " …" if len(flag["files"]) > MOST_FLAGGED else ""
+    return f"<li>{tell(flag['sentence'])} <span>{names}{more}</span></li>"
+
+
+def _kind(rows: Sequence[str], tell: Tell) -> str:
+    """Questions of one kind: the first ones, and the others when they are asked for."""
+    if len(rows) <= MOST_OF_A_KIND + 1:
+        return "".join(rows)
+    more = counted("1 more like these", "{n} more like these", n=len(rows) - MOST_OF_A_KIND)
+    return (
+        f"{''.join(rows[:MOST_OF_A_KIND])}<li><details><summary>{tell(more)}</summary>"
+        f"<ul>{''.join(rows[MOST_OF_A_KIND:])}</ul></details></li>"
+    )
 
 
 def _lesson(lesson: Row, report: Row, tell: Tell) -> str:
@@ -117,6 +133,8 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
                          "–" if form["of"] is None else f"{form['of']}"])  # fmt: skip
             if sentence := group.get("sentence"):
                 says.append(of_group(group_in_form(form["form"], group["group"]), sentence))
+        if form["of"] is not None and (left := say.left_open(form["items"])):
+            says.append(of_group(TITLES.get(form["form"], form["form"]), left))
         if not form["has_key"]:
             choose = template("Choose the key file as well.")
             says.append(joined(unmarked(form["form"]), choose))

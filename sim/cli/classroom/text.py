@@ -8,9 +8,9 @@ from typing import Any
 
 from sim.classroom.report.numerals import number
 from sim.classroom.report.second_thoughts import thoughts
-from sim.classroom.report.sentences import of_files, unmarked
+from sim.classroom.report.sentences import left_open, of_files, unmarked
 from sim.classroom.show.own_runs import own_run_sentence
-from sim.classroom.show.report_page import beside
+from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
 from sim.scene.said import counted, in_words, joined, said, template
 
@@ -59,6 +59,8 @@ def _lesson(lesson: Mapping[str, Any], tell: Tell) -> Iterator[str]:
     yield f"{title}\n{'=' * len(title)}"
     yield _means(lesson, tell)
     says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
+    says += [of_group(form["form"], left) for form in lesson["forms"]
+             if form["of"] is not None and (left := left_open(form["items"]))]  # fmt: skip
     name_it = template("Name the key file too: --key FILE")
     says += [joined(unmarked(form["form"]), name_it) for form in lesson["forms"]
              if not form["has_key"]]  # fmt: skip

@@ -1053,6 +1053,9 @@
   }
   function askWhose(place2, book2, keep) {
     const { label: label2, box } = codeBox(tr("Whose file is it? Code word from your card"));
+    const above = document.querySelector(".carts-answers-who .carts-answers-code");
+    box.value = /** @type {HTMLInputElement | null} */
+    above?.value ?? "";
     const told = status();
     const withCode = async () => {
       const found2 = readCode(box.value);

@@ -179,7 +179,12 @@
           });
           const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
           const [name, , lesson, , student, form2] = file.row;
-          label.append(box, " ", html("bdi", "", student), ` · ${form2} · ${lesson}${group} `);
+          label.append(
+            box,
+            " ",
+            html("bdi", "", student || tr("no code word")),
+            ` · ${form2} · ${lesson}${group} `
+          );
           label.append(html("span", "carts-class-quiet", name));
           line.append(label);
           if (!student) line.append(" ", codeFor(file, changed));
@@ -277,7 +282,9 @@
     const says = html(
       "p",
       "",
-      tr("Drop answer files, a zip and the key file here, or tables of marks (CSV), or")
+      tr(
+        "Drop answer files, a zip and the key file here, or tables of marks (CSV), one after the other or all at once; or"
+      )
     );
     root.append(says);
     const row2 = html("p", "carts-class-row");
@@ -829,7 +836,12 @@
   // src/class/element.js
   var PACKAGES = ["numpy", "scipy"];
   var SOON = 700;
-  var readIn = (count, seconds) => counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds });
+  var readIn = (count, all, seconds) => count === all ? counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds }) : counted(
+    "1 file read in {seconds} s, {all} in all.",
+    "{n} files read in {seconds} s, {all} in all.",
+    count,
+    { seconds, all }
+  );
   function classElement(client) {
     const here = spokenHere();
     return class CartsClass extends HTMLElement {
@@ -841,6 +853,7 @@
       /** @type {Promise<void> | null} */
       #statistics = null;
       #reading = 0;
+      #read = 0;
       #drawn = 0;
       #lifetime = 0;
       #status = html("p", "carts-class-status");
@@ -937,7 +950,8 @@
           await this.show();
           performance.mark("carts:class-done");
           const took = ((performance.now() - begun) / 1e3).toFixed(1);
-          say(this.#status, readIn(files.length, took));
+          this.#read += files.length;
+          say(this.#status, readIn(files.length, this.#read, took));
           void this.#addStatistics();
         } catch (error) {
           if (lifetime !== this.#lifetime) return;
@@ -1017,6 +1031,7 @@
       /** Forgets everything that was dropped and typed. */
       clear() {
         this.#lifetime += 1;
+        this.#read = 0;
         const kept = this.classroom;
         Object.assign(kept, new Classroom());
         this.#drawn = 0;

@@ -89,6 +89,8 @@ function rows(book, told) {
 /** @param {HTMLElement} place @param {import("./book.js").Book} book @param {(student: string) => void} keep */
 function askWhose(place, book, keep) {
   const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
+  const above = document.querySelector(".carts-answers-who .carts-answers-code");
+  box.value = /** @type {HTMLInputElement | null} */ (above)?.value ?? ""; // typed and not confirmed
   const told = status();
   const withCode = async () => {
     const found = readCode(box.value);

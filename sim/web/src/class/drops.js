@@ -43,7 +43,9 @@ function field(classroom, group, take, changed) {
   const says = html(
     "p",
     "",
-    tr("Drop answer files, a zip and the key file here, or tables of marks (CSV), or"),
+    tr(
+      "Drop answer files, a zip and the key file here, or tables of marks (CSV), one after the other or all at once; or",
+    ),
   );
   root.append(says);
   const row = html("p", "carts-class-row");

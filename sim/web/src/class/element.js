@@ -16,9 +16,16 @@ import { tableList } from "./tables.js";
 const PACKAGES = ["numpy", "scipy"]; // for intervals and tests; the first table does without
 const SOON = 700; // ms until a first table is made of what has been read so far
 
-/** @param {number} count @param {string} seconds */
-const readIn = (count, seconds) =>
-  counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds });
+/** @param {number} count @param {number} all with those of before @param {string} seconds */
+const readIn = (count, all, seconds) =>
+  count === all
+    ? counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds })
+    : counted(
+        "1 file read in {seconds} s, {all} in all.",
+        "{n} files read in {seconds} s, {all} in all.",
+        count,
+        { seconds, all },
+      );
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function classElement(client) {
@@ -32,6 +39,7 @@ export function classElement(client) {
     /** @type {Promise<void> | null} */
     #statistics = null;
     #reading = 0;
+    #read = 0;
     #drawn = 0;
     #lifetime = 0;
     #status = html("p", "carts-class-status");
@@ -130,7 +138,8 @@ export function classElement(client) {
         await this.show();
         performance.mark("carts:class-done");
         const took = ((performance.now() - begun) / 1000).toFixed(1);
-        say(this.#status, readIn(files.length, took));
+        this.#read += files.length;
+        say(this.#status, readIn(files.length, this.#read, took));
         void this.#addStatistics();
       } catch (error) {
         if (lifetime !== this.#lifetime) return;
@@ -207,6 +216,7 @@ export function classElement(client) {
     /** Forgets everything that was dropped and typed. */
     clear() {
       this.#lifetime += 1;
+      this.#read = 0;
       const kept = this.classroom;
       Object.assign(kept, new Classroom());
       this.#drawn = 0;

@@ -23,7 +23,12 @@ export function fileList(classroom, changed) {
         });
         const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
         const [name, , lesson, , student, form] = file.row;
-        label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
+        label.append(
+          box,
+          " ",
+          html("bdi", "", student || tr("no code word")),
+          ` · ${form} · ${lesson}${group} `,
+        );
         label.append(html("span", "carts-class-quiet", name));
         line.append(label);
         if (!student) line.append(" ", codeFor(file, changed));

@@ -1,0 +1,33 @@
+"""A mean says how much of the test nobody answered."""
+
+from __future__ import annotations
+
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.handouts.class_sheet import sheet_html
+from sim.classroom.report.report import Asked, class_report
+from sim.classroom.report.sentences import left_open
+from sim.classroom.show.report_page import report_html
+from sim.cli.classroom.text import report_as_text
+from tests.classroom.makers import answers, bank, keys, sources
+
+BANK = bank(10)
+
+
+def test_a_mean_says_how_much_was_left_open() -> None:
+    """Optional questions and those that give no marks are not missing."""
+    row = {"worth": 1, "n": 12, "empty": 0}
+    assert left_open([row, row]) == ""
+    assert left_open([row, row | {"empty": 1}]) == (
+        "1 of 24 answers was left open: it gives no marks."
+    )
+    assert left_open([row, row | {"empty": 3}, row | {"empty": 2}, row | {"worth": 0, "empty": 9},
+                      row | {"optional": True, "empty": 9}]) == (
+        "5 of 36 answers were left open: they give no marks."
+    )  # fmt: skip
+    students = [answers(BANK, f"FOX-{k}", "pre", {"item-0": "a"}, start=5 * k) for k in range(6)]
+    reading = Reading.of([*sources(students), Source("key.json", keys(BANK).encode())])
+    report = class_report([(file, "class") for file in reading.files], reading.keys, [], Asked())
+    (one,) = report["lessons"][0]["forms"]
+    told = f"{6 * (one['of'] - 1)} of {6 * one['of']} answers were left open"
+    for text in (report_html(report), report_as_text(report, {}), sheet_html(report, str)):
+        assert told in text
