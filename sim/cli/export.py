@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
@@ -13,7 +13,7 @@ from sim.lesson import Question
 from sim.pages.classroom.gift import gift
 from sim.pages.classroom.losses import Target, fitting, losses
 from sim.pages.classroom.moodle import moodle_xml
-from sim.pages.classroom.portable import NOWHERE, Portable, portable
+from sim.pages.classroom.portable import Portable, portable
 from sim.pages.classroom.qti.package import qti_package
 from sim.pages.findings import AuthorError
 from sim.pages.language import ENGLISH, speaking, words
@@ -37,7 +37,7 @@ class _Asked:
     title: str
     questions: Mapping[str, Question]
     forms: Mapping[str, Iterable[str]]
-    about: Mapping[str, str] = NOWHERE
+    about: Mapping[str, str] = field(default_factory=dict)
     stays: tuple[str, ...] = ()
 
 

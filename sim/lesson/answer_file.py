@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
@@ -36,6 +36,10 @@ NO_QUESTIONS = (*PREDICTIONS, FOUND_FORCE, CHALLENGE)  # types of answers that n
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})  # one for millions of answers
 
 
+def _nothing() -> Mapping[str, Any]:
+    return NOTHING_SET  # Python 3.11 takes it for mutable: no default, then
+
+
 class AnswerFileError(ValueError):
     """This is no file of answers that can be used; the message is for people."""
 
@@ -52,9 +56,12 @@ class Item:
     last: str | None
     tries: int
     own: float | None = None
-    set: Mapping[str, Any] = NOTHING_SET  # what was changed in the run it was read off
+    set: Mapping[str, Any] = field(
+        default_factory=_nothing
+    )  # what was changed in the run it was read off
     right: int | None = None  # press on Check at which it was right first; 0: none; None: not told
-    before: Mapping[str, Any] = NOTHING_SET  # the answer (value) when the run beside it was watched
+    before: Mapping[str, Any] = field(default_factory=_nothing)
+    """The answer (value) when the run beside it was watched."""
     more: Mapping[str, str]
 
 
