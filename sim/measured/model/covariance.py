@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Bools = NDArray[np.bool_]
 
 
 UNTOLD_CHANGE = 1.0
@@ -27,11 +28,12 @@ ALONG = 1e-2
 
 
 def covariance_of(
-    jacobian: Floats, residuals: Sequence[Floats], freedom: int
+    jacobian: Floats, residuals: Sequence[Floats], freedom: int, pushed: Bools
 ) -> tuple[tuple[float, ...], ...]:
     """Of the unknowns; the variance of what the readings do not tell is infinite.
 
-    `residuals` in m, track by track, need not be white; `freedom`: readings less unknowns.
+    `residuals` in m, track by track, need not be white; `freedom`: readings less unknowns,
+    `pushed`: which readings lie in the contact.
 
     An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
     size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
@@ -46,7 +48,7 @@ def covariance_of(
     directions, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
     seen = singular > NEARLY_ZERO
     inverse = axes[seen].T / singular[seen]
-    meat = scatter(directions[:, seen], residuals, freedom)
+    meat = scatter(directions[:, seen], residuals, freedom, pushed)
     part = inverse @ meat @ inverse.T / np.outer(norms[told], norms[told])
     blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
     part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)

@@ -221,7 +221,10 @@ def _made(
         unknowns=names,
         values=tuple(READ[name](p) for name in names),
         covariance=covariance_of(
-            jacobian, as_if_moving((counted[:first], counted[first:]), t, p), freedom
+            jacobian,
+            as_if_moving((counted[:first], counted[first:]), t, p),
+            freedom,
+            np.concatenate([_pushed(times, p.touch, motion.duration) for times in t]),
         ),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
@@ -229,3 +232,11 @@ def _made(
         squares=squares,
         heavy=int(np.sum(np.abs(residuals) > limit)),
     )
+
+
+def _pushed(t: Floats, touch: float, duration: float) -> Any:
+    """Which readings lie in the contact, or beside it by no more than a frame."""
+    import numpy as np
+
+    frame = float(np.median(np.diff(t)))
+    return (t > touch - frame) & (t < touch + duration + frame)
