@@ -1,6 +1,6 @@
 """Do the printed intervals hold the truth where residuals are not white? A study, not a test.
 
-    python -m tests.benchmarks.intervals [--count N] [--real FOLDER] [KIND ...]
+    python -m tests.benchmarks.intervals [--count N] [--first SEED] [--real FOLDER] [KIND ...]
 
 Kinds: white, chain-0.5, chain-0.8, chain-0.95 (AR(1) of 1 mm), wander (two slow sines beside white
 noise), film-raw, film-20, film-8 (drawn frame by frame, H.264 with that crf, followed by the page's
@@ -154,11 +154,11 @@ class Count:
         )
 
 
-def study(kind: str, count: int) -> str:
+def study(kind: str, seeds: range) -> str:
     """One line for one kind of noise."""
     found = Count()
     make = followed if kind.startswith("film") else troubled
-    for seed in range(count):
+    for seed in seeds:
         made, measured = make(kind, seed)
         found.take(analysed(measured, Wanted(every=False)).report, truths(made))
     return found.text(kind)
@@ -195,10 +195,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("kinds", nargs="*", metavar="KIND")
     parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--real", type=Path)
     chosen = parser.parse_args()
     for kind in chosen.kinds or (() if chosen.real else KINDS):
-        print(study(kind, chosen.count), flush=True)
+        print(study(kind, range(chosen.first, chosen.first + chosen.count)), flush=True)
     if chosen.real:
         print(study_real(chosen.real))
 
