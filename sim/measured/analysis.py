@@ -69,8 +69,7 @@ class Analysis:
 
 def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     """The report of two carts; never raises FitError."""
-    calm, aside = without_wild(measured)
-    story = replace(story_of(calm, wanted.hints), aside=aside)
+    story = happened(measured, wanted.hints)
     refused, rows = story.refused, list[Compared]()
     overruled = refused is not None and refused.code in DOUBTFUL and not _two_frames(story)
     if story.outcome == "bounce" or overruled:
@@ -93,6 +92,12 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     else:
         report = by_velocities(measured, story, made, rows, wanted.masses)
     return Analysis(story, report, made)
+
+
+def happened(measured: Measured, hints: Hints) -> Story:
+    """What happened, without any fit of the model: quick, and never raises FitError."""
+    calm, aside = without_wild(measured)
+    return replace(story_of(calm, hints), aside=aside)
 
 
 def _two_frames(story: Story) -> bool:

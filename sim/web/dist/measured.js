@@ -35,7 +35,7 @@
   // src/measured/asking.js
   var Asking = class {
     /** @type {Record<string, object>} */
-    #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
+    #owners = { read: {}, model: {}, ready: {}, segments: {}, fit: {}, tracker: {} };
     #generation = 0;
     /**
      * @param {import("../runtime/client.js").Client} client
@@ -1942,10 +1942,7 @@
           (zip) => this.#asking.ask("unzip", { zip }),
           base
         );
-        this.strip = new Strip(
-          need(this, ".carts-measured-spans"),
-          () => void this.fit(this.#kept.fitted === "compared")
-        );
+        this.strip = new Strip(need(this, ".carts-measured-spans"), () => void this.#set());
         this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
           own: () => this.source?.take("", []),
@@ -1983,6 +1980,7 @@
           this.hands.value = hand;
           await this.#byHand();
         }
+        if (!fitted) void this.#early();
       }
       /** Without readings nothing is asked: Python being there is all there is to wait for. */
       #whenLive() {
@@ -2005,6 +2003,7 @@
         this.settings?.clear();
         this.strip?.clear();
         this.complete = this.#reading();
+        void this.complete.then(() => this.#early());
       }
       /** @param {boolean} again whether the readings are others now */
       #changed(again) {
@@ -2012,6 +2011,7 @@
         if (!again) return this.#moved();
         this.strip?.clear();
         this.complete = this.#reading();
+        void this.complete.then(() => this.#early());
       }
       #moved() {
         if (this.#read?.kind === "length") this.complete = this.#byHand();
@@ -2050,6 +2050,28 @@
         if (!this.#texts.length) return;
         await this.#newest("read", {}, (found) => this.#show(found, found));
         this.dispatchEvent(new CustomEvent("carts-measured"));
+      }
+      /** A boundary of the strip was set by the reader: the fit follows, if there was one. */
+      #set() {
+        if (this.#kept.fitted) return this.fit(this.#kept.fitted === "compared");
+        this.#keep();
+        return this.#happened();
+      }
+      /** The strip before any fit: for the reader's own readings, as Python needs for it what a fit needs. */
+      #early() {
+        return this.#kept.texts.length ? this.#happened() : void 0;
+      }
+      /** What each cart did. */
+      async #happened() {
+        const read = this.#read;
+        if (read?.kind !== "length" || this.settings?.missing(read)) return;
+        try {
+          await client.need(PACKAGES);
+          const found = await this.#asking.ask("segments");
+          if (this.#read !== read || this.#kept.fitted || !found.segments) return;
+          this.strip?.show(found, read.tracks[0].t);
+        } catch {
+        }
       }
       /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
       #show(read, drawn) {

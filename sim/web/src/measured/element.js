@@ -57,10 +57,7 @@ export function measuredElement(client, base) {
         (zip) => this.#asking.ask("unzip", { zip }),
         base,
       );
-      this.strip = new Strip(
-        need(this, ".carts-measured-spans"),
-        () => void this.fit(this.#kept.fitted === "compared"),
-      );
+      this.strip = new Strip(need(this, ".carts-measured-spans"), () => void this.#set());
       this.picture.watch = (time, places) => this.source?.films.at(time, places);
       wireButtons(this, {
         own: () => this.source?.take("", []),
@@ -96,6 +93,7 @@ export function measuredElement(client, base) {
         this.hands.value = hand;
         await this.#byHand();
       }
+      if (!fitted) void this.#early();
     }
 
     /** Without readings nothing is asked: Python being there is all there is to wait for. */
@@ -122,6 +120,7 @@ export function measuredElement(client, base) {
       this.settings?.clear();
       this.strip?.clear();
       this.complete = this.#reading();
+      void this.complete.then(() => this.#early());
     }
 
     /** @param {boolean} again whether the readings are others now */
@@ -130,6 +129,7 @@ export function measuredElement(client, base) {
       if (!again) return this.#moved();
       this.strip?.clear();
       this.complete = this.#reading();
+      void this.complete.then(() => this.#early());
     }
 
     #moved() {
@@ -169,6 +169,32 @@ export function measuredElement(client, base) {
       if (!this.#texts.length) return;
       await this.#newest("read", {}, (found) => this.#show(found, found));
       this.dispatchEvent(new CustomEvent("carts-measured"));
+    }
+
+    /** A boundary of the strip was set by the reader: the fit follows, if there was one. */
+    #set() {
+      if (this.#kept.fitted) return this.fit(this.#kept.fitted === "compared");
+      this.#keep();
+      return this.#happened();
+    }
+
+    /** The strip before any fit: for the reader's own readings, as Python needs for it what a fit needs. */
+    #early() {
+      return this.#kept.texts.length ? this.#happened() : undefined;
+    }
+
+    /** What each cart did. */
+    async #happened() {
+      const read = this.#read;
+      if (read?.kind !== "length" || this.settings?.missing(read)) return;
+      try {
+        await client.need(PACKAGES);
+        const found = await this.#asking.ask("segments");
+        if (this.#read !== read || this.#kept.fitted || !found.segments) return;
+        this.strip?.show(found, read.tracks[0].t);
+      } catch {
+        // a fit says what is the matter
+      }
     }
 
     /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
