@@ -22,6 +22,9 @@ LENGTHS = (60, 60)
 NONE = np.zeros(sum(LENGTHS), dtype=bool)
 """No reading lies in a contact."""
 
+ALIKE = np.ones(sum(LENGTHS))
+"""Sizes of noise."""
+
 CHANCE = 0.07
 """Three standard deviations of a share of 0.95 among FILMS pairs of velocities that go together."""
 
@@ -49,7 +52,7 @@ def judged(rho: float, size: float = 1.0) -> tuple[float, float, float]:
         found = inverse @ columns.T @ both  # the truth is 0
         left = both - columns @ found
         both_left = (left[: LENGTHS[0]], left[LENGTHS[0] :])
-        told = np.array(covariance_of(columns, both_left, freedom, NONE))
+        told = np.array(covariance_of(columns, both_left, freedom, NONE, ALIKE))
         plain = float(left @ left) / freedom * inverse
         for k in (1, 3):
             ours.append(abs(found[k]) <= factor * math.sqrt(told[k, k]))
@@ -86,7 +89,7 @@ def bumped(size: float) -> tuple[float, float, float]:
         left = noise - columns @ found
         both = (left[: LENGTHS[0]], left[LENGTHS[0] :])
         half = [
-            factor * math.sqrt(covariance_of(columns, both, freedom, told)[4][4])
+            factor * math.sqrt(covariance_of(columns, both, freedom, told, ALIKE)[4][4])
             for told in (pushed, NONE)
         ]
         held.append([abs(found[4]) <= one for one in half])
@@ -143,19 +146,19 @@ def some() -> tuple[Floats, list[Floats]]:
 
 def test_metres_or_millimetres_tell_the_same() -> None:
     columns, left = some()
-    none = np.zeros(80, dtype=bool)
-    large = scatter(columns, [1e3 * one for one in left], 76, none)
-    assert large == pytest.approx(1e6 * scatter(columns, left, 76, none), rel=1e-9)
+    none, alike = np.zeros(80, dtype=bool), np.ones(80)
+    large = scatter(columns, [1e3 * one for one in left], 76, none, alike)
+    assert large == pytest.approx(1e6 * scatter(columns, left, 76, none, alike), rel=1e-9)
 
 
 def test_the_order_of_tracks_and_the_direction_of_time_are_free() -> None:
     columns, left = some()
-    none = np.zeros(80, dtype=bool)
-    wanted = scatter(columns, left, 76, none)
-    swapped = scatter(np.vstack([columns[50:], columns[:50]]), left[::-1], 76, none)
+    none, alike = np.zeros(80, dtype=bool), np.ones(80)
+    wanted = scatter(columns, left, 76, none, alike)
+    swapped = scatter(np.vstack([columns[50:], columns[:50]]), left[::-1], 76, none, alike)
     assert swapped == pytest.approx(wanted, rel=1e-9, abs=1e-12)
     back = np.vstack([columns[49::-1], columns[:49:-1]])
-    assert scatter(back, [one[::-1] for one in left], 76, none) == pytest.approx(
+    assert scatter(back, [one[::-1] for one in left], 76, none, alike) == pytest.approx(
         wanted, rel=1e-9, abs=1e-12
     )
 
@@ -164,6 +167,6 @@ def test_the_order_of_tracks_and_the_direction_of_time_are_free() -> None:
 def test_readings_without_noise_have_no_colour_and_no_impossible_scatter(left: float) -> None:
     columns, _ = some()
     residuals: Any = [left * np.ones(50), -left * np.ones(30)]
-    found = scatter(columns, residuals, 76, np.zeros(80, dtype=bool))
+    found = scatter(columns, residuals, 76, np.zeros(80, dtype=bool), np.ones(80))
     assert np.all(np.isfinite(found))
     assert np.all(np.diag(found) >= 0.0)

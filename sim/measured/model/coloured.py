@@ -13,7 +13,8 @@ track such noise is nearly independent (Ahmed, Natarajan & Rao 1974), with the v
     f_k = 1 − s + s (1 − rho²) / (1 − 2 rho cos(π k/n) + rho²) .
 
 A few frames tell the instant of the touch and the stiffness, and their noise may be of another size
-than that of all others: with D of the sizes of the readings, Ω becomes D Ω D.
+than that of all others; so may that of a cart that stands (`standing`). With D of the sizes of the
+readings, Ω becomes D Ω D.
 
 No rho is picked: short tracks tell it badly, and the model has eaten part of it, so that a rho
 from residuals comes out too small. Each (rho, s, sizes) is weighed by its restricted likelihood, in
@@ -99,17 +100,19 @@ def cosine_transform(columns: Floats) -> Floats:
     return np.asarray(basis @ columns)
 
 
-def scatter(directions: Floats, residuals: Sequence[Floats], freedom: int, pushed: Bools) -> Floats:
+def scatter(
+    directions: Floats, residuals: Sequence[Floats], freedom: int, pushed: Bools, sizes: Floats
+) -> Floats:
     """Uᵀ Ω U in m², symmetric; `directions` are the columns of U, for all readings track by track,
     `residuals` in m of each of two tracks, `freedom`: readings less unknowns, `pushed`: which
-    readings lie in the contact."""
+    readings lie in the contact, `sizes`: of each reading's noise, relative."""
     import numpy as np
 
     left, first = np.concatenate(residuals), len(residuals[0])
     squares = float(left @ left)
     chances, found = [], []
     for times, before in PUSHED if pushed.any() else PUSHED[:1]:
-        size = np.where(pushed, times, 1.0)
+        size = sizes * np.where(pushed, times, 1.0)
         spectra = [
             _Spectrum.of(directions[part], left[part], size[part])
             for part in (slice(None, first), slice(first, None))
