@@ -105,6 +105,24 @@
       model.addEventListener(kind, early, { once: true });
   }
 
+  // src/measured/early.js
+  var PACKAGES = ["numpy", "scipy"];
+  function whenLive(bench, client, signal) {
+    const live = () => {
+      if (client.state === "ready") bench.dataset.state = "live";
+    };
+    client.addEventListener("state", live, { signal });
+    live();
+  }
+  async function happened(client, asking) {
+    try {
+      await client.need(PACKAGES);
+      return await asking.ask("segments");
+    } catch {
+      return null;
+    }
+  }
+
   // src/measured/hands.js
   var FASTER = 1.5;
   var RATIO = [0.1, 10];
@@ -1896,7 +1914,6 @@
   };
 
   // src/measured/element.js
-  var PACKAGES = ["numpy", "scipy"];
   function measuredElement(client, base) {
     return class CartsMeasured extends HTMLElement {
       /** @type {Facts | null} */
@@ -1917,13 +1934,11 @@
       complete = Promise.resolve();
       #asking = new Asking(
         client,
-        () => ({
-          texts: this.#texts,
-          ...this.settings?.asked,
-          segments: this.strip?.given ?? []
-        }),
+        () => ({ texts: this.#texts, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
         () => this.setAttribute("data-state", "live")
       );
+      #tried = false;
+      // a fit of these readings, refused or not: a boundary that is moved asks for it again
       #leaving = new AbortController();
       // ends what the element hears of the worker
       connectedCallback() {
@@ -1942,7 +1957,10 @@
           (zip) => this.#asking.ask("unzip", { zip }),
           base
         );
-        this.strip = new Strip(need(this, ".carts-measured-spans"), () => void this.#set());
+        this.strip = new Strip(
+          need(this, ".carts-measured-spans"),
+          () => void (this.#tried ? this.fit(this.#kept.fitted === "compared") : this.#early())
+        );
         this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
           own: () => this.source?.take("", []),
@@ -1972,7 +1990,7 @@
         if (this.strip) this.strip.given = this.#kept.segments ?? [];
         if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
         if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
-        if (!this.#texts.length) return this.#whenLive();
+        if (!this.#texts.length) return whenLive(this, client, this.#leaving.signal);
         const { hand, fitted } = this.#kept;
         await this.#reading();
         if (fitted) await this.#fit(fitted === "compared");
@@ -1980,15 +1998,6 @@
           this.hands.value = hand;
           await this.#byHand();
         }
-        if (!fitted) void this.#early();
-      }
-      /** Without readings nothing is asked: Python being there is all there is to wait for. */
-      #whenLive() {
-        const live = () => {
-          if (client.state === "ready") this.dataset.state = "live";
-        };
-        client.addEventListener("state", live, { signal: this.#leaving.signal });
-        live();
       }
       get #texts() {
         if (this.#kept.texts?.length) return this.#kept.texts;
@@ -2003,7 +2012,6 @@
         this.settings?.clear();
         this.strip?.clear();
         this.complete = this.#reading();
-        void this.complete.then(() => this.#early());
       }
       /** @param {boolean} again whether the readings are others now */
       #changed(again) {
@@ -2011,7 +2019,6 @@
         if (!again) return this.#moved();
         this.strip?.clear();
         this.complete = this.#reading();
-        void this.complete.then(() => this.#early());
       }
       #moved() {
         if (this.#read?.kind === "length") this.complete = this.#byHand();
@@ -2051,31 +2058,21 @@
         await this.#newest("read", {}, (found) => this.#show(found, found));
         this.dispatchEvent(new CustomEvent("carts-measured"));
       }
-      /** A boundary of the strip was set by the reader: the fit follows, if there was one. */
-      #set() {
-        if (this.#kept.fitted) return this.fit(this.#kept.fitted === "compared");
+      /** The strip before any fit: of itself over the reader's own readings only. */
+      async #early() {
+        const read = (
+          /** @type {Read} */
+          this.#read
+        );
         this.#keep();
-        return this.#happened();
-      }
-      /** The strip before any fit: for the reader's own readings, as Python needs for it what a fit needs. */
-      #early() {
-        return this.#kept.texts.length ? this.#happened() : void 0;
-      }
-      /** What each cart did. */
-      async #happened() {
-        const read = this.#read;
-        if (read?.kind !== "length" || this.settings?.missing(read)) return;
-        try {
-          await client.need(PACKAGES);
-          const found = await this.#asking.ask("segments");
-          if (this.#read !== read || this.#kept.fitted || !found.segments) return;
-          this.strip?.show(found, read.tracks[0].t);
-        } catch {
-        }
+        const found = await happened(client, this.#asking);
+        const still = this.#read === read && !this.#tried;
+        if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
       }
       /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
       #show(read, drawn) {
         this.#read = read;
+        this.#tried = false;
         this.settings?.offer(read.runs ?? []);
         this.report = read.report ?? null;
         const missing2 = drawn ? this.settings?.missing(read) : "";
@@ -2088,6 +2085,7 @@
         this.settings?.named(read.names);
         if (this.hands) this.hands.value = drawn.parameters;
         this.picture?.draw(read, drawn);
+        if (this.#kept.texts.length && !this.#kept.fitted) void this.#early();
       }
       /** The model as the sliders say. */
       async #byHand() {
@@ -2111,6 +2109,7 @@
       }
       /** @param {boolean} compare */
       async #fit(compare) {
+        this.#tried = true;
         this.picture?.busy("Starting numpy and scipy …");
         try {
           await client.need(PACKAGES);
