@@ -5,7 +5,8 @@
     {"id": 10, "kind": "measured", "do": "fit", …as read…, "law": …, "effect": "friction",
      "distance": null, "masses": {"A": 0.5}}
     {"id": 11, "kind": "measured", "do": "tracker", …as fit…}
-    {"id": 12, "kind": "measured", "do": "unzip", "zip": "UEsDB…"}      base64
+    {"id": 12, "kind": "measured", "do": "segments", …as read…, "segments": […]}
+    {"id": 13, "kind": "measured", "do": "unzip", "zip": "UEsDB…"}      base64
 
 What cannot be read or fitted is answered with `refused`: rows of line, reason and hint.
 """
@@ -18,7 +19,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from sim.measured.analysis import Analysis, Wanted, analysed
+from sim.measured.analysis import Analysis, Wanted, analysed, happened
 from sim.measured.events.by_hand import Given
 from sim.measured.events.frames import moved
 from sim.measured.events.segments import KINDS
@@ -30,6 +31,7 @@ from sim.measured.model.unknowns import Effect
 from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker
+from sim.measured.story_report import segment_rows
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
@@ -44,6 +46,7 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
     ways: dict[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {
         "read": _read,
         "model": _model,
+        "segments": _segments,
         "fit": _fit,
         "tracker": _tracker,
         "ready": _ready,
@@ -136,6 +139,15 @@ def _given(request: Mapping[str, Any], names: tuple[str, str]) -> tuple[Given, .
               None if row.get("cart") is None else names.index(row["cart"]))
         for row in rows
     )  # fmt: skip
+
+
+def _segments(request: Mapping[str, Any]) -> dict[str, Any]:
+    """What each cart did: found before anything is fitted. None where these are no positions."""
+    measured = _measured(request)
+    if measured.kind != "length":
+        return {"names": list(measured.names), "segments": []}
+    story = happened(measured, Hints(segments=_given(request, measured.names)))
+    return {"names": list(measured.names), "segments": segment_rows(story)}
 
 
 def _fit(request: Mapping[str, Any]) -> dict[str, Any]:

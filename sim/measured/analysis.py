@@ -2,9 +2,9 @@
 
 The velocities beside the contact give every outcome's quantities (sim.measured.events). For a
 bounce the whole model is fitted too. Where its residuals are white, or alike for a few readings
-only, it is the sharper instrument, and its numbers are told; where they are alike for long, its
-intervals would be too narrow, and those of the velocities stand. A scene comes from the model in
-both cases.
+only, it is the sharper instrument, and its numbers are told; where they are alike for long, or
+alike in spite of a brake that was fitted, its intervals would be too narrow, and those of the
+velocities stand. A scene comes from the model in both cases.
 """
 
 from __future__ import annotations
@@ -69,8 +69,7 @@ class Analysis:
 
 def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     """The report of two carts; never raises FitError."""
-    calm, aside = without_wild(measured)
-    story = replace(story_of(calm, wanted.hints), aside=aside)
+    story = happened(measured, wanted.hints)
     refused, rows = story.refused, list[Compared]()
     overruled = refused is not None and refused.code in DOUBTFUL and not _two_frames(story)
     if story.outcome == "bounce" or overruled:
@@ -84,6 +83,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     if made is not None and not made.parameters.approach > 0.0:
         made = None  # both stand still before the touch: nothing bounces
     white = made is not None and any(_white(row.fit, story) for row in rows)
+    white = white and (wanted.effect is not None or _brake_right(made))
     bounces = made is not None and _bounces(made)
     if refused and not (overruled and white and bounces):
         return Analysis(story, base_report(measured, story, None, refused), None, refused)
@@ -92,6 +92,12 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     else:
         report = by_velocities(measured, story, made, rows, wanted.masses)
     return Analysis(story, report, made)
+
+
+def happened(measured: Measured, hints: Hints) -> Story:
+    """What happened, without any fit of the model: quick, and never raises FitError."""
+    calm, aside = without_wild(measured)
+    return replace(story_of(calm, hints), aside=aside)
 
 
 def _two_frames(story: Story) -> bool:
@@ -167,6 +173,13 @@ def _white(made: Fit, story: Story) -> bool:
     if made.noise < ROUNDING * reach:
         return True
     return neighbours(made) <= LASTING and not _smooth(story)
+
+
+def _brake_right(made: Fit | None) -> bool:
+    """Whether residuals beside a brake are chance. Noise that lasts looks like a brake that is not
+    the track's own, which bends the velocities at the contact by more than such noise does; how
+    much, the velocities of several brakes tell (sim.measured.events.sides)."""
+    return made is None or made.asked.effect == "none" or neighbours(made) <= ALIKE
 
 
 def _same(story: Story, made: Fit, wanted: Wanted) -> bool:

@@ -111,10 +111,7 @@ def base_report(
             name: {"sign": axes[k].sign if axes else 1, "zero": axes[k].zero if axes else 0.0}
             for k, name in enumerate(names)
         },
-        "segments": [
-            {"from": s.begin, "until": s.end, "cart": names[s.cart], "kind": s.kind}
-            for s in story.segments
-        ],
+        "segments": segment_rows(story),
         "contacts": [
             {"from": c.begin, "until": c.end, "at": c.middle, "chosen": c == story.contact}
             for c in story.contacts
@@ -132,6 +129,15 @@ def base_report(
     if refused:
         base["refused"] = {"code": refused.code, "sentence": refused.reason, "hint": refused.hint}
     return base
+
+
+def segment_rows(story: Story) -> list[dict[str, Any]]:
+    """What each cart did, and when (s)."""
+    names = story.measured.names
+    return [
+        {"from": s.begin, "until": s.end, "cart": names[s.cart], "kind": s.kind}
+        for s in story.segments
+    ]
 
 
 _WORDS = {

@@ -1,10 +1,12 @@
 """Do the printed intervals hold the truth where residuals are not white? A study, not a test.
 
-    python -m tests.benchmarks.intervals [--count N] [--real FOLDER] [KIND ...]
+    python -m tests.benchmarks.intervals [--count N] [--first SEED] [--real FOLDER [--rate HZ ...]]
+                                          [KIND ...]
 
 Kinds: white, chain-0.5, chain-0.8, chain-0.95 (AR(1) of 1 mm), wander (two slow sines beside white
 noise), film-raw, film-20, film-8 (drawn frame by frame, H.264 with that crf, followed by the page's
 own code). `--real`: weighed runs of motion capture, with their `weights.tsv`; they are not shipped.
+`--rate`: with so few readings a second, from PHASES first readings each.
 Followed films are kept in build/films, as following them takes most of the time.
 """
 
@@ -37,6 +39,7 @@ CHAINS = {"chain-0.5": 0.5, "chain-0.8": 0.8, "chain-0.95": 0.95}
 KINDS = ("white", *CHAINS, "wander", "film-raw", "film-20", "film-8")
 STAGE = Stage(noise=3.0)
 RATE = 30.0  # frames per second of the made films, uneven
+PHASES = 5
 SLOWEST = 0.25
 """Longest sine of the wander, as a share of the recording; the shortest is a tenth."""
 
@@ -154,11 +157,11 @@ class Count:
         )
 
 
-def study(kind: str, count: int) -> str:
+def study(kind: str, seeds: range) -> str:
     """One line for one kind of noise."""
     found = Count()
     make = followed if kind.startswith("film") else troubled
-    for seed in range(count):
+    for seed in seeds:
         made, measured = make(kind, seed)
         found.take(analysed(measured, Wanted(every=False)).report, truths(made))
     return found.text(kind)
@@ -191,15 +194,41 @@ def study_real(folder: Path) -> str:
     return found.text("real")
 
 
+def study_thinned(folder: Path, rate: float) -> str:
+    """The same with `rate` readings a second."""
+    found = Count()
+    for _, ratio, measured in weighed(folder):
+        for phase in range(PHASES):
+            told = analysed(thinned(measured, rate, phase / PHASES), Wanted(every=False)).report
+            found.take(told, {"mass_ratio": ratio}, real=True)
+    return found.text(f"real {rate:g} Hz")
+
+
+def thinned(measured: Measured, rate: float, phase: float) -> Measured:
+    """One reading of several, so that `rate` a second are left; `phase`: which, from 0 to 1."""
+    times = measured.tracks[0].t
+    step = max(1, round((len(times) - 1) / (times[-1] - times[0]) / rate))
+    kept = slice(int(phase * step), None, step)
+    first, second = (
+        replace(one, t=one.t[kept], value=one.value[kept], lines=one.lines[kept])
+        for one in measured.tracks
+    )
+    return replace(measured, tracks=(first, second))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("kinds", nargs="*", metavar="KIND")
     parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--real", type=Path)
+    parser.add_argument("--rate", type=float, nargs="+", default=[])
     chosen = parser.parse_args()
     for kind in chosen.kinds or (() if chosen.real else KINDS):
-        print(study(kind, chosen.count), flush=True)
-    if chosen.real:
+        print(study(kind, range(chosen.first, chosen.first + chosen.count)), flush=True)
+    for rate in chosen.rate:
+        print(study_thinned(chosen.real, rate), flush=True)
+    if chosen.real and not chosen.rate:
         print(study_real(chosen.real))
 
 

@@ -65,23 +65,31 @@ class Stage:
         )
 
     def frame(self, places: Sequence[float], noise: np.random.Generator) -> Frame:
-        """One picture with the marks at these x, in m."""
+        """One picture with the marks at these x, in m; a bumper pressed in deep lets the carts'
+        bodies overlap, and a mark stands before both of them."""
         picture = self.still.copy()
-        for x, colour in zip(places, self.colours, strict=True):
-            cx, cy = self.place(x)
-            reach = int(3.2 * self.radius)
-            left, top = int(cx) - reach, int(cy) - reach
-            rows = slice(max(0, top), max(0, min(self.height, top + 2 * reach + 2)))
-            columns = slice(max(0, left), max(0, min(self.width, left + 2 * reach + 2)))
-            part = picture[rows, columns]
-            if part.size:
-                yy, xx = np.mgrid[rows, columns].astype(np.float32)
-                box = np.maximum(np.abs(xx - cx) / 2.6, np.abs(yy - cy - self.radius) / 2.2)
-                cover(part, self.radius - box, CART)
-                cover(part, self.radius - np.hypot(xx - cx, yy - cy), colour)
+        spots = [self._around(picture, *self.place(x)) for x in places]
+        for part, across, down in spots:
+            box = np.maximum(np.abs(across) / 2.6, np.abs(down - self.radius) / 2.2)
+            cover(part, self.radius - box, CART)
+        for (part, across, down), colour in zip(spots, self.colours, strict=True):
+            cover(part, self.radius - np.hypot(across, down), colour)
         if self.noise:
             picture += noise.normal(0.0, self.noise, picture.shape).astype(np.float32)
         return np.clip(np.rint(picture), 0, 255).astype(np.uint8)
+
+    def _around(
+        self, picture: NDArray[np.float32], cx: float, cy: float
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+        """The part of the picture that a cart with its mark there covers, how far its columns lie
+        to the right of the mark, and how far its rows below."""
+        reach = int(3.2 * self.radius)
+        left, top = int(cx) - reach, int(cy) - reach
+        rows = slice(max(0, top), max(0, min(self.height, top + 2 * reach + 2)))
+        columns = slice(max(0, left), max(0, min(self.width, left + 2 * reach + 2)))
+        across = np.arange(self.width, dtype=np.float32)[columns] - cx
+        down = np.arange(self.height, dtype=np.float32)[rows, None] - cy
+        return picture[rows, columns], across, down
 
 
 def cover(part: NDArray[np.float32], inside: NDArray[np.float32], colour: Sequence[float]) -> None:

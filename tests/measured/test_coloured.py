@@ -19,6 +19,12 @@ FILMS = 120
 LENGTHS = (60, 60)
 """Readings of two tracks: two seconds of a school film."""
 
+NONE = np.zeros(sum(LENGTHS), dtype=bool)
+"""No reading lies in a contact."""
+
+ALIKE = np.ones(sum(LENGTHS))
+"""Sizes of noise."""
+
 CHANCE = 0.07
 """Three standard deviations of a share of 0.95 among FILMS pairs of velocities that go together."""
 
@@ -45,7 +51,8 @@ def judged(rho: float, size: float = 1.0) -> tuple[float, float, float]:
         both = np.concatenate(noise)
         found = inverse @ columns.T @ both  # the truth is 0
         left = both - columns @ found
-        told = np.array(covariance_of(columns, (left[: LENGTHS[0]], left[LENGTHS[0] :]), freedom))
+        both_left = (left[: LENGTHS[0]], left[LENGTHS[0] :])
+        told = np.array(covariance_of(columns, both_left, freedom, NONE, ALIKE))
         plain = float(left @ left) / freedom * inverse
         for k in (1, 3):
             ours.append(abs(found[k]) <= factor * math.sqrt(told[k, k]))
@@ -65,6 +72,42 @@ def test_noise_that_lasts_makes_intervals_as_wide_as_it_takes(rho: float, size: 
     ours, white, _ = judged(rho, size)
     assert ours >= 0.95 - CHANCE
     assert white < 0.85  # of which one would say 95 %
+
+
+def bumped(size: float) -> tuple[float, float, float]:
+    """Share of intervals that hold what twelve readings alone tell, whose noise is `size` times
+    that of the others: ours, those that count all readings alike; how much wider ours are."""
+    pushed = NONE.copy()
+    pushed[27:33] = pushed[87:93] = True
+    columns = np.column_stack([lines(), pushed * 1.0])
+    inverse, freedom = np.linalg.inv(columns.T @ columns), len(columns) - 5
+    factor = float(stdtrit(freedom, 0.975))
+    held, wider = [], []
+    for seed in range(FILMS // 2):
+        noise = np.random.default_rng(seed).normal(size=len(columns)) * np.where(pushed, size, 1.0)
+        found = inverse @ columns.T @ noise  # the truth is 0
+        left = noise - columns @ found
+        both = (left[: LENGTHS[0]], left[LENGTHS[0] :])
+        half = [
+            factor * math.sqrt(covariance_of(columns, both, freedom, told, ALIKE)[4][4])
+            for told in (pushed, NONE)
+        ]
+        held.append([abs(found[4]) <= one for one in half])
+        wider.append(half[0] / half[1])
+    return float(np.mean(held, axis=0)[0]), float(np.mean(held, axis=0)[1]), float(np.median(wider))
+
+
+def test_what_the_contact_s_frames_alone_tell_counts_that_they_may_be_noisier() -> None:
+    ours, alike, wider = bumped(1.5)
+    assert ours >= 0.95 - CHANCE
+    assert alike < ours
+    assert wider > 1.1
+
+
+def test_noise_of_one_size_costs_little_width_in_the_contact() -> None:
+    ours, _, wider = bumped(1.0)
+    assert ours >= 0.95 - CHANCE
+    assert wider < 1.15
 
 
 def test_the_cosine_transform_keeps_lengths_and_angles() -> None:
@@ -103,17 +146,19 @@ def some() -> tuple[Floats, list[Floats]]:
 
 def test_metres_or_millimetres_tell_the_same() -> None:
     columns, left = some()
-    large = scatter(columns, [1e3 * one for one in left], 76)
-    assert large == pytest.approx(1e6 * scatter(columns, left, 76), rel=1e-9)
+    none, alike = np.zeros(80, dtype=bool), np.ones(80)
+    large = scatter(columns, [1e3 * one for one in left], 76, none, alike)
+    assert large == pytest.approx(1e6 * scatter(columns, left, 76, none, alike), rel=1e-9)
 
 
 def test_the_order_of_tracks_and_the_direction_of_time_are_free() -> None:
     columns, left = some()
-    wanted = scatter(columns, left, 76)
-    swapped = scatter(np.vstack([columns[50:], columns[:50]]), left[::-1], 76)
+    none, alike = np.zeros(80, dtype=bool), np.ones(80)
+    wanted = scatter(columns, left, 76, none, alike)
+    swapped = scatter(np.vstack([columns[50:], columns[:50]]), left[::-1], 76, none, alike)
     assert swapped == pytest.approx(wanted, rel=1e-9, abs=1e-12)
     back = np.vstack([columns[49::-1], columns[:49:-1]])
-    assert scatter(back, [one[::-1] for one in left], 76) == pytest.approx(
+    assert scatter(back, [one[::-1] for one in left], 76, none, alike) == pytest.approx(
         wanted, rel=1e-9, abs=1e-12
     )
 
@@ -122,6 +167,6 @@ def test_the_order_of_tracks_and_the_direction_of_time_are_free() -> None:
 def test_readings_without_noise_have_no_colour_and_no_impossible_scatter(left: float) -> None:
     columns, _ = some()
     residuals: Any = [left * np.ones(50), -left * np.ones(30)]
-    found = scatter(columns, residuals, 76)
+    found = scatter(columns, residuals, 76, np.zeros(80, dtype=bool), np.ones(80))
     assert np.all(np.isfinite(found))
     assert np.all(np.diag(found) >= 0.0)

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Bools = NDArray[np.bool_]
 
 
 UNTOLD_CHANGE = 1.0
@@ -27,11 +28,12 @@ ALONG = 1e-2
 
 
 def covariance_of(
-    jacobian: Floats, residuals: Sequence[Floats], freedom: int
+    jacobian: Floats, residuals: Sequence[Floats], freedom: int, pushed: Bools, sizes: Floats
 ) -> tuple[tuple[float, ...], ...]:
     """Of the unknowns; the variance of what the readings do not tell is infinite.
 
-    `residuals` in m, track by track, need not be white; `freedom`: readings less unknowns.
+    `residuals` in m, track by track, need not be white; `freedom`: readings less unknowns,
+    `pushed`: which readings lie in the contact, `sizes`: of each reading's noise, relative.
 
     An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
     size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
@@ -39,14 +41,15 @@ def covariance_of(
     import numpy as np
 
     count = jacobian.shape[1]
-    noise = math.sqrt(sum(float(one @ one) for one in residuals) / freedom)
+    each = np.concatenate(residuals) / sizes
+    noise = math.sqrt(float(each @ each) / freedom)
     norms = np.linalg.norm(jacobian, axis=0)
     deaf = norms * UNTOLD_CHANGE < 1e-3 * noise
     told = np.flatnonzero(~deaf & (norms > 0.0))
     directions, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
     seen = singular > NEARLY_ZERO
     inverse = axes[seen].T / singular[seen]
-    meat = scatter(directions[:, seen], residuals, freedom)
+    meat = scatter(directions[:, seen], residuals, freedom, pushed, sizes)
     part = inverse @ meat @ inverse.T / np.outer(norms[told], norms[told])
     blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
     part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)

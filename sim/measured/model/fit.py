@@ -28,7 +28,7 @@ from sim.measured.model.covariance import covariance_of
 from sim.measured.model.curves import places
 from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
-from sim.measured.model.standing import as_if_moving
+from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, Effect, names_of, with_values
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -214,6 +214,7 @@ def _made(
     squares = float(counted @ counted)
     noise = math.sqrt(squares / freedom)
     first = len(t[0])
+    both = counted[:first], counted[first:]
     return Fit(
         asked=asked,
         parameters=p,
@@ -221,7 +222,11 @@ def _made(
         unknowns=names,
         values=tuple(READ[name](p) for name in names),
         covariance=covariance_of(
-            jacobian, as_if_moving((counted[:first], counted[first:]), t, p), freedom
+            jacobian,
+            both,
+            freedom,
+            np.concatenate([_pushed(times, p.touch, motion.duration) for times in t]),
+            np.concatenate(sizes_of(both, t, p)),
         ),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
@@ -229,3 +234,11 @@ def _made(
         squares=squares,
         heavy=int(np.sum(np.abs(residuals) > limit)),
     )
+
+
+def _pushed(t: Floats, touch: float, duration: float) -> Any:
+    """Which readings lie in the contact, or beside it by no more than a frame."""
+    import numpy as np
+
+    frame = float(np.median(np.diff(t)))
+    return (t > touch - frame) & (t < touch + duration + frame)

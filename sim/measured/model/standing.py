@@ -3,8 +3,8 @@
 A compressed film repeats the picture of what stands still: on made films (H.264, crf 20) its mark
 is off by 0.07 mm, a moving one by 0.25 mm. One size of noise for all readings then comes out too
 small for the few frames of the contact, and the stiffness and the instant of the touch are told too
-surely. So where a cart that stands before the touch is clearly tidier, its residuals count as if
-they were as large as those of the moving readings.
+surely; for the velocity of the standing cart it is too large. So where a cart that stands before
+the touch is clearly tidier, its readings have a size of noise of their own.
 """
 
 from __future__ import annotations
@@ -30,8 +30,9 @@ TIDIER = 0.5
 FEWEST = 8
 
 
-def as_if_moving(residuals: Both, t: Both, p: Parameters) -> Both:
-    """m. The residuals of both carts, those of a standing cart enlarged."""
+def sizes_of(residuals: Both, t: Both, p: Parameters) -> Both:
+    """Of each reading's noise, as a share of that of the moving ones: below 1 where a standing cart
+    is clearly tidier, else 1. `residuals` in m."""
     import numpy as np
 
     stands = tuple(
@@ -39,12 +40,9 @@ def as_if_moving(residuals: Both, t: Both, p: Parameters) -> Both:
     )
     still = np.concatenate([r[k] for r, k in zip(residuals, stands, strict=True)])
     moving = np.concatenate([r[~k] for r, k in zip(residuals, stands, strict=True)])
-    if len(still) < FEWEST or len(moving) < FEWEST:
-        return residuals
-    tidy, usual = (math.sqrt(float(np.mean(part**2))) for part in (still, moving))
-    if not 0.0 < tidy < TIDIER * usual:
-        return residuals
-    first, second = (
-        np.where(k, r * (usual / tidy), r) for r, k in zip(residuals, stands, strict=True)
-    )
+    share = 1.0
+    if len(still) >= FEWEST and len(moving) >= FEWEST:
+        tidy, usual = (math.sqrt(float(np.mean(part**2))) for part in (still, moving))
+        share = tidy / usual if 0.0 < tidy < TIDIER * usual else 1.0
+    first, second = (np.where(k, share, 1.0) for k in stands)
     return first, second

@@ -35,7 +35,7 @@
   // src/measured/asking.js
   var Asking = class {
     /** @type {Record<string, object>} */
-    #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
+    #owners = { read: {}, model: {}, ready: {}, segments: {}, fit: {}, tracker: {} };
     #generation = 0;
     /**
      * @param {import("../runtime/client.js").Client} client
@@ -103,6 +103,24 @@
     const model = need(bench, ".carts-measured-model");
     for (const kind of ["pointerdown", "focusin"])
       model.addEventListener(kind, early, { once: true });
+  }
+
+  // src/measured/early.js
+  var PACKAGES = ["numpy", "scipy"];
+  function whenLive(bench, client, signal) {
+    const live = () => {
+      if (client.state === "ready") bench.dataset.state = "live";
+    };
+    client.addEventListener("state", live, { signal });
+    live();
+  }
+  async function happened(client, asking) {
+    try {
+      await client.need(PACKAGES);
+      return await asking.ask("segments");
+    } catch {
+      return null;
+    }
   }
 
   // src/measured/hands.js
@@ -1897,7 +1915,6 @@
   };
 
   // src/measured/element.js
-  var PACKAGES = ["numpy", "scipy"];
   function measuredElement(client, base) {
     return class CartsMeasured extends HTMLElement {
       /** @type {Facts | null} */
@@ -1918,13 +1935,11 @@
       complete = Promise.resolve();
       #asking = new Asking(
         client,
-        () => ({
-          texts: this.#texts,
-          ...this.settings?.asked,
-          segments: this.strip?.given ?? []
-        }),
+        () => ({ texts: this.#texts, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
         () => this.setAttribute("data-state", "live")
       );
+      #tried = false;
+      // a fit of these readings, refused or not: a boundary that is moved asks for it again
       #leaving = new AbortController();
       // ends what the element hears of the worker
       connectedCallback() {
@@ -1945,7 +1960,7 @@
         );
         this.strip = new Strip(
           need(this, ".carts-measured-spans"),
-          () => void this.fit(this.#kept.fitted === "compared")
+          () => void (this.#tried ? this.fit(this.#kept.fitted === "compared") : this.#early())
         );
         this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
@@ -1976,7 +1991,7 @@
         if (this.strip) this.strip.given = this.#kept.segments ?? [];
         if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
         if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
-        if (!this.#texts.length) return this.#whenLive();
+        if (!this.#texts.length) return whenLive(this, client, this.#leaving.signal);
         const { hand, fitted } = this.#kept;
         await this.#reading();
         if (fitted) await this.#fit(fitted === "compared");
@@ -1984,14 +1999,6 @@
           this.hands.value = hand;
           await this.#byHand();
         }
-      }
-      /** Without readings nothing is asked: Python being there is all there is to wait for. */
-      #whenLive() {
-        const live = () => {
-          if (client.state === "ready") this.dataset.state = "live";
-        };
-        client.addEventListener("state", live, { signal: this.#leaving.signal });
-        live();
       }
       get #texts() {
         if (this.#kept.texts?.length) return this.#kept.texts;
@@ -2052,9 +2059,21 @@
         await this.#newest("read", {}, (found) => this.#show(found, found));
         this.dispatchEvent(new CustomEvent("carts-measured"));
       }
+      /** The strip before any fit: of itself over the reader's own readings only. */
+      async #early() {
+        const read = (
+          /** @type {Read} */
+          this.#read
+        );
+        this.#keep();
+        const found = await happened(client, this.#asking);
+        const still = this.#read === read && !this.#tried;
+        if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
+      }
       /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
       #show(read, drawn) {
         this.#read = read;
+        this.#tried = false;
         this.settings?.offer(read.runs ?? []);
         this.report = read.report ?? null;
         const missing2 = drawn ? this.settings?.missing(read) : "";
@@ -2067,6 +2086,7 @@
         this.settings?.named(read.names);
         if (this.hands) this.hands.value = drawn.parameters;
         this.picture?.draw(read, drawn);
+        if (this.#kept.texts.length && !this.#kept.fitted) void this.#early();
       }
       /** The model as the sliders say. */
       async #byHand() {
@@ -2090,6 +2110,7 @@
       }
       /** @param {boolean} compare */
       async #fit(compare) {
+        this.#tried = true;
         this.picture?.busy("Starting numpy and scipy …");
         try {
           await client.need(PACKAGES);

@@ -2,7 +2,7 @@
 
 export class Asking {
   /** @type {Record<string, object>} */
-  #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
+  #owners = { read: {}, model: {}, ready: {}, segments: {}, fit: {}, tracker: {} };
   #generation = 0;
 
   /**

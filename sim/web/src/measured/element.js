@@ -3,6 +3,7 @@
 import { need } from "../shared/dom.js";
 import { Asking } from "./asking.js";
 import { wireButtons } from "./buttons.js";
+import { happened, PACKAGES, whenLive } from "./early.js";
 import { Hands } from "./hands.js";
 import { empty, keeper } from "./keep.js";
 import { Picture } from "./picture.js";
@@ -14,8 +15,6 @@ import { Strip } from "./strip.js";
 /** @typedef {import("../../../view/measured/types.js").Drawn} Drawn */
 /** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 /** @typedef {import("../../../view/measured/types.js").Facts} Facts */
-
-const PACKAGES = ["numpy", "scipy"]; // for the fit; reading and the model by hand do without
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client @param {string} base address of this script */
 export function measuredElement(client, base) {
@@ -31,13 +30,10 @@ export function measuredElement(client, base) {
     complete = Promise.resolve();
     #asking = new Asking(
       client,
-      () => ({
-        texts: this.#texts,
-        ...this.settings?.asked,
-        segments: this.strip?.given ?? [],
-      }),
+      () => ({ texts: this.#texts, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
       () => this.setAttribute("data-state", "live"),
     );
+    #tried = false; // a fit of these readings, refused or not: a boundary that is moved asks for it again
     #leaving = new AbortController(); // ends what the element hears of the worker
 
     connectedCallback() {
@@ -59,7 +55,7 @@ export function measuredElement(client, base) {
       );
       this.strip = new Strip(
         need(this, ".carts-measured-spans"),
-        () => void this.fit(this.#kept.fitted === "compared"),
+        () => void (this.#tried ? this.fit(this.#kept.fitted === "compared") : this.#early()),
       );
       this.picture.watch = (time, places) => this.source?.films.at(time, places);
       wireButtons(this, {
@@ -88,7 +84,7 @@ export function measuredElement(client, base) {
       if (this.strip) this.strip.given = this.#kept.segments ?? [];
       if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
       if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
-      if (!this.#texts.length) return this.#whenLive();
+      if (!this.#texts.length) return whenLive(this, client, this.#leaving.signal);
       const { hand, fitted } = this.#kept;
       await this.#reading();
       if (fitted) await this.#fit(fitted === "compared");
@@ -96,15 +92,6 @@ export function measuredElement(client, base) {
         this.hands.value = hand;
         await this.#byHand();
       }
-    }
-
-    /** Without readings nothing is asked: Python being there is all there is to wait for. */
-    #whenLive() {
-      const live = () => {
-        if (client.state === "ready") this.dataset.state = "live";
-      };
-      client.addEventListener("state", live, { signal: this.#leaving.signal });
-      live();
     }
 
     get #texts() {
@@ -171,9 +158,19 @@ export function measuredElement(client, base) {
       this.dispatchEvent(new CustomEvent("carts-measured"));
     }
 
+    /** The strip before any fit: of itself over the reader's own readings only. */
+    async #early() {
+      const read = /** @type {Read} */ (this.#read);
+      this.#keep();
+      const found = await happened(client, this.#asking);
+      const still = this.#read === read && !this.#tried;
+      if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
+    }
+
     /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
     #show(read, drawn) {
       this.#read = read;
+      this.#tried = false;
       this.settings?.offer(read.runs ?? []);
       this.report = read.report ?? null;
       const missing = drawn ? this.settings?.missing(read) : "";
@@ -186,6 +183,7 @@ export function measuredElement(client, base) {
       this.settings?.named(read.names);
       if (this.hands) this.hands.value = drawn.parameters;
       this.picture?.draw(read, drawn);
+      if (this.#kept.texts.length && !this.#kept.fitted) void this.#early();
     }
 
     /** The model as the sliders say. */
@@ -208,6 +206,7 @@ export function measuredElement(client, base) {
 
     /** @param {boolean} compare */
     async #fit(compare) {
+      this.#tried = true;
       this.picture?.busy("Starting numpy and scipy …");
       try {
         await client.need(PACKAGES);
