@@ -35,6 +35,10 @@ def between(low: Fraction, high: Fraction) -> Ball:
     return fraction(low) if low == high else fraction(low).union(fraction(high))
 
 
+UNIT = between(Fraction(-1), Fraction(1))
+"""0 ± 1."""
+
+
 def is_zero(x: Ball) -> bool:
     """Is it nought and nothing else?"""
     return bool(x == 0)

@@ -28,6 +28,9 @@ class Phase(Protocol):
     def speed(self, body: Body, now: Instant) -> Ball:
         """m/s."""
 
+    def acceleration(self, body: Body, now: Instant) -> Ball:
+        """m/s²."""
+
 
 @dataclass(slots=True, eq=False)
 class Body:
@@ -90,6 +93,12 @@ class Body:
             return ZERO
         return self.v if is_zero(self.a) else self.v + self.a * now.minus(self.begun)
 
+    def rate(self, now: Instant) -> Ball:
+        """m/s². Of its present motion."""
+        if self.phase is not None:
+            return self.phase.acceleration(self, now)
+        return ZERO if self.still else self.a
+
     def fly(self, now: Instant, push: Ball = ZERO) -> None:
         """From `now` on it is alone, or under the force `push` [N] of a contact besides its load.
 
@@ -147,6 +156,10 @@ class Gap:
         if now is self.since:
             return self.rate
         return self.right.speed(now) - self.left.speed(now)
+
+    def pull_at(self, now: Instant) -> Ball:
+        """m/s²."""
+        return self.right.rate(now) - self.left.rate(now)
 
     @property
     def shown(self) -> str:

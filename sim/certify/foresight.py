@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from sim.certify.balls import (
     ZERO,
     Ball,
-    NoBoundError,
     NotProvableError,
     exact,
     is_zero,
@@ -20,8 +19,8 @@ from sim.certify.balls import (
     upper,
 )
 from sim.certify.bodies import Gap
-from sim.certify.instants import instant
-from sim.certify.roots import falls_to_zero, first_root
+from sim.certify.instants import Instant, instant
+from sim.certify.roots import Function, falls_to_zero, first_root
 from sim.certify.row import Next, Row
 from sim.scene.said import Said, listed, said
 
@@ -54,11 +53,24 @@ def at_once(one: Said, other: Said) -> Said:
     )
 
 
+def _soft(one: Next) -> bool:
+    return one.gap is not None and not one.gap.contact.sudden
+
+
+def _rest(gap: Gap) -> Ball:
+    """m. The overlap at which a bumper that has not recovered meets the other again."""
+    e = exact(gap.contact.restitution or 0.0)
+    return (1 - e * e) * gap.memory
+
+
 class Foresight(Row):
     """What is still to come of a row."""
 
     def first(self, coming: list[Next]) -> Next | None:
         """The provably first; None if nothing comes before the end."""
+        for one in coming:
+            if one.when is self.present and one.kind == "touch" and _soft(one):
+                return one  # nothing can come before now, and such touches change no velocity
         known = [(lower(one.when.ball), upper(one.when.ball), one) for one in coming]
         end = upper(self.until.ball)
         known = [row for row in known if not row[0] > end]
@@ -94,12 +106,18 @@ class Foresight(Row):
 
     def _apart(self, one: Next, other: Next) -> bool:
         """At exactly one instant: is either order the same, as no body takes part in both?"""
+        if one.kind == other.kind == "touch" and _soft(one) and _soft(other):
+            return True
         return not set(map(id, one.bodies)) & set(map(id, other.bodies))
 
     def _called(self, one: Next) -> Said:
         if one.gap is not None:
             return called(one.kind, one.gap.names)
         return called(one.kind, [self.names[k] for body in one.bodies for k in body.carts])
+
+    def presses(self, gap: Gap, now: Instant) -> bool:
+        """Do two that touch at rest to each other press at once?"""
+        raise NotImplementedError
 
     def halts(self) -> list[Next]:
         """Where friction brings carts in flight to rest."""
@@ -137,25 +155,20 @@ class Foresight(Row):
                 clear = falls_to_zero(-gap.room, -gap.rate, -gap.pull, left, doubt)
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
-        elif tail:
-            raise NoBoundError(
-                said("{pair} have not recovered when one of them meets another", pair=gap.shown)
-            )
-        elif is_zero(gap.room) and is_zero(gap.rate):
-            raise NotProvableError(
-                said(
-                    "{pair} touch while one of them is in another contact: coupled contacts have "
-                    "no bound yet",
-                    pair=gap.shown,
-                )
-            )
+        elif not tail and is_zero(gap.room) and (is_zero(gap.rate) or gap.rate < 0):
+            tau = ZERO if gap.rate < 0 or self.presses(gap, gap.since) else None
         else:
-            tau = first_root(
-                lambda t: gap.room_at(gap.since.after(t)),
-                lambda t: gap.rate_at(gap.since.after(t)),
-                (self.horizon(gap) - gap.since.ball).upper().mid(),
-                doubt,
-            )
+            left = (self.horizon(gap) - gap.since.ball).upper().mid()
+            tau = first_root(*self._closing(gap), left, doubt)
+            if tail:
+                clear = first_root(
+                    lambda t: -gap.room_at(gap.since.after(t)),
+                    lambda t: -gap.rate_at(gap.since.after(t)),
+                    left,
+                    doubt,
+                )
+                if clear is not None:
+                    found.append(Next(gap.since.after(clear), "clear", bodies, gap))
         if tau is not None:
             found.append(Next(gap.since.after(tau), "touch", bodies, gap))
         return found
@@ -167,11 +180,27 @@ class Foresight(Row):
             first = ZERO if gap.spent else k * gap.room + c * gap.rate
             return first, k * gap.rate + c * gap.pull, k * gap.pull
         if not is_zero(gap.memory):
-            e = exact(gap.contact.restitution or 0.0)
-            spent = is_zero(e) or gap.spent
-            room = ZERO if spent else gap.room + (1 - e * e) * gap.memory
+            room = ZERO if gap.spent else gap.room + _rest(gap)
             return room, gap.rate, gap.pull
         return gap.room, gap.rate, gap.pull
+
+    def _closing(self, gap: Gap) -> tuple[Function, Function]:
+        """The same and its slope, s after `since`, while one of the bodies is in a contact."""
+
+        def room(t: Ball) -> Ball:
+            return gap.room_at(gap.since.after(t))
+
+        def rate(t: Ball) -> Ball:
+            return gap.rate_at(gap.since.after(t))
+
+        if gap.tail is not None:
+            k, c = gap.tail
+            return (
+                lambda t: k * room(t) + c * rate(t),
+                lambda t: k * rate(t) + c * gap.pull_at(gap.since.after(t)),
+            )
+        rest = ZERO if is_zero(gap.memory) else _rest(gap)
+        return (lambda t: room(t) + rest), rate
 
     def horizon(self, gap: Gap) -> Ball:
         """s. Up to there the present motions of both bodies hold."""

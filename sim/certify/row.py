@@ -13,6 +13,7 @@ from fractions import Fraction
 from sim.certify.balls import ZERO, upper
 from sim.certify.band import Seen
 from sim.certify.bodies import Body, Gap
+from sim.certify.coupled import CoupledPhase
 from sim.certify.inputs import Inputs
 from sim.certify.instants import Instant, instant
 from sim.certify.phases import ContactPhase
@@ -70,7 +71,9 @@ class Row:
         ]
         self.moved = [ZERO for _ in self.names]  # m, of each cart
         self.touches: dict[int, Touch] = {}
-        self.phases: dict[int, tuple[ContactPhase, list[Next]]] = {}
+        self.phases: dict[int, tuple[ContactPhase | CoupledPhase, list[Next]]] = {}
+        self.coupled: dict[int, CoupledPhase] = {}  # by gap
+        self.present = self.zero
         self.ahead: dict[int, list[Next]] = {}  # of each gap
         self.told: list[Told] = []
         self.doubt = ""  # about the order of two events that are independent
@@ -94,7 +97,12 @@ class Row:
             if gap.joined or not ({gap.left, gap.right} & {*bodies}):
                 continue
             if gap.since is not now:
-                room, rate = gap.room_at(now), gap.rate_at(now)
+                coupled = self.coupled.get(gap.index)
+                room, rate = (
+                    (gap.room_at(now), gap.rate_at(now))
+                    if coupled is None
+                    else coupled.between(gap, now)
+                )
                 gap.room, gap.rate, gap.since = room, rate, now
                 gap.spent = False
         for body in bodies:

@@ -41,6 +41,7 @@ class BallRun(Contacts):
             self.happened += 1
             if self.happened > most:
                 raise NoBoundError(said("there are more than {most} changes", most=str(most)))
+            self.present = first.when
             self._happen(first)
         self.settle(self.bodies, self.until)
         self.tell(self.until, "end", tuple(self.names))
@@ -55,9 +56,7 @@ class BallRun(Contacts):
             gap.rate = gap.right.v - gap.left.v
         for body in self.bodies:
             body.fly(self.zero)
-        for gap in self.gaps:
-            if gap.room < 0:
-                self.touch(gap, self.zero)
+        self.begin([gap for gap in self.gaps if gap.room < 0], self.zero)
 
     def _happen(self, one: Next) -> None:
         if one.kind == "touch" and one.gap is not None:
@@ -80,13 +79,11 @@ class BallRun(Contacts):
             self._switch(one)
 
     def _switch(self, one: Next) -> None:
-        held = [body for body in one.bodies if body.held]
-        for gap_index in [
-            k for k, (p, _) in self.phases.items() if {p.left, p.right} & {*one.bodies}
-        ]:
-            gap = next(gap for gap in self.gaps if gap.index == gap_index)
-            self.again(gap, one.when, ())
-        free = [body for body in one.bodies if body.phase is None]
+        held = [body for body in one.bodies if body.held and body.phase is None]
+        pressed = self.interrupt(one.bodies, one.when)
+        in_contact = {body for gap in pressed for body in (gap.left, gap.right)}
+        self.form(pressed, one.when)
+        free = [body for body in one.bodies if body not in in_contact]
         self.forget(free)
         self.settle(free, one.when)
         self.fly(free, one.when)
