@@ -10,9 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from sim.certify.balls import ZERO, Ball, NotProvableError, is_zero, sign
+from sim.certify.balls import ZERO, Ball, NotProvableError, exact, is_zero, sign
 from sim.certify.instants import Instant, instant
 from sim.certify.loads import Load
+from sim.certify.oscillation import Line
 from sim.scene.model import Contact
 from sim.scene.said import listed, said
 
@@ -60,6 +61,11 @@ class Body:
     def static(self) -> Ball:
         """N. What friction can hold."""
         return sum((one.static for one in self.load), ZERO)
+
+    @property
+    def drag(self) -> Ball:
+        """kg/s."""
+        return sum((one.drag for one in self.load), ZERO)
 
     def force(self, now: Instant) -> Ball:
         """N without contacts, with the friction of its direction."""
@@ -144,6 +150,22 @@ class Gap:
     tail: tuple[Ball, Ball] | None = None  # κ, γ of a dashpot that has not recovered
     spent: bool = False  # its force is nought at `since`, exactly
     touching: bool = False
+    springs: tuple[Line, ...] = ()
+
+    @property
+    def bound(self) -> bool:
+        """Does anything act in it?"""
+        return self.touching or (bool(self.springs) and not self.joined)
+
+    def rest(self) -> Ball:
+        """m. The overlap at which a bumper that has not recovered meets the other again."""
+        e = exact(self.contact.restitution or 0.0)
+        return (1 - e * e) * self.memory
+
+    def pulled(self) -> Ball:
+        """N, of its springs, at `since`; positive pushes the two apart."""
+        forces = (s.kappa * (-self.room - s.rest) - s.gamma * self.rate for s in self.springs)
+        return sum(forces, ZERO)
 
     def room_at(self, now: Instant) -> Ball:
         """m."""

@@ -11,6 +11,7 @@ from sim.certify.coupled import CoupledPhase
 from sim.certify.forming import Forming, no_joint, rest_against
 from sim.certify.impacts import common_velocity, impact
 from sim.certify.instants import Instant
+from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
 from sim.scene.said import said
@@ -38,7 +39,8 @@ class Contacts(Forming):
         self.tell(now, "contact", gap.names)
         if gap.contact.joins:
             for one in pressed:
-                no_joint(self.touches[one.index])
+                if one.touching:
+                    no_joint(self.touches[one.index])
             self._join(gap, now)
         else:
             impact(gap)
@@ -49,8 +51,10 @@ class Contacts(Forming):
             for body in both:
                 body.held = (body in held and body not in free) or body.held
         for one in pressed:
-            one.rate = one.right.v - one.left.v
-            self.touches[one.index].still_pushes(now)
+            if one is not gap:
+                one.rate = one.right.v - one.left.v
+            if one.touching:
+                self.touches[one.index].still_pushes(now)
         self.form(pressed, now)
 
     def _join(self, gap: Gap, now: Instant) -> None:
@@ -75,7 +79,7 @@ class Contacts(Forming):
             self.tell_carts(now, "stop" if one.held else "start", one)
 
     def _touches(self, body: Body) -> bool:
-        return any(gap.touching and body in (gap.left, gap.right) for gap in self.gaps)
+        return any(gap.bound and body in (gap.left, gap.right) for gap in self.gaps)
 
     def begin(self, gaps: Sequence[Gap], now: Instant, pressed: Iterable[Gap] = ()) -> None:
         """Contacts of finite duration begin; `pressed`: what else touches around them."""
@@ -85,26 +89,44 @@ class Contacts(Forming):
             gap.touching = True
         self.form([*gaps, *pressed], now)
 
-    def phase_ends(self, gap: Gap, one: Next) -> None:
-        """A bumper turns, two come apart, or friction takes hold of somebody."""
-        key = next(k for k, (phase, _) in self.phases.items() if gap in phase.gaps)
-        phase, _ = self.phases[key]
-        now, touch = one.when, self.touches[gap.index]
-        cause, changed = one.cause, one.body
-        turned = cause == "turn"
-        for other in phase.gaps:
-            seen = cause if other is gap and changed is None else ""
-            if changed is not None and not isinstance(phase, CoupledPhase) and _turns(touch, cause):
-                seen = "turn"
-            self._see(phase, other, now, seen)
-            if changed is not None or other is not gap:
-                self.touches[other.index].fresh = False
-        self.leave(key, now)
-        held = [body for body in phase.bodies if body.held]
-        if changed is not None:
-            self._grip(changed, cause, phase.gaps, now)
-            self.form(phase.gaps, now)
+    def phase_ends(self, one: Next) -> None:
+        """A bumper turns, two come apart or meet, or friction takes hold of somebody."""
+        now, cause, gap = one.when, one.cause, one.gap
+        if gap is not None and cause == "touch":
+            self.meet(gap, now)
             return
+        key = next(k for k, (_, ends) in self.phases.items() if one in ends)
+        phase, _ = self.phases[key]
+        for other in phase.gaps:
+            if other.touching:
+                touch = self.touches[other.index]
+                seen = cause if other is gap and one.body is None else ""
+                if isinstance(phase, ContactPhase) and _turns(touch, cause):
+                    seen = "turn"
+                self._see(phase, other, now, seen)
+                touch.fresh = touch.fresh and other is gap and one.body is None
+        self.leave(key, now)
+        if one.body is not None:
+            self._grip(one.body, cause, phase.gaps, now)
+            if not phase.gaps:
+                self._alone(one.body, now)
+            self.form(phase.gaps, now)
+        elif gap is not None and cause == "clear":
+            gap.room, gap.memory, gap.tail = ZERO, ZERO, None
+            self.form(phase.gaps, now)
+        elif gap is not None:
+            self._contact_ends(gap, phase, one)
+
+    def _alone(self, body: Body, now: Instant) -> None:
+        """Friction stops a body in the air."""
+        self.fly((body,), now)
+        if body.held:
+            self.tell_carts(now, "stop", body)
+
+    def _contact_ends(self, gap: Gap, phase: ContactPhase | CoupledPhase, one: Next) -> None:
+        now, cause, touch = one.when, one.cause, self.touches[gap.index]
+        turned, alone = cause == "turn", isinstance(phase, ContactPhase)
+        held = [body for body in phase.bodies if body.held]
         if turned:
             gap.rate = ZERO
             if gap.left.still or gap.right.still:  # the cart itself stands still now
@@ -115,9 +137,9 @@ class Contacts(Forming):
         if cause == "climb" or (turned and touch.turn(now)):
             self.form(phase.gaps, now)
             return
-        self._part(gap, now, turned=turned, alone=len(phase.gaps) == 1)
+        self._part(gap, now, turned=turned, alone=alone)
         self._go_on(phase.gaps, gap, held, now)
-        if turned and self._pressed_on(gap, alone=len(phase.gaps) == 1):
+        if turned and self._pressed_on(gap, alone=alone):
             raise NoBoundError(said("{pair} stay pressed together under a force", pair=gap.shown))
 
     def _grip(self, body: Body, cause: str, gaps: Sequence[Gap], now: Instant) -> None:
@@ -126,12 +148,12 @@ class Contacts(Forming):
             body.v, body.sliding = ZERO, 0
             for gap in gaps:
                 if body in (gap.left, gap.right):
-                    rest_against(self.touches[gap.index])
+                    rest_against(gap)
             return
         total = body.force(now)
         for gap in gaps:
             if body in (gap.left, gap.right):
-                push = self.touches[gap.index].force()
+                push = self.push(gap)
                 total = total - push if body is gap.left else total + push
         body.v, body.held = ZERO, False
         if not total > 0 and not total < 0:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from sim.certify.arithmetic import arb
 from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError
@@ -18,30 +17,27 @@ from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.oscillation import Line
 from sim.certify.roots import first_root
-from sim.certify.series import REACH, SPARE_TIME, Piece, Row, Signal, State, total
+from sim.certify.series import REACH, SPARE_TIME, Piece, Row, State
+from sim.certify.signals import Signal
+from sim.certify.transport import Transport
+from sim.certify.watches import Watch
 from sim.scene.said import Said, listed, said
 
 MOST_PIECES = 2000
 """Of one motion: some three hundred swings of its stiffest mode. A contact takes one to five."""
 
 
-@dataclass(frozen=True, slots=True)
-class Watch:
-    """A function that is positive until it ends the motion."""
-
-    signal: Callable[[Piece], Signal]
-    cause: str
-    doubt: Said
-    gap: Gap | None = None
-    body: Body | None = None
+WRAPPED = 4
+"""Pieces that begin where the one before ends: a contact is over before it shows."""
 
 
 class CoupledPhase:
     """A row in one branch of each of its contacts; all its bodies point here until one ends."""
 
-    def __init__(self, gaps: list[Gap], lines: list[Line], now: Instant) -> None:
-        self.gaps, self.begun = gaps, now
-        self.row = [gaps[0].left, *(gap.right for gap in gaps)]
+    def __init__(
+        self, row: list[Body], gaps: list[Gap], lines: list[tuple[Line, ...]], now: Instant
+    ) -> None:
+        self.row, self.gaps, self.begun = row, gaps, now
         self.bodies = tuple(body for body in self.row if body.mass is not None)
         loads = [ZERO if body.still else body.acceleration(now) for body in self.row]
         inverses = [ZERO if body.still else 1 / body.mass for body in self.row]
@@ -50,9 +46,11 @@ class CoupledPhase:
             tuple(inverses),
             tuple(loads),
             tuple(ZERO if a is b else a - b for a, b in itertools.pairwise(loads)),
+            tuple(ZERO if body.still else body.drag / body.mass for body in self.row),
         )
         self.omega, self.rate = self.equations.rates()
         self.length = arb(REACH / float(self.rate))
+        self.transport: Transport | None = None
         start = State(
             tuple(-gap.room for gap in gaps),
             tuple(-gap.rate for gap in gaps),
@@ -67,13 +65,19 @@ class CoupledPhase:
             if p >= MOST_PIECES:
                 reason = said(
                     "{carts} push each other for more than {most} pieces of the series",
-                    carts=listed([gap.names[0] for gap in self.gaps] + [self.gaps[-1].names[1]]),
+                    carts=listed([gap.shown for gap in self.gaps]),
                     most=str(MOST_PIECES),
                 )
                 raise NoBoundError(reason)
-            start = self.pieces[-1].end()
+            start = self.pieces[-1].end() if p < WRAPPED else self._carried(len(self.pieces))
             self.pieces.append(Piece(self.equations, start, self.length, self.omega, self.rate))
         return self.pieces[p]
+
+    def _carried(self, p: int) -> State:
+        if self.transport is None:
+            start = self.pieces[0].start
+            self.transport = Transport(self.equations, start, self.length, self.omega, self.rate)
+        return self.transport.state(p)
 
     # ------------------------------------------------------------------ where everything is
 
@@ -125,9 +129,9 @@ class CoupledPhase:
         return room, self._at(lambda piece: piece.overlap(k, (none, -one, none)), tau)
 
     def force(self, gap: Gap, tau: Ball) -> Ball:
-        """N of a gap."""
+        """N of the contact in a gap."""
         k = self.gaps.index(gap)
-        return self._at(lambda piece: piece.force(k), tau)
+        return self._at(lambda piece: piece.contact(k), tau)
 
     def jerks(self, body: Body) -> list[Ball]:
         """Taylor coefficients of the way at the beginning, without what its load alone does."""
@@ -136,7 +140,7 @@ class CoupledPhase:
         first, j = self.pieces[0], self.row.index(body)
         forces = self.equations.forces(first.start.o, first.start.s, rest=True)
         terms = list(first.x[j])
-        terms[2] = self.equations.pushed(forces, j) / 2
+        terms[2] = (self.equations.pushed(forces, j) - self.equations.drags[j] * body.v) / 2
         return terms
 
     # ------------------------------------------------------------------ what ends it
@@ -175,7 +179,7 @@ class CoupledPhase:
         at, rising, p = ZERO, False, 0
         while p * self.length < until.upper():
             piece = self.piece(p)
-            slope = piece.force(k).slope()
+            slope = piece.contact(k).slope()
             if p == 0:
                 slope = slope.begun(piece.reach)
                 rising = bool(slope.terms[0] > 0)
@@ -189,7 +193,7 @@ class CoupledPhase:
                     break
                 tau = root + p * self.length
                 if rising and tau < until:
-                    yield tau, piece.force(k).at(root)
+                    yield tau, piece.contact(k).at(root)
                 elif not tau > until and not tau < until:
                     raise NotProvableError(doubt)
                 rising, at = not rising, root.upper().mid()
@@ -207,42 +211,3 @@ def _turns(slope: Signal, at: Ball, end: Ball, doubt: Said, *, rising: bool) -> 
         doubt,
     )
     return None if root is None else root + at
-
-
-def grips(phase: CoupledPhase, silent: set[Body]) -> Iterator[Watch]:
-    """Where a sliding body stops, or a held one is pushed away; not of those that a wall turns."""
-    for j, body in enumerate(phase.row):
-        if body.mass is None:
-            continue
-        if body.held:
-            doubt = said(
-                "whether friction holds a cart in the contact of {pair}", pair=_near(phase, j)
-            )
-            load = body.force(phase.begun)
-            for way in (1, -1):
-                yield Watch(_room(phase, body, j, load, way), "slip", doubt, body=body)
-        elif body.sliding and body not in silent:
-            doubt = said("whether a cart stops in the contact of {pair}", pair=_near(phase, j))
-
-            def speed(piece: Piece, j: int = j, way: int = body.sliding) -> Signal:
-                return total([(way, piece.speed(j))], ZERO)
-
-            yield Watch(speed, "halt", doubt, body=body)
-
-
-def _room(
-    phase: CoupledPhase, body: Body, j: int, load: Ball, way: int
-) -> Callable[[Piece], Signal]:
-    """What friction can still hold against a push to the right (way 1) or the left, N."""
-
-    def room(piece: Piece) -> Signal:
-        pushes = [(-way, piece.force(j - 1))] if j else []
-        if j < len(phase.gaps):
-            pushes.append((way, piece.force(j)))
-        return total(pushes, body.static - way * load)
-
-    return room
-
-
-def _near(phase: CoupledPhase, j: int) -> str:
-    return phase.gaps[max(j - 1, 0)].shown

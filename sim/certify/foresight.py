@@ -13,7 +13,6 @@ from sim.certify.balls import (
     ZERO,
     Ball,
     NotProvableError,
-    exact,
     is_zero,
     lower,
     upper,
@@ -55,12 +54,6 @@ def at_once(one: Said, other: Said) -> Said:
 
 def _soft(one: Next) -> bool:
     return one.gap is not None and not one.gap.contact.sudden
-
-
-def _rest(gap: Gap) -> Ball:
-    """m. The overlap at which a bumper that has not recovered meets the other again."""
-    e = exact(gap.contact.restitution or 0.0)
-    return (1 - e * e) * gap.memory
 
 
 class Foresight(Row):
@@ -134,7 +127,7 @@ class Foresight(Row):
 
     def of_gap(self, gap: Gap) -> list[Next]:
         """A meeting, and the recovery of bumpers; kept until one of the bodies changes."""
-        if gap.joined or gap.touching:
+        if gap.joined or gap.bound:
             return []
         found = self.ahead.get(gap.index)
         if found is None:
@@ -180,7 +173,7 @@ class Foresight(Row):
             first = ZERO if gap.spent else k * gap.room + c * gap.rate
             return first, k * gap.rate + c * gap.pull, k * gap.pull
         if not is_zero(gap.memory):
-            room = ZERO if gap.spent else gap.room + _rest(gap)
+            room = ZERO if gap.spent else gap.room + gap.rest()
             return room, gap.rate, gap.pull
         return gap.room, gap.rate, gap.pull
 
@@ -199,7 +192,7 @@ class Foresight(Row):
                 lambda t: k * room(t) + c * rate(t),
                 lambda t: k * rate(t) + c * gap.pull_at(gap.since.after(t)),
             )
-        rest = ZERO if is_zero(gap.memory) else _rest(gap)
+        rest = ZERO if is_zero(gap.memory) else gap.rest()
         return (lambda t: room(t) + rest), rate
 
     def horizon(self, gap: Gap) -> Ball:

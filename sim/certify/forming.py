@@ -12,14 +12,15 @@ from collections.abc import Iterable
 from typing import Any
 
 from sim.certify import peaks
-from sim.certify.balls import ZERO, NoBoundError, NotProvableError, is_zero
+from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.bodies import Body, Gap
-from sim.certify.coupled import CoupledPhase, Watch, grips
+from sim.certify.coupled import CoupledPhase
 from sim.certify.foresight import Foresight
 from sim.certify.instants import Instant
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
+from sim.certify.watches import Watch, grips, open_gap
 from sim.scene.said import said
 
 
@@ -27,13 +28,13 @@ class Forming(Foresight):
     """Motions of bodies that touch."""
 
     def interrupt(self, bodies: Iterable[Body], now: Instant) -> list[Gap]:
-        """End the motions of these bodies at `now`; returns the gaps that touched in them."""
+        """End the motions of these bodies at `now`; returns the gaps that they pushed in."""
         found: list[Gap] = []
         mine = {body for body in bodies if body.mass is not None}
         for key in [k for k, (phase, _) in self.phases.items() if mine & {*phase.bodies}]:
             phase, _ = self.phases[key]
             for gap in phase.gaps:
-                if phase.begun is not now:
+                if phase.begun is not now and gap.touching:
                     self._see(phase, gap, now, "")
                     self.touches[gap.index].fresh = False
             self.leave(key, now)
@@ -56,19 +57,20 @@ class Forming(Foresight):
 
     def form(self, gaps: Iterable[Gap], now: Instant) -> None:
         """What touches at these gaps moves on from `now`; everything around is settled."""
-        waiting = {gap.index: gap for gap in gaps if gap.touching}
+        waiting = {gap.index: gap for gap in gaps if gap.bound}
         while waiting:
             row = self._row_of(waiting[min(waiting)])
             for gap in row:
                 waiting.pop(gap.index, None)
             self._judge(row, now)
-            if len(row) == 1:
-                self._pair(row[0], now)
+            gap = row[0]
+            if len(row) == 1 and not gap.springs and not self._dragged(gap):
+                self._pair(gap, now)
             else:
-                self._coupled(row, now)
+                self._coupled([gap.left, *(one.right for one in row)], row, now)
 
     def _row_of(self, gap: Gap) -> list[Gap]:
-        """The touching gaps that are connected to this one, from left to right."""
+        """The gaps in which something acts, connected to this one, from left to right."""
         found = {gap.index: gap}
         grows = True
         while grows:
@@ -76,7 +78,7 @@ class Forming(Foresight):
             more = [
                 g
                 for g in self.gaps
-                if g.touching and g.index not in found and {g.left, g.right} & bodies
+                if g.bound and g.index not in found and {g.left, g.right} & bodies
             ]
             found |= {g.index: g for g in more}
             grows = bool(more)
@@ -84,9 +86,9 @@ class Forming(Foresight):
 
     def _judge(self, row: list[Gap], now: Instant) -> None:
         """Whom friction holds under the forces of all its contacts."""
-        pushes: dict[Body, object] = {}
+        pushes: dict[Body, Ball] = {}
         for gap in row:
-            force = self.touches[gap.index].force()
+            force = self.push(gap)
             for body, way in ((gap.left, -1), (gap.right, 1)):
                 if body.mass is not None:
                     pushes[body] = pushes.get(body, ZERO) + way * force
@@ -94,9 +96,26 @@ class Forming(Foresight):
             if not (body.sliding and is_zero(body.v)):
                 held = body.held
                 body.fly(now, push)
-                if held != body.held:
+                if held != body.held and now is not self.zero:
                     self.tell_carts(now, "stop" if body.held else "start", body)
             body.phase = None
+
+    def push(self, gap: Gap) -> Ball:
+        """N. Of all that acts in a gap, at its `since`."""
+        contact = self.touches[gap.index].force() if gap.touching else ZERO
+        return contact + gap.pulled() if gap.springs else contact
+
+    def fly(self, bodies: Iterable[Body], now: Instant) -> None:
+        """New motions of who is free; where air drags, that is a series too."""
+        bodies = [body for body in bodies if body.carts]
+        super().fly(bodies, now)
+        for body in dict.fromkeys(bodies):
+            if body.phase is None and not body.still and not is_zero(body.drag):
+                self._coupled([body], [], now)
+
+    def _dragged(self, gap: Gap) -> bool:
+        both = (gap.left, gap.right)
+        return all(b.still for b in both) or any(not b.still and not is_zero(b.drag) for b in both)
 
     def _pair(self, gap: Gap, now: Instant) -> None:
         touch = self.touches[gap.index]
@@ -113,27 +132,32 @@ class Forming(Foresight):
                 ends.append(Next(now.after(tau), "end", bodies, gap, cause, body))
         self._moves(phase, ends)
 
-    def _coupled(self, row: list[Gap], now: Instant) -> None:
-        touches = [self.touches[gap.index] for gap in row]
-        phase = CoupledPhase(row, [touch.line for touch in touches], now)
+    def _coupled(self, row: list[Body], gaps: list[Gap], now: Instant) -> None:
+        touches = {k: self.touches[gap.index] for k, gap in enumerate(gaps) if gap.touching}
+        lines = [
+            ((touches[k].line, *gap.springs) if gap.touching else gap.springs)
+            for k, gap in enumerate(gaps)
+        ]
+        phase = CoupledPhase(row, gaps, lines, now)
         watches: list[Watch] = []
-        for k, touch in enumerate(touches):
-            watches += touch.watches(k, now)
-        silent = {b for t in touches if t.turns_at_rest for b in (t.gap.left, t.gap.right)}
-        watches += grips(phase, silent)
+        for k, gap in enumerate(gaps):
+            watches += touches[k].watches(k, now) if gap.touching else open_gap(gap, k)
+        silent = {b for t in touches.values() if t.turns_at_rest for b in (t.gap.left, t.gap.right)}
+        watches += grips(row, gaps, now, silent)
         horizon = self.until.minus(now).upper().mid()
         ends = []
         if horizon > 0:
             for tau, watch in phase.first(watches, horizon):
-                gap = watch.gap or row[0]
-                ends.append(Next(now.after(tau), "end", phase.bodies, gap, watch.cause, watch.body))
+                when, bodies = now.after(tau), phase.bodies
+                ends.append(Next(when, "end", bodies, watch.gap, watch.cause, watch.body))
         self._moves(phase, ends)
-        self.coupled |= {gap.index: phase for gap in row}
+        self.coupled |= {gap.index: phase for gap in gaps}
 
     def _moves(self, phase: ContactPhase | CoupledPhase, ends: list[Next]) -> None:
         for body in phase.bodies:
             body.phase = phase
-        self.phases[phase.gaps[0].index] = (phase, ends)
+        key = phase.gaps[0].index if phase.gaps else -1 - phase.bodies[0].carts[0]
+        self.phases[key] = (phase, ends)
         self.forget(phase.bodies)
 
     def presses(self, gap: Gap, now: Instant) -> bool:
@@ -147,7 +171,7 @@ class Forming(Foresight):
             if phase.begun is not now:
                 raise NotProvableError(said("whether {pair} meet", pair=gap.shown))
             if isinstance(phase, ContactPhase):
-                phase = CoupledPhase([phase.gap], [phase.line], now)
+                phase = CoupledPhase([phase.left, phase.right], [phase.gap], [(phase.line,)], now)
             ways.append(phase.jerks(body))
         steady = (ZERO if b.still else b.acceleration(now) for b in (gap.left, gap.right))
         left, right = steady
@@ -164,10 +188,10 @@ class Forming(Foresight):
         raise NotProvableError(said("whether {pair} meet", pair=gap.shown))
 
 
-def rest_against(touch: Touch) -> None:
+def rest_against(gap: Gap) -> None:
     """A body whose neighbour is still has stopped: the gap neither opens nor closes, exactly."""
-    if touch.gap.left.still or touch.gap.right.still:
-        touch.gap.rate = ZERO
+    if gap.left.still or gap.right.still:
+        gap.rate = ZERO
 
 
 def no_joint(touch: Touch) -> None:

@@ -65,6 +65,7 @@ class Row:
                 inputs.gaps[k],
                 ZERO,
                 self.zero,
+                springs=tuple(inputs.springs.get(k, ())),
             )
             for k, contact in enumerate(self.scene.contacts)
             if contact is not None
@@ -118,7 +119,7 @@ class Row:
             if body.carts and body.phase is None:
                 body.fly(now)
         for gap in self.gaps:
-            if not gap.joined and not gap.touching and {gap.left, gap.right} & {*bodies}:
+            if not gap.joined and not gap.bound and {gap.left, gap.right} & {*bodies}:
                 if gap.since is not now:
                     raise AssertionError("a gap was not settled")
                 if not self._alike(gap):

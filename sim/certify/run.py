@@ -56,7 +56,9 @@ class BallRun(Contacts):
             gap.rate = gap.right.v - gap.left.v
         for body in self.bodies:
             body.fly(self.zero)
-        self.begin([gap for gap in self.gaps if gap.room < 0], self.zero)
+        pulled = [gap for gap in self.gaps if gap.springs]
+        self.begin([gap for gap in self.gaps if gap.room < 0], self.zero, pulled)
+        self.fly([body for body in self.bodies if not self._touches(body)], self.zero)
 
     def _happen(self, one: Next) -> None:
         if one.kind == "touch" and one.gap is not None:
@@ -66,8 +68,8 @@ class BallRun(Contacts):
             self.settle(one.bodies, one.when)
             one.gap.room, one.gap.memory, one.gap.tail = ZERO, ZERO, None
             self.fly(one.bodies, one.when)
-        elif one.kind == "end" and one.gap is not None:
-            self.phase_ends(one.gap, one)
+        elif one.kind == "end":
+            self.phase_ends(one)
         elif one.kind == "halt" and one.body is not None:
             self.forget(one.bodies)
             self.settle(one.bodies, one.when)

@@ -3,7 +3,7 @@
 Member j has inverse mass i_j (nought: it does not move) and the acceleration a_j of its loads; gap
 k lies between members k and k + 1, with overlap o, rate s = o′ and N = κ (o − rest) + γ s:
 
-    o′ = s      s′_k = c_k − c_{k+1} + (a_k − a_{k+1})      c_j = i_j (N_{j−1} − N_j)
+    o′ = s      s′_k = c_k − c_{k+1} + (a_k − a_{k+1})      c_j = i_j (N_{j−1} − N_j − b_j v_j)
     x′ = v      v′_j = c_j + a_j
 
 All of it together is y′ = A y + b. From a ball of y(0) follow balls of the Taylor coefficients
@@ -16,8 +16,8 @@ r-th derivative of o or x (of s or v: Ω times that) is at most
 That is the bound ‖A‖^{n+1} τ^{n+1}/(n+1)! e^{‖A‖τ} ‖y‖ with the last known term in place of its own
 estimate. The time is cut into pieces with L h ≈ 1; the end of one is the beginning of the next.
 Overlaps and rates are carried on their own and not as differences of places, so what touches stays
-0 exactly. Each piece wraps the set of the one before into a box that is up to e^{Lh} times as wide:
-more bits are taken until that does not show.
+0 exactly. The first few pieces wrap the set of the one before into a box that is up to e^{Lh} times
+as wide; later ones are images of the beginning itself (`transport`).
 
 R. E. Moore, Interval Analysis (1966); N. S. Nedialkov, K. R. Jackson, G. F. Corliss, Validated
 solutions of initial value problems for ODEs, Appl. Math. Comput. 105 (1999) 21; R. J. Lohner,
@@ -28,61 +28,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import comb, lgamma, log, log2, perm
+from math import lgamma, log, log2
 
 from sim.certify.arithmetic import arb, ctx
 from sim.certify.balls import UNIT, ZERO, Ball, is_zero
 from sim.certify.oscillation import Line
+from sim.certify.signals import DERIVATIVES, Signal
 
 REACH = 1.0
 """L h: a piece holds a sixth of a swing of the stiffest mode, and the terms fall from the first."""
 
+STILL = 1e-6
+"""1/s. As fast as nothing moves: a row that friction holds. Its series has one term."""
+
 SPARE_TIME = 1.3
 """A piece holds for so many times its length: the search for a zero looks a quarter beyond."""
-
-DERIVATIVES = 4
-"""Of a signal: itself, its slope, and the two that a slope's own zeros need."""
-
-
-@dataclass(frozen=True, slots=True)
-class Signal:
-    """Σ terms τᵏ + tail: a linear function of the state, within one piece; tails: 0 ± a bound."""
-
-    terms: tuple[Ball, ...]
-    tails: tuple[Ball, ...]
-
-    def at(self, tau: Ball) -> Ball:
-        """Its value; `tau` [s] counts from the beginning of the piece."""
-        total = self.terms[-1]
-        for one in self.terms[-2::-1]:
-            total = total * tau + one
-        return total + self.tails[0]
-
-    def slope(self) -> Signal:
-        """Its derivative."""
-        terms = tuple(k * one for k, one in enumerate(self.terms) if k)
-        return Signal(terms, self.tails[1:])
-
-    def begun(self, reach: Ball) -> Signal:
-        """Without the power τᶻ that is a factor of all of it, exactly: the same zeros, but for 0.
-
-        What is left out, R, falls towards 0 with τⁿ⁺¹ and more: R/τᶻ and its derivatives, by
-        Leibniz' rule, are greatest at `reach`.
-        """
-        z = next((k for k, one in enumerate(self.terms[:-DERIVATIVES]) if not is_zero(one)), 0)
-        if not z:
-            return self
-        tails = [
-            sum(
-                (
-                    comb(r, j) * perm(z + j - 1, j) * self.tails[r - j] / reach ** (z + j)
-                    for j in range(r + 1)
-                ),
-                ZERO,
-            )
-            for r in range(len(self.tails))
-        ]
-        return Signal(self.terms[z:], tuple(tails))
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,22 +59,24 @@ class State:
 class Row:
     """The equations; `pulls` of a gap is a_k − a_{k+1}, exactly nought where both are the same."""
 
-    lines: tuple[Line, ...]
+    lines: tuple[tuple[Line, ...], ...]  # of each gap: a contact's first
     inverses: tuple[Ball, ...]  # 1/kg
     loads: tuple[Ball, ...]  # m/s²
     pulls: tuple[Ball, ...]  # m/s²
+    drags: tuple[Ball, ...]  # b/m, 1/s
 
     def rates(self) -> tuple[Ball, Ball]:
         """Ω and L, 1/s."""
+        gaps = range(len(self.lines))
         stiff, damped = (
-            max(float(self._row(k, key).upper()) for k in range(len(self.lines)))
+            max((float(self._row(k, key).upper()) for k in gaps), default=0.0)
             for key in ("kappa", "gamma")
         )
-        omega = arb((stiff or damped * damped) ** 0.5)
-        ways = [
-            self._row(k, "kappa") / omega + self._row(k, "gamma") for k in range(len(self.lines))
-        ]
-        return omega, _greatest([omega, *ways])
+        dragged = _greatest([ZERO, *self.drags])
+        slowest = max(damped, float(dragged), STILL)
+        omega = arb(stiff**0.5 or slowest)
+        ways = [self._row(k, "kappa") / omega + self._row(k, "gamma") for k in gaps]
+        return omega, _greatest([omega, *(way + 2 * dragged for way in ways), dragged])
 
     def _row(self, k: int, key: str) -> Ball:
         """How strongly the forces of a gap and its neighbours act on its rate."""
@@ -123,15 +85,15 @@ class Row:
             if 0 <= other < len(self.lines):
                 shared = {k, k + 1} & {other, other + 1}
                 weight = sum((self.inverses[j] for j in shared), ZERO)
-                total = total + getattr(self.lines[other], key) * weight
+                lines = sum((getattr(line, key) for line in self.lines[other]), ZERO)
+                total = total + lines * weight
         return total
 
     def forces(self, o: Sequence[Ball], s: Sequence[Ball], *, rest: bool) -> list[Ball]:
         """N of every gap, or a Taylor coefficient of it: `rest` belongs to the first alone."""
-        rows = zip(self.lines, o, s, strict=True)
         return [
-            line.kappa * (over - line.rest if rest else over) + line.gamma * rate
-            for line, over, rate in rows
+            sum((_push(line, over, rate, rest=rest) for line in lines), ZERO)
+            for lines, over, rate in zip(self.lines, o, s, strict=True)
         ]
 
     def pushed(self, forces: list[Ball], j: int) -> Ball:
@@ -148,6 +110,9 @@ class Row:
         for n in range(order):
             forces = self.forces([one[n] for one in o], [one[n] for one in s], rest=n == 0)
             pushed = [self.pushed(forces, j) for j in range(len(self.inverses))]
+            for j, drag in enumerate(self.drags):
+                if not is_zero(drag):
+                    pushed[j] = pushed[j] - drag * v[j][n]
             for k in range(len(self.lines)):
                 a = pushed[k] - pushed[k + 1]
                 o[k].append(s[k][n] / (n + 1))
@@ -188,10 +153,17 @@ class Piece:
         wide = abs(a) + abs(b) * self.omega
         return Signal(tuple(terms), tuple(wide * tail for tail in self.tails))
 
-    def force(self, k: int) -> Signal:
-        """N of a gap."""
-        line = self.row.lines[k]
+    def contact(self, k: int) -> Signal:
+        """N of the contact in a gap."""
+        line = self.row.lines[k][0]
         return self.overlap(k, (line.kappa, line.gamma, -line.kappa * line.rest))
+
+    def force(self, k: int) -> Signal:
+        """N of all that acts in a gap."""
+        lines = self.row.lines[k]
+        kappa, gamma = (sum((getattr(o, key) for o in lines), ZERO) for key in ("kappa", "gamma"))
+        rest = sum((line.kappa * line.rest for line in lines), ZERO)
+        return self.overlap(k, (kappa, gamma, -rest))
 
     def speed(self, j: int) -> Signal:
         """v of a member."""
@@ -214,13 +186,8 @@ class Piece:
         )
 
 
-def total(signals: list[tuple[int, Signal]], constant: Ball) -> Signal:
-    """constant + Σ sign × signal, of one piece."""
-    length = len(signals[0][1].terms)
-    terms = [sum((way * one.terms[n] for way, one in signals), ZERO) for n in range(length)]
-    terms[0] = terms[0] + constant
-    tails = zip(*(one.tails for _, one in signals), strict=True)
-    return Signal(tuple(terms), tuple(sum(parts, ZERO) for parts in tails))
+def _push(line: Line, over: Ball, rate: Ball, *, rest: bool) -> Ball:
+    return line.kappa * (over - line.rest if rest else over) + line.gamma * rate
 
 
 def _order(reach: float) -> int:

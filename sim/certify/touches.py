@@ -19,12 +19,11 @@ from sim.certify import damping
 from sim.certify.arithmetic import arb
 from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.certify.bodies import Gap
-from sim.certify.coupled import Watch
 from sim.certify.instants import Instant
 from sim.certify.oscillation import Line
 from sim.certify.phases import ContactPhase
 from sim.certify.roots import first_root
-from sim.certify.series import Piece, Signal
+from sim.certify.watches import Watch, signal
 from sim.scene.said import said
 
 Damped = Callable[[Ball], tuple[Ball, bool]]
@@ -181,8 +180,6 @@ class Touch:
             turned = first_root(lambda t: -swing.at(t)[1], lambda t: -swing.all(t)[2], until, doubt)
             if turned is None:
                 return None
-        if self.nought is phase.begun:
-            raise NotProvableError(doubt)
         if not self.greatest - swing.o0 > 0:
             raise NotProvableError(doubt)
         return first_root(
@@ -195,15 +192,15 @@ class Touch:
         doubt = said("how the contact of {pair} ends", pair=self.gap.shown)
         exactly = self.nought is now
         if self.stage == "press" and not self.elastic:
-            return [Watch(_signal(k, (none, one, none)), "turn", doubt, self.gap)]
+            return [Watch(signal(k, (none, one, none)), "turn", doubt, self.gap)]
         factors = (one, none, -line.rest)
         if self.at_no_force:
             factors = (line.kappa, line.gamma, none)
         again = exactly and (self.at_no_force or self.begun is now)
-        found = [Watch(_signal(k, factors, nought=again), "apart", doubt, self.gap)]
+        found = [Watch(signal(k, factors, nought=again), "apart", doubt, self.gap)]
         if self.stage == "back":
             doubt = said("whether {pair} are pressed again", pair=self.gap.shown)
-            room = _signal(k, (-one, none, self.greatest), nought=exactly and not again)
+            room = signal(k, (-one, none, self.greatest), nought=exactly and not again)
             found.append(Watch(room, "climb", doubt, self.gap))
         return found
 
@@ -231,17 +228,3 @@ class Touch:
             gap.tail, gap.spent = (self.line.kappa, self.line.gamma), True
         else:
             gap.room = ZERO
-
-
-def _signal(
-    k: int, factors: tuple[Ball, Ball, Ball], *, nought: bool = False
-) -> Callable[[Piece], Signal]:
-    """a o + b o′ + c of gap k; `nought`: exactly 0 where the first piece begins."""
-
-    def signal(piece: Piece) -> Signal:
-        found = piece.overlap(k, factors)
-        if not (nought and piece.first):
-            return found
-        return Signal((ZERO, *found.terms[1:]), found.tails)
-
-    return signal

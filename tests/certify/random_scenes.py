@@ -1,4 +1,8 @@
-"""Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces."""
+"""Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces.
+
+`touching` are rows of which three and more push each other at once: cradles, trains that are hit,
+carts between soft walls.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ from random import Random
 from typing import Any
 
 LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")
+SOFT = LAWS[:4]
 
 
 def plain(seed: int) -> dict[str, Any]:
@@ -36,8 +41,33 @@ def plain(seed: int) -> dict[str, Any]:
     return scene
 
 
-def _contact(dice: Random) -> dict[str, Any]:
-    law = dice.choice(LAWS)
+def touching(seed: int) -> dict[str, Any]:
+    """A row of 3 to 6 carts, some of which touch from the start; the last may come from outside."""
+    dice = Random(f"row {seed}")
+    count = dice.choice([3, 3, 3, 4, 5, 6])
+    alike, x, carts = dice.random() < 0.3, 0.2, {}
+    hit = dice.choice([0.5, 1, round(dice.uniform(0.2, 1.5), 2)])
+    for k in range(count):
+        x = round(x + 0.2 + (dice.choice([0, 0, 0.001, round(dice.uniform(0, 0.2), 3)])), 3)
+        came = k == 0 or (k == count - 1 and dice.random() < 0.4)
+        carts["ABCDEF"[k]] = {
+            "mass": 1 if alike else round(10 ** dice.uniform(-0.7, 0.7), 2),
+            "position": x,
+            "velocity": (hit if k == 0 else -0.7) if came else 0,
+        }
+    walls = dice.choice(["open", "open", "wall"])
+    track = {"right": walls, "length": round(x + 0.1 + dice.choice([0, dice.uniform(0, 0.3)]), 3)}
+    contact = _contact(dice, SOFT)
+    scene = {"carts": carts, "track": track, "contact": contact, "until": dice.choice([0.5, 1, 2])}
+    if dice.random() < 0.3:
+        contact["pairs"] = {"A-B": _contact(dice, SOFT), "B-C": _contact(dice, LAWS)}
+    if dice.random() < 0.3:
+        scene["effects"] = [_effect(dice, list(carts))]
+    return scene
+
+
+def _contact(dice: Random, laws: tuple[str, ...] = LAWS) -> dict[str, Any]:
+    law = dice.choice(laws)
     found: dict[str, Any] = {"law": law}
     if law != "velcro":
         least = 0.02 if law.startswith("push") else 0
