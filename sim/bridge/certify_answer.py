@@ -15,8 +15,8 @@ from time import perf_counter
 from typing import Any
 
 from sim.bridge.protocol import plain_of
-from sim.certify.balls import bounds
 from sim.certify.certificate import Certificate, certify, document
+from sim.certify.numbers.balls import bounds
 from sim.dynamics.loop.run import run
 from sim.scene import Scene, read_scene
 from sim.scene.said import wire

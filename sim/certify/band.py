@@ -11,7 +11,7 @@ import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from sim.certify.balls import Ball
+from sim.certify.numbers.balls import Ball
 
 Spans = dict[str, tuple[Fraction, Fraction]]
 """By `cart.key`: how far an input may be from the scene's number, at least and at most, in SI."""

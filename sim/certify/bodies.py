@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from sim.certify.balls import ZERO, Ball, NotProvableError, exact, is_zero, sign
 from sim.certify.instants import Instant, instant
 from sim.certify.loads import Load
+from sim.certify.numbers.balls import ZERO, Ball, NotProvableError, exact, is_zero, sign
 from sim.certify.oscillation import Line
 from sim.scene.model import Contact
 from sim.scene.said import listed, said
@@ -46,6 +46,7 @@ class Body:
     held: bool = False  # by friction
     sliding: int = 0
     phase: Phase | None = None
+    balanced: Instant | None = None  # when it slipped with no net force, exactly
 
     @property
     def still(self) -> bool:
@@ -171,12 +172,17 @@ class Gap:
         """m."""
         if now is self.since:
             return self.room
+        if self.simple:  # of two on one slope it knows that they fall alike
+            tau = now.minus(self.since)
+            return self.room + tau * (self.rate + self.pull * tau / 2)
         return self.room + self.right.way(self.since, now) - self.left.way(self.since, now)
 
     def rate_at(self, now: Instant) -> Ball:
         """m/s."""
         if now is self.since:
             return self.rate
+        if self.simple:
+            return self.rate + self.pull * now.minus(self.since)
         return self.right.speed(now) - self.left.speed(now)
 
     def pull_at(self, now: Instant) -> Ball:

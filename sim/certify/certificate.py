@@ -11,8 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from sim.certify.arithmetic import ctx
-from sim.certify.balls import (
+from sim.certify.band import Seen, Spans, pieces, united, united_seen
+from sim.certify.foresight import at_once, called
+from sim.certify.inputs import inputs
+from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import ctx
+from sim.certify.numbers.balls import (
     UNIT,
     ZERO,
     Ball,
@@ -24,10 +28,6 @@ from sim.certify.balls import (
     lower,
     upper,
 )
-from sim.certify.band import Seen, Spans, pieces, united, united_seen
-from sim.certify.foresight import at_once, called
-from sim.certify.inputs import inputs
-from sim.certify.instants import Instant
 from sim.certify.row import Told
 from sim.certify.run import MOST_EVENTS, BallRun
 from sim.scene.model import Scene

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from sim.certify import peaks
-from sim.certify.balls import ZERO, NoBoundError, NotProvableError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.forming import Forming, no_joint, rest_against
 from sim.certify.impacts import common_velocity, impact
 from sim.certify.instants import Instant
+from sim.certify.numbers.balls import ZERO, NoBoundError, NotProvableError, is_zero
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
@@ -156,6 +156,7 @@ class Contacts(Forming):
                 push = self.push(gap)
                 total = total - push if body is gap.left else total + push
         body.v, body.held = ZERO, False
+        body.balanced = now if all(one.even for one in body.load) else None
         if not total > 0 and not total < 0:
             raise NotProvableError(said("which way a cart begins to slide"))
         body.sliding = 1 if total > 0 else -1

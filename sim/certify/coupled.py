@@ -11,12 +11,12 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterator
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError
+from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
-from sim.certify.roots import first_root
 from sim.certify.series import REACH, SPARE_TIME, Piece, Row, State
 from sim.certify.signals import Signal
 from sim.certify.transport import Transport
@@ -57,7 +57,10 @@ class CoupledPhase:
             tuple(ZERO for _ in self.row),
             tuple(ZERO if body.still else body.v for body in self.row),
         )
-        self.pieces = [Piece(self.equations, start, self.length, self.omega, self.rate, first=True)]
+        slipping = [j for j, body in enumerate(row) if body.balanced is now]
+        self.pieces = [
+            Piece(self.equations, start, self.length, self.omega, self.rate, balanced=slipping)
+        ]
 
     def piece(self, p: int) -> Piece:
         """From p lengths after the beginning on."""

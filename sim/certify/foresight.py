@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.certify.balls import (
+from sim.certify.bodies import Gap
+from sim.certify.instants import Instant, instant
+from sim.certify.numbers.balls import (
     ZERO,
     Ball,
     NotProvableError,
@@ -17,9 +19,7 @@ from sim.certify.balls import (
     lower,
     upper,
 )
-from sim.certify.bodies import Gap
-from sim.certify.instants import Instant, instant
-from sim.certify.roots import Function, falls_to_zero, first_root
+from sim.certify.numbers.roots import Function, falls_to_zero, first_root
 from sim.certify.row import Next, Row
 from sim.scene.said import Said, listed, said
 

@@ -12,11 +12,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from sim.certify import peaks
-from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.foresight import Foresight
 from sim.certify.instants import Instant
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
@@ -96,7 +96,7 @@ class Forming(Foresight):
             if not (body.sliding and is_zero(body.v)):
                 held = body.held
                 body.fly(now, push)
-                if held != body.held and now is not self.zero:
+                if held != body.held and self.running:
                     self.tell_carts(now, "stop" if body.held else "start", body)
             body.phase = None
 
@@ -172,8 +172,14 @@ class Forming(Foresight):
                 raise NotProvableError(said("whether {pair} meet", pair=gap.shown))
             if isinstance(phase, ContactPhase):
                 phase = CoupledPhase([phase.left, phase.right], [phase.gap], [(phase.line,)], now)
-            ways.append(phase.jerks(body))
-        steady = (ZERO if b.still else b.acceleration(now) for b in (gap.left, gap.right))
+            terms = phase.jerks(body)
+            if body.balanced is now:
+                terms[2] = ZERO
+            ways.append(terms)
+        steady = (
+            ZERO if b.still or b.balanced is now else b.acceleration(now)
+            for b in (gap.left, gap.right)
+        )
         left, right = steady
         loads = ZERO if left is right else (right - left) / 2
         for n in range(2, max(map(len, ways))):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from sim.certify.balls import ZERO, Ball, exact, is_zero
 from sim.certify.bodies import Body, Gap
+from sim.certify.numbers.balls import ZERO, Ball, exact, is_zero
 
 
 def impact(gap: Gap) -> None:

@@ -11,10 +11,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import Ball, between, exact
 from sim.certify.band import Spans
 from sim.certify.loads import Load, loads, springs
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import Ball, between, exact
 from sim.certify.oscillation import Line
 from sim.scene.model import Scene
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.certify.oscillation import Line
 from sim.effects.constant import Constant, constant_of
 from sim.effects.linear import linear_of
@@ -31,6 +31,7 @@ class Load:
     static: Ball = ZERO
     pushes: list[tuple[float, float, Ball]] = field(default_factory=list)  # s, s, N
     drag: Ball = ZERO  # kg/s
+    even: bool = True  # is friction the same, sliding and at rest?
 
     def force(self, now: Ball) -> Ball:
         """N without friction, just after `now`, which is exact where a push begins or ends."""
@@ -58,6 +59,7 @@ def loads(scene: Scene, masses: list[Ball]) -> list[Load]:
             if one.friction:
                 press = load.mass * gravity * angle.cos()
                 kinetic, static = map(exact, one.friction)
+                load.even = load.even and one.friction[0] == one.friction[1]
                 load.kinetic = load.kinetic + kinetic * press
                 load.static = load.static + static * press
             if one.push:

@@ -6,11 +6,11 @@ below. Any other law where its force stops to grow, or where a motion begins wit
 
 from __future__ import annotations
 
-from sim.certify.balls import ZERO, Ball, NotProvableError, is_zero
 from sim.certify.coupled import CoupledPhase
 from sim.certify.instants import Instant
+from sim.certify.numbers.balls import ZERO, Ball, NotProvableError, is_zero
+from sim.certify.numbers.roots import first_root
 from sim.certify.phases import ContactPhase
-from sim.certify.roots import first_root
 from sim.certify.touches import BUMPER, Touch
 from sim.scene.said import said
 

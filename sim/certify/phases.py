@@ -13,11 +13,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim.certify.balls import ZERO, Ball, NoBoundError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, is_zero
+from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line, Oscillation
-from sim.certify.roots import first_root
 from sim.scene.said import said
 
 

@@ -10,12 +10,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.certify.balls import ZERO, upper
 from sim.certify.band import Seen
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.inputs import Inputs
 from sim.certify.instants import Instant, instant
+from sim.certify.numbers.balls import ZERO, upper
 from sim.certify.phases import ContactPhase
 from sim.certify.touches import Touch
 
@@ -75,6 +75,7 @@ class Row:
         self.phases: dict[int, tuple[ContactPhase | CoupledPhase, list[Next]]] = {}
         self.coupled: dict[int, CoupledPhase] = {}  # by gap
         self.present = self.zero
+        self.running = False  # what holds at the start is no event
         self.ahead: dict[int, list[Next]] = {}  # of each gap
         self.told: list[Told] = []
         self.doubt = ""  # about the order of two events that are independent

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
-from sim.certify.balls import ZERO, NoBoundError, lower
 from sim.certify.contacts import Contacts
+from sim.certify.numbers.balls import ZERO, NoBoundError, lower
 from sim.certify.row import Next
 from sim.scene.said import said
 
@@ -24,6 +24,7 @@ class BallRun(Contacts):
         """
         waiting = deque(instants)
         self._start()
+        self.running = True
         switches = self.switches()
         while True:
             coming = [one for _, ends in self.phases.values() for one in ends]

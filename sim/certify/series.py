@@ -26,12 +26,13 @@ Enclosing the solutions of ordinary initial and boundary value problems (1987).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from math import lgamma, log, log2
+from functools import cache
+from math import lgamma, log
 
-from sim.certify.arithmetic import arb, ctx
-from sim.certify.balls import UNIT, ZERO, Ball, is_zero
+from sim.certify.numbers.arithmetic import arb, ctx
+from sim.certify.numbers.balls import UNIT, ZERO, Ball, is_zero
 from sim.certify.oscillation import Line
 from sim.certify.signals import DERIVATIVES, Signal
 
@@ -96,6 +97,9 @@ class Row:
             for lines, over, rate in zip(self.lines, o, s, strict=True)
         ]
 
+    def _net(self, j: int, pushed: list[Ball], balanced: Collection[int]) -> Ball:
+        return ZERO if j in balanced else pushed[j] + self.loads[j]
+
     def pushed(self, forces: list[Ball], j: int) -> Ball:
         """m/s². What the forces of the gaps around a member do to it."""
         if is_zero(self.inverses[j]):
@@ -104,7 +108,9 @@ class Row:
         right = forces[j] if j < len(forces) else ZERO
         return self.inverses[j] * (left - right)
 
-    def terms(self, start: State, order: int) -> tuple[list[list[Ball]], ...]:
+    def terms(
+        self, start: State, order: int, balanced: Collection[int]
+    ) -> tuple[list[list[Ball]], ...]:
         """Taylor coefficients up to `order`: of o, s, x, v."""
         o, s, x, v = ([[one] for one in part] for part in (start.o, start.s, start.x, start.v))
         for n in range(order):
@@ -115,10 +121,14 @@ class Row:
                     pushed[j] = pushed[j] - drag * v[j][n]
             for k in range(len(self.lines)):
                 a = pushed[k] - pushed[k + 1]
+                if n == 0 and not {k, k + 1} & {*balanced}:
+                    a = a + self.pulls[k]
+                elif n == 0:
+                    a = self._net(k, pushed, balanced) - self._net(k + 1, pushed, balanced)
                 o[k].append(s[k][n] / (n + 1))
-                s[k].append((a + self.pulls[k] if n == 0 else a) / (n + 1))
+                s[k].append(a / (n + 1))
             for j in range(len(self.inverses)):
-                a = pushed[j] + self.loads[j] if n == 0 else pushed[j]
+                a = pushed[j] if n else self._net(j, pushed, balanced)
                 x[j].append(v[j][n] / (n + 1))
                 v[j].append(a / (n + 1))
         return o, s, x, v
@@ -128,12 +138,20 @@ class Piece:
     """A stretch of time in which one series holds, from `start` on."""
 
     def __init__(
-        self, row: Row, start: State, length: Ball, omega: Ball, rate: Ball, *, first: bool = False
+        self,
+        row: Row,
+        start: State,
+        length: Ball,
+        omega: Ball,
+        rate: Ball,
+        *,
+        balanced: Collection[int] | None = None,
     ) -> None:
-        self.start, self.length, self.first = start, length, first
+        """`balanced`, of a first piece: members that slip just now, with no net force, exactly."""
+        self.start, self.length, self.first = start, length, balanced is not None
         self.reach = SPARE_TIME * length
-        order = _order(float(rate * self.reach))
-        self.o, self.s, self.x, self.v = row.terms(start, order)
+        order = _order(round(float(rate * self.reach), 3), ctx.prec)
+        self.o, self.s, self.x, self.v = row.terms(start, order, balanced or ())
         self.row, self.omega = row, omega
         last = [ZERO, *(abs(one[-1]) for one in (*self.o, *self.x))]
         last += [abs(one[-1]) / omega for one in (*self.s, *self.v)]
@@ -190,11 +208,12 @@ def _push(line: Line, over: Ball, rate: Ball, *, rest: bool) -> Ball:
     return line.kappa * (over - line.rest if rest else over) + line.gamma * rate
 
 
-def _order(reach: float) -> int:
+@cache
+def _order(reach: float, bits: int) -> int:
     """Terms until reachⁿ/n! is less than the last bit."""
     n = 8
-    while lgamma(n + 1) - n * log(max(reach, 0.1)) < (ctx.prec + 8) * log(2):
-        n += max(1, int(log2(ctx.prec)) - 6)
+    while lgamma(n + 1) - n * log(max(reach, 0.1)) < (bits + 8) * log(2):
+        n += 1
     return n
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import comb, perm
 
-from sim.certify.balls import ZERO, Ball, is_zero
+from sim.certify.numbers.balls import ZERO, Ball, is_zero
 
 DERIVATIVES = 4
 """Of a signal: itself, its slope, and the two that a slope's own zeros need."""

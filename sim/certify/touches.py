@@ -16,13 +16,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sim.certify import damping
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.certify.bodies import Gap
 from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
+from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
 from sim.certify.phases import ContactPhase
-from sim.certify.roots import first_root
 from sim.certify.watches import Watch, signal
 from sim.scene.said import said
 

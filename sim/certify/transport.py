@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, is_zero
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, is_zero
 from sim.certify.series import Piece, Row, State
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, is_zero
 from sim.certify.series import Piece
 from sim.certify.signals import Signal, total
 from sim.scene.said import said

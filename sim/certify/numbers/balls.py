@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from sim.certify.arithmetic import Ball, arb, ends, fraction
+from sim.certify.numbers.arithmetic import Ball, arb, ends, fraction
 from sim.scene.said import said
 
 __all__ = ["Ball"]
