@@ -45,12 +45,8 @@ class Touch:
         law, restitution = contact.law, contact.restitution
         if contact.stiffness is None or restitution is None:
             raise NoBoundError(said("{what} has no bound yet", what=law))
-        if law == "hertz":
-            raise NoBoundError(
-                said("{what} has no bound: its force has no Taylor series at the touch", what=law)
-            )
         if law != BUMPER and law not in DAMPED:
-            raise NoBoundError(said("{what} has no bound yet", what=law))
+            raise NoBoundError(said("{what} has no bound: its force is not linear", what=law))
         self.gap, self.law, self.begun = gap, law, now
         self.k, self.e = exact(contact.stiffness), exact(restitution)
         self.fresh = is_zero(gap.room)

@@ -84,7 +84,7 @@ def test_pieces_are_all_of_a_tolerance_and_never_more_than_promised() -> None:
 def test_a_reason_goes_to_the_page_as_a_template() -> None:
     scene = PAIR | {"contact": {"law": "hertz", "restitution": 0.9, "stiffness": 1e4}}
     told = proved(scene)["certificate"]
-    code = "{what} has no bound: its force has no Taylor series at the touch"
+    code = "{what} has no bound: its force is not linear"
     assert told["reason"] == {"code": code, "values": {"what": "hertz"}}
 
 
