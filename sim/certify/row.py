@@ -10,12 +10,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.certify.band import Seen
+from sim.certify.band import Seen, State, united_states
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.inputs import Inputs
 from sim.certify.instants import Instant, instant
-from sim.certify.numbers.balls import ZERO, upper
+from sim.certify.numbers.balls import ZERO, between, upper
 from sim.certify.phases import ContactPhase
 from sim.certify.touches import Touch
 
@@ -81,16 +81,31 @@ class Row:
         self.doubt = ""  # about the order of two events that are independent
         self.happened = 0
         self.seen: Seen = {}
+        self.glimpsed: dict[float, list[State]] = {}
 
     def look(self, t: float) -> None:
-        """Keep where everything is at a time up to which no motion ends."""
-        now = instant(t)
-        if all(upper(body.begun.ball) <= Fraction(t) for body in self.bodies):
-            places = [
-                way + body.way(body.begun, now)
-                for way, body in zip(self.moved, self.bodies, strict=True)
-            ]
-            self.seen[t] = (places, [body.speed(now) for body in self.bodies])
+        """Keep where everything is at a time [s] that is no later than what comes next.
+
+        Within an event's own time it has happened or not: both are kept.
+        """
+        known = [*self.glimpsed.pop(t, []), self._state(t)]
+        self.seen[t] = united_states(known)
+
+    def glimpse(self, t: float) -> None:
+        """Keep where everything is at a time at which the next event may have happened or not."""
+        self.glimpsed.setdefault(t, []).append(self._state(t))
+
+    def _state(self, t: float) -> State:
+        """By motions that began before t, or perhaps only after it: then from their beginning on."""
+        now, places, speeds = instant(t), [], []
+        for way, body in zip(self.moved, self.bodies, strict=True):
+            then = now
+            if not upper(body.begun.ball) <= Fraction(t):
+                tau = upper(now.minus(body.begun))
+                then = body.begun.after(between(Fraction(0), max(tau, Fraction(0))))
+            places.append(way + body.way(body.begun, then))
+            speeds.append(body.speed(then))
+        return places, speeds
 
     def settle(self, bodies: Iterable[Body], now: Instant) -> None:
         """Bring bodies to `now`, and the gaps around them."""

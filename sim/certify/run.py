@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import deque
 from collections.abc import Sequence
 
 from sim.certify.contacts import Contacts
-from sim.certify.numbers.balls import ZERO, NoBoundError, lower
+from sim.certify.numbers.balls import ZERO, NoBoundError, lower, upper
 from sim.certify.row import Next
 from sim.scene.said import said
 
@@ -37,6 +38,9 @@ class BallRun(Contacts):
                     self.look(waiting.popleft())
             if first is None:
                 break
+            latest = upper(first.when.ball)
+            for t in itertools.takewhile(lambda t: t <= latest, waiting):
+                self.glimpse(t)
             if first.kind == "switch":
                 switches = switches[1:]
             self.happened += 1
