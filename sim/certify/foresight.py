@@ -148,11 +148,16 @@ class Foresight(Row):
                 clear = falls_to_zero(-gap.room, -gap.rate, -gap.pull, left, doubt)
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
-        elif not tail and is_zero(gap.room) and (is_zero(gap.rate) or gap.rate < 0):
-            tau = ZERO if gap.rate < 0 or self.presses(gap, gap.since) else None
+        elif not tail and is_zero(gap.room) and gap.rate < 0:
+            tau = ZERO
+        elif (rests := not tail and is_zero(gap.room) and is_zero(gap.rate)) and self.presses(
+            gap, gap.since
+        ):
+            tau = ZERO
         else:
             left = (self.horizon(gap) - gap.since.ball).upper().mid()
-            tau = first_root(*self._closing(gap), left, doubt)
+            opens: Function = lambda t: gap.pull_at(gap.since.after(t))  # noqa: E731
+            tau = first_root(*self._closing(gap), left, doubt, curve=opens if rests else None)
             if tail:
                 clear = first_root(
                     lambda t: -gap.room_at(gap.since.after(t)),

@@ -96,7 +96,7 @@ class Row:
         self.glimpsed.setdefault(t, []).append(self._state(t))
 
     def _state(self, t: float) -> State:
-        """By motions that began before t, or perhaps only after it: then from their beginning on."""
+        """By motions that began before t; of one that perhaps did not, from its beginning on."""
         now, places, speeds = instant(t), [], []
         for way, body in zip(self.moved, self.bodies, strict=True):
             then = now

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import deque
 from collections.abc import Sequence
 
@@ -38,8 +37,9 @@ class BallRun(Contacts):
                     self.look(waiting.popleft())
             if first is None:
                 break
-            latest = upper(first.when.ball)
-            for t in itertools.takewhile(lambda t: t <= latest, waiting):
+            for t in waiting:
+                if t > upper(first.when.ball):
+                    break
                 self.glimpse(t)
             if first.kind == "switch":
                 switches = switches[1:]
