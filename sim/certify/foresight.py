@@ -56,6 +56,13 @@ def _soft(one: Next) -> bool:
     return one.gap is not None and not one.gap.contact.sudden
 
 
+def _opening(gap: Gap) -> Function | None:
+    """Of two that touch at rest to each other: how their room grows, if it does."""
+    if not (is_zero(gap.room) and is_zero(gap.rate)):
+        return None
+    return lambda t: gap.pull_at(gap.since.after(t))
+
+
 class Foresight(Row):
     """What is still to come of a row."""
 
@@ -148,16 +155,11 @@ class Foresight(Row):
                 clear = falls_to_zero(-gap.room, -gap.rate, -gap.pull, left, doubt)
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
-        elif not tail and is_zero(gap.room) and gap.rate < 0:
-            tau = ZERO
-        elif (rests := not tail and is_zero(gap.room) and is_zero(gap.rate)) and self.presses(
-            gap, gap.since
-        ):
+        elif not tail and is_zero(gap.room) and self._closes(gap):
             tau = ZERO
         else:
             left = (self.horizon(gap) - gap.since.ball).upper().mid()
-            opens: Function = lambda t: gap.pull_at(gap.since.after(t))  # noqa: E731
-            tau = first_root(*self._closing(gap), left, doubt, curve=opens if rests else None)
+            tau = first_root(*self._closing(gap), left, doubt, curve=_opening(gap))
             if tail:
                 clear = first_root(
                     lambda t: -gap.room_at(gap.since.after(t)),
@@ -170,6 +172,10 @@ class Foresight(Row):
         if tau is not None:
             found.append(Next(gap.since.after(tau), "touch", bodies, gap))
         return found
+
+    def _closes(self, gap: Gap) -> bool:
+        """Do two that touch come together at once?"""
+        return bool(gap.rate < 0) or (is_zero(gap.rate) and self.presses(gap, gap.since))
 
     def _force_left(self, gap: Gap) -> tuple[Ball, Ball, Ball]:
         """What has to fall to nought for a touch, as a parabola: room, or −N where it lingers."""

@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from sim.certify.numbers.arithmetic import arb
 from sim.certify.numbers.balls import ZERO, Ball, is_zero
+from sim.certify.oscillation import Line
 from sim.certify.series import Piece, Row, State
 
 
@@ -20,7 +21,10 @@ class Transport:
     """From piece to piece: a column for each number of the beginning, and one for the loads."""
 
     def __init__(self, row: Row, start: State, length: Ball, omega: Ball, rate: Ball) -> None:
-        self.start = start
+        self.rests = tuple(_rest(lines) for lines in row.lines)
+        row = replace(row, lines=tuple(map(_moved, row.lines, self.rests)))
+        turned = tuple(-rest for rest in self.rests)
+        self.start = start = replace(start, o=_added(start.o, turned))
         bare = tuple(tuple(replace(line, rest=ZERO) for line in lines) for lines in row.lines)
         nought = tuple(ZERO for _ in row.inverses)
         alone = replace(row, lines=bare, loads=nought, pulls=tuple(ZERO for _ in row.lines))
@@ -38,11 +42,25 @@ class Transport:
             self.reached += 1
         rows = [*zip(_free(self.start), self.columns, strict=True), (arb(1), self.loads)]
         found = _sum(rows)
-        return replace(found, x=_added(found.x, self.start.x))
+        return replace(found, x=_added(found.x, self.start.x), o=_added(found.o, self.rests))
 
     def _image(self, state: State) -> State:
         moved = _sum(list(zip(_free(state), self.images, strict=True)))
         return replace(moved, x=_added(moved.x, state.x))
+
+
+def _rest(lines: tuple[Line, ...]) -> Ball:
+    """m. Overlaps are counted from where a gap has no force: less is left to cancel."""
+    if len(lines) == 1:
+        return lines[0].rest
+    stiff = sum((line.kappa for line in lines), ZERO)
+    return sum((line.kappa * line.rest for line in lines), ZERO) / stiff
+
+
+def _moved(lines: tuple[Line, ...], rest: Ball) -> tuple[Line, ...]:
+    if len(lines) == 1:
+        return (replace(lines[0], rest=ZERO),)
+    return tuple(replace(line, rest=line.rest - rest) for line in lines)
 
 
 def _free(state: State) -> list[Ball]:

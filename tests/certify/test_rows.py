@@ -194,7 +194,7 @@ def test_a_tolerant_spring_holds_every_frequency_that_it_allows() -> None:
             "until": 2,
         }
 
-    low, high = map(float, document(certify(read_scene(scene("0.5(1) kg"))))["final"]["x"]["A"])
+    low, high = map(float, document(certify(read_scene(scene("0.50(1) kg"))))["final"]["x"]["A"])
     for m in (0.49, 0.495, 0.5, 0.507, 0.51):
         assert low <= 0.9 + 0.2 * cos(sqrt(2 / m) * 2) <= high
     assert high - low < 0.02
