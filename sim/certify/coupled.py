@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
-from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.arithmetic import ARB, arb
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError
 from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
@@ -23,8 +23,9 @@ from sim.certify.transport import Transport
 from sim.certify.watches import Watch
 from sim.scene.said import Said, listed, said
 
-MOST_PIECES = 2000
-"""Of one motion: some three hundred swings of its stiffest mode. A contact takes one to five."""
+MOST_PIECES = 2000 if ARB else 400
+"""Of one motion: some three hundred swings of its stiffest mode, or sixty where intervals take ten
+times as long. A contact takes one to five."""
 
 
 WRAPPED = 4
