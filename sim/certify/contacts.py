@@ -49,7 +49,8 @@ class Contacts(Forming):
             gap.rate = rate
             self._tell_grips(free, held, now)
             for body in both:
-                body.held = (body in held and body not in free) or body.held
+                if body not in free:  # who touches others is judged with them
+                    body.held, body.sliding = body in held, 0
         for one in pressed:
             if one is not gap:
                 one.rate = one.right.v - one.left.v

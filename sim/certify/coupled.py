@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import ARB, arb
-from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
 from sim.certify.series import REACH, SPARE_TIME, Piece, Row, State
@@ -191,6 +191,8 @@ class CoupledPhase:
                     if not slope.terms[0] <= 0:
                         raise NotProvableError(doubt)
                     yield ZERO, self.force(gap, ZERO)
+                if all(map(is_zero, slope.terms)):  # friction holds all of them
+                    return
             while at < self.length:
                 root = _turns(slope, at, self.length, doubt, rising=rising)
                 if root is None:

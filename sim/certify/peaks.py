@@ -1,7 +1,8 @@
 """When a contact pushes most, over all the motions that it takes part in.
 
 A bumper does so where it turns: its force grows with the overlap, and on its way back it stays
-below. Any other law where its force stops to grow, or where a motion begins with a falling force.
+below. Any other law, or a bumper that is met again on its way back, where its force stops to grow,
+or where a motion begins with a falling force.
 """
 
 from __future__ import annotations
@@ -21,11 +22,9 @@ def see(touch: Touch, phase: ContactPhase | CoupledPhase, now: Instant, cause: s
         _of_a_pair(touch, phase, now, cause)
     elif cause == "turn":
         touch.peaks.append((now, phase.force(touch.gap, now.minus(phase.begun))))
-    elif touch.law != BUMPER or touch.elastic:
+    elif touch.law != BUMPER or touch.elastic or (touch.stage == "back" and not touch.turned):
         for tau, force in phase.crests(touch.gap, now.minus(phase.begun)):
             touch.peaks.append((phase.begun.after(tau), force))
-    elif touch.stage == "back" and not touch.peaks:  # it was pressed at the start of the run
-        touch.peaks.append((phase.begun, phase.force(touch.gap, ZERO)))
 
 
 def _of_a_pair(touch: Touch, phase: ContactPhase, now: Instant, cause: str) -> None:
@@ -33,8 +32,8 @@ def _of_a_pair(touch: Touch, phase: ContactPhase, now: Instant, cause: str) -> N
     if cause == "turn":
         touch.peaks.append((now, swing.force(tau)[0]))
         return
-    if touch.stage == "back" and (touch.peaks or is_zero(swing.r0)):
-        if not touch.peaks:
+    if touch.stage == "back" and (touch.turned or is_zero(swing.r0)):
+        if not touch.turned:
             touch.peaks.append((phase.begun, swing.force(ZERO)[0]))
         return
     first, rate = swing.force(ZERO)

@@ -55,6 +55,7 @@ class Touch:
         self.at_no_force = False
         self.nought: Instant | None = None  # when its next end is exactly 0, as it begins
         self.greatest = ZERO  # m, the overlap at the turn
+        self.turned = False
         if law == BUMPER:
             self._bumper()
         else:
@@ -205,7 +206,7 @@ class Touch:
         if is_zero(self.e):
             return False
         self._spring_back(-self.gap.room)
-        self.nought = now
+        self.nought, self.turned = now, True
         return True
 
     def climb(self) -> None:

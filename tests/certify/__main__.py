@@ -17,7 +17,7 @@ from typing import Any
 from sim.certify.certificate import certify, document
 from sim.scene import SceneError, read_scene
 from tests.certify.held import misses
-from tests.certify.random_scenes import plain, touching
+from tests.certify.random_scenes import plain, swinging, touching
 from tests.reference.digit_pairs import UnsupportedError
 
 
@@ -45,8 +45,9 @@ def main() -> int:
     asked.add_argument("--scenes", type=int, default=10_000)
     asked.add_argument("--from", dest="first", type=int, default=0, help="number of the first")
     asked.add_argument("--rows", action="store_true", help="three and more carts at once")
+    asked.add_argument("--springs", action="store_true", help="springs and linear drag")
     given = asked.parse_args()
-    make = touching if given.rows else plain
+    make = touching if given.rows else swinging if given.springs else plain
     seen: Counter[str] = Counter()
     for seed in range(given.first, given.first + given.scenes):
         word, missed = verdict(make(seed))

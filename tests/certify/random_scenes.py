@@ -1,7 +1,7 @@
 """Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces.
 
 `touching` are rows of which three and more push each other at once: cradles, trains that are hit,
-carts between soft walls.
+carts between soft walls. `swinging` have springs and linear drag.
 """
 
 from __future__ import annotations
@@ -64,6 +64,31 @@ def touching(seed: int) -> dict[str, Any]:
     if dice.random() < 0.3:
         scene["effects"] = [_effect(dice, list(carts))]
     return scene
+
+
+def swinging(seed: int) -> dict[str, Any]:
+    """One to four carts with springs between them or to a wall, in air that may drag."""
+    dice = Random(f"springs {seed}")
+    count = dice.choice([1, 2, 2, 3, 4])
+    x, carts = 0.3, {}
+    for k in range(count):
+        x = round(x + 0.2 + dice.uniform(0.02, 0.4), 3)
+        speed = dice.choice([0, round(dice.uniform(-0.8, 0.8), 2)])
+        mass = round(10 ** dice.uniform(-0.7, 0.7), 2)
+        carts["ABCD"[k]] = {"mass": mass, "position": x, "velocity": speed}
+    track = {"left": "wall", "right": "wall", "length": round(x + 0.1 + dice.uniform(0.05, 0.5), 3)}
+    row = ["left", *carts, "right"]
+    effects: list[dict[str, Any]] = []
+    for k in dice.sample(range(count + 1), dice.choice([1, 1, 2]) if count > 1 else 1):
+        spring = {"between": row[k : k + 2], "stiffness": round(10 ** dice.uniform(0, 2), 2)}
+        spring |= {"length": round(dice.uniform(0, 0.6), 2)}
+        effects.append({"spring": spring | {"damping": dice.choice([0, 0, 0.2])}})
+    if dice.random() < 0.4:
+        effects.append({"drag": {"linear": round(dice.uniform(0.05, 1), 2)}})
+    elif dice.random() < 0.5:
+        effects.append(_effect(dice, list(carts)))
+    contact, until = _contact(dice), dice.choice([0.5, 1, 2])
+    return {"carts": carts, "track": track, "contact": contact, "until": until, "effects": effects}
 
 
 def _contact(dice: Random, laws: tuple[str, ...] = LAWS) -> dict[str, Any]:
