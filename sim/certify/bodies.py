@@ -158,6 +158,18 @@ class Gap:
         """Does anything act in it?"""
         return self.touching or (bool(self.springs) and not self.joined)
 
+    @property
+    def touches(self) -> bool:
+        """Is it, exactly, where the two meet: at no room, or where a bumper springs no further?"""
+        if is_zero(self.memory):
+            return self.tail is None and is_zero(self.room)
+        return self.spent
+
+    @property
+    def alike(self) -> bool:
+        """Do both go on with one motion, so that nothing changes between them?"""
+        return self.simple and is_zero(self.rate) and is_zero(self.pull)
+
     def rest(self) -> Ball:
         """m. The overlap at which a bumper that has not recovered meets the other again."""
         e = exact(self.contact.restitution or 0.0)
@@ -175,7 +187,11 @@ class Gap:
         if self.simple:  # of two on one slope it knows that they fall alike
             tau = now.minus(self.since)
             return self.room + tau * (self.rate + self.pull * tau / 2)
-        return self.room + self.right.way(self.since, now) - self.left.way(self.since, now)
+        return self.room + self.way_at(now)
+
+    def way_at(self, now: Instant) -> Ball:
+        """m. By how much the room has grown."""
+        return self.right.way(self.since, now) - self.left.way(self.since, now)
 
     def rate_at(self, now: Instant) -> Ball:
         """m/s."""

@@ -58,7 +58,7 @@ def _soft(one: Next) -> bool:
 
 def _opening(gap: Gap) -> Function | None:
     """Of two that touch at rest to each other: how their room grows, if it does."""
-    if not (is_zero(gap.room) and is_zero(gap.rate)):
+    if not (gap.touches and is_zero(gap.rate)):
         return None
     return lambda t: gap.pull_at(gap.since.after(t))
 
@@ -155,7 +155,7 @@ class Foresight(Row):
                 clear = falls_to_zero(-gap.room, -gap.rate, -gap.pull, left, doubt)
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
-        elif not tail and is_zero(gap.room) and self._closes(gap):
+        elif gap.touches and self._closes(gap):
             tau = ZERO
         else:
             left = (self.horizon(gap) - gap.since.ball).upper().mid()
@@ -203,6 +203,8 @@ class Foresight(Row):
                 lambda t: k * room(t) + c * rate(t),
                 lambda t: k * rate(t) + c * gap.pull_at(gap.since.after(t)),
             )
+        if gap.touches:  # of what is left of the room nothing has to cancel
+            return (lambda t: gap.way_at(gap.since.after(t))), rate
         rest = ZERO if is_zero(gap.memory) else gap.rest()
         return (lambda t: room(t) + rest), rate
 

@@ -114,6 +114,9 @@ class Row:
             if gap.joined or not ({gap.left, gap.right} & {*bodies}):
                 continue
             if gap.since is not now:
+                if gap.alike:
+                    gap.since = now
+                    continue
                 coupled = self.coupled.get(gap.index)
                 room, rate = (
                     (gap.room_at(now), gap.rate_at(now))

