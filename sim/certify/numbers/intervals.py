@@ -7,8 +7,7 @@ decimal outwards is a bound. Sines are in `waves`. A function that rises takes i
 two ends. The methods are those of python-flint's `arb` that a certificate calls: a comparison is
 true only if it holds for every choice from both sides.
 
-Theory: R. E. Moore, Interval Analysis (1966), chapters 2 and 4.
-"""
+R. E. Moore, Interval Analysis (1966), chapters 2 and 4."""
 
 from __future__ import annotations
 

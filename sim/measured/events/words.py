@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from sim.measured.events.momentum import Momentum
 from sim.measured.events.rungs import Rung
 from sim.measured.events.segments import Segment
@@ -62,6 +65,16 @@ def of_rung(rung: Rung) -> str:
     if rung.verdict == "shown":
         return f"{begin}: your readings show it. They are missed {errors}."
     return f"{begin}: your readings do not bear it out. They are missed {errors}."
+
+
+def ladder(rungs: Mapping[str, Any] | None) -> list[str]:
+    """The `rungs` of a report as text: the line stands where readings can no longer show it."""
+    if not rungs:
+        return []
+    shown = [row["sentence"] for row in rungs["rows"] if row["verdict"] != "not-shown"]
+    hidden = [row["sentence"] for row in rungs["rows"] if row["verdict"] == "not-shown"]
+    rows = [f"  {sentence}" for sentence in (*shown, rungs["line"], *hidden)]
+    return ["What do these readings call for? Each effect alone, largest first:", *rows]
 
 
 def _millimetres(metres: float) -> str:
