@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import itertools
 import re
 import sys
 from collections.abc import Iterator
@@ -93,12 +94,12 @@ def test_a_layer_imports_only_what_lies_further_in(layer: str) -> None:
 
 
 def test_a_proof_takes_no_force_of_the_run_that_it_proves() -> None:
-    """Of effects a certificate knows what is constant in them: numbers, as the scene has them."""
+    """Of effects it knows what is constant or linear in them: numbers, as the scene has them."""
     names = {name for path in modules("certify") for name in imported(path)}
     ours = {".".join(name.split(".")[:3]) for name in names if name.startswith("sim.effects")}
-    assert ours == {"sim.effects.constant"}
-    for kind in kinds():
-        path = SIM / "effects" / kind / "constant.py"
+    assert ours == {"sim.effects.constant", "sim.effects.linear", "sim.effects.where"}
+    for kind, part in itertools.product(kinds(), ("constant", "linear")):
+        path = SIM / "effects" / kind / f"{part}.py"
         inside = set(imported(path)) if path.exists() else set()
         assert not [name for name in inside if name.endswith((".force", ".model", ".forces"))]
 

@@ -15,8 +15,8 @@ from time import perf_counter
 from typing import Any
 
 from sim.bridge.protocol import plain_of
-from sim.certify.balls import bounds
 from sim.certify.certificate import Certificate, certify, document
+from sim.certify.numbers.balls import bounds
 from sim.dynamics.loop.run import run
 from sim.scene import Scene, read_scene
 from sim.scene.said import wire
@@ -26,6 +26,12 @@ LONG_ENOUGH = 0.02
 
 INSTANTS = 96
 """A graph is some 300 units wide: one every three of them."""
+
+SEEN = 1e-3
+"""Of a run. An event whose time is known better than that has no width in a graph."""
+
+INSIDE = 1e-3
+"""Of an event's own time: so near to its edges a band has its steps."""
 
 MOST_CHANGES = 200
 """Of a run whose digits are proved in a page: some seconds there."""
@@ -37,6 +43,9 @@ def certify_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[fl
     exact = _seconds(scene)
     begun = perf_counter()
     found = certify(scene, most=MOST_CHANGES, instants=_instants(scene))
+    if scene.tolerances and (edges := _edges(scene, found)):
+        instants = sorted({*_instants(scene), *edges})
+        found = certify(scene, most=MOST_CHANGES, instants=instants)
     told = document(found)
     told["reason"] = wire(told["reason"])
     seconds = {"exact": exact, "proof": perf_counter() - begun}
@@ -55,6 +64,18 @@ def _seconds(scene: Scene) -> float:
 def _instants(scene: Scene) -> list[float]:
     """s. At which the band of a tolerant scene is drawn."""
     return [scene.until * k / INSTANTS for k in range(INSTANTS + 1)] if scene.tolerances else []
+
+
+def _edges(scene: Scene, found: Certificate) -> set[float]:
+    """s. Just outside and inside of every event's own time that is wide enough to be seen: there
+    the band has a step."""
+    edges: set[float] = set()
+    for event in found.events:
+        low, high = bounds(event.when.ball)
+        inside = INSIDE * (high - low)
+        if high - low > SEEN * scene.until:
+            edges |= {low, low + inside, high - inside, high}
+    return {t for t in edges if 0.0 <= t <= scene.until}
 
 
 def _band(scene: Scene, found: Certificate) -> dict[str, Any] | None:

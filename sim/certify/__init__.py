@@ -6,21 +6,25 @@ outwards, so that the ball of a result holds the result of every choice from the
 proved too: which event comes first, whether two bodies meet at all, which way a cart slides. Where
 a ball does not decide, the certificate says so instead of guessing: `NotProvableError`.
 
-    arithmetic    balls of Arb, or intervals where it is not installed
-    intervals     their arithmetic; rounding: to which side; waves: sines and π
-    balls         exact inputs, proofs of signs, bounds that are rounded outwards
-    roots         the first zero of a function, isolated by the sign of its derivative
+    numbers       arithmetic (balls of Arb, or intervals where it is not installed), balls (exact
+                  inputs, signs that are proved), roots (the first zero of a function)
     oscillation   the overlap of a linear contact, in closed form
     damping       the damping of a law from the restitution that it returns
-    loads         forces on single carts: slope, friction, pushes
+    series        a row of bodies that push each other: Taylor series with a proved remainder
+    signals       what is linear in its state; transport: later pieces of it, without wrapping
+    loads         forces on single carts: slope, friction, pushes, linear drag; springs
     inputs        the scene's doubles, or what their tolerances allow
     instants      times whose differences are known better than the times
     bodies        what moves, and what is between two neighbours
-    phases        one branch of a contact, until something ends it
-    touches       the stages of a contact law, impacts
+    phases        one branch of a contact of a pair, until something ends it
+    coupled       the same of a longer row, or of carts with springs and in air
+    watches       what can end that
+    touches       the stages of a contact law; impacts: without a duration
+    peaks         when a contact pushes most
     row           all of it at one moment
     foresight     what comes next, and what of it is provably first
-    contacts, run    what then happens
+    forming       what is pressed together, and which motion moves it
+    contacts, run what then happens
     certificate   the interface: text bounds, order, reason
     band          what tolerances allow, piece by piece
 

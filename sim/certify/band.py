@@ -11,7 +11,7 @@ import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from sim.certify.balls import Ball
+from sim.certify.numbers.balls import Ball
 
 Spans = dict[str, tuple[Fraction, Fraction]]
 """By `cart.key`: how far an input may be from the scene's number, at least and at most, in SI."""
@@ -19,9 +19,11 @@ Spans = dict[str, tuple[Fraction, Fraction]]
 MOST_PIECES = 32
 """Runs in place of one. Where n inputs are tolerant, each is cut into the n-th root of it."""
 
-Seen = dict[float, tuple[list[Ball], list[Ball]]]
-"""At a time [s], of every cart from left to right: place [m] and velocity [m/s]. What lies within
-an event's own time is missing: neither side of the event is proved there."""
+State = tuple[list[Ball], list[Ball]]
+"""Of every cart from left to right: place [m] and velocity [m/s]."""
+
+Seen = dict[float, State]
+"""At a time [s]. Within an event's own time: what holds whether it has happened or not."""
 
 
 def pieces(tolerances: Mapping[str, Fraction]) -> Iterator[Spans]:
@@ -43,13 +45,17 @@ def united(many: Sequence[Ball]) -> Ball:
     return whole
 
 
+def united_states(many: Sequence[State]) -> State:
+    """Around all of them, cart by cart."""
+    places, speeds = (
+        [united(balls) for balls in zip(*(one[which] for one in many), strict=True)]
+        for which in (0, 1)
+    )
+    return places, speeds
+
+
 def united_seen(many: Sequence[Seen]) -> Seen:
     """Where every piece is known."""
     return {
-        t: tuple(  # type: ignore[misc]
-            [united(balls) for balls in zip(*(one[t][which] for one in many), strict=True)]
-            for which in (0, 1)
-        )
-        for t in many[0]
-        if all(t in one for one in many)
+        t: united_states([one[t] for one in many]) for t in many[0] if all(t in one for one in many)
     }

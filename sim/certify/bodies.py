@@ -10,9 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from sim.certify.balls import ZERO, Ball, NotProvableError, is_zero, sign
 from sim.certify.instants import Instant, instant
 from sim.certify.loads import Load
+from sim.certify.numbers.balls import ZERO, Ball, NotProvableError, exact, is_zero, sign
+from sim.certify.oscillation import Line
 from sim.scene.model import Contact
 from sim.scene.said import listed, said
 
@@ -28,6 +29,9 @@ class Phase(Protocol):
     def speed(self, body: Body, now: Instant) -> Ball:
         """m/s."""
 
+    def acceleration(self, body: Body, now: Instant) -> Ball:
+        """m/s²."""
+
 
 @dataclass(slots=True, eq=False)
 class Body:
@@ -42,6 +46,7 @@ class Body:
     held: bool = False  # by friction
     sliding: int = 0
     phase: Phase | None = None
+    balanced: Instant | None = None  # when it slipped with no net force, exactly
 
     @property
     def still(self) -> bool:
@@ -57,6 +62,11 @@ class Body:
     def static(self) -> Ball:
         """N. What friction can hold."""
         return sum((one.static for one in self.load), ZERO)
+
+    @property
+    def drag(self) -> Ball:
+        """kg/s."""
+        return sum((one.drag for one in self.load), ZERO)
 
     def force(self, now: Instant) -> Ball:
         """N without contacts, with the friction of its direction."""
@@ -89,6 +99,12 @@ class Body:
         if self.still:
             return ZERO
         return self.v if is_zero(self.a) else self.v + self.a * now.minus(self.begun)
+
+    def rate(self, now: Instant) -> Ball:
+        """m/s². Of its present motion."""
+        if self.phase is not None:
+            return self.phase.acceleration(self, now)
+        return ZERO if self.still else self.a
 
     def fly(self, now: Instant, push: Ball = ZERO) -> None:
         """From `now` on it is alone, or under the force `push` [N] of a contact besides its load.
@@ -135,18 +151,59 @@ class Gap:
     tail: tuple[Ball, Ball] | None = None  # κ, γ of a dashpot that has not recovered
     spent: bool = False  # its force is nought at `since`, exactly
     touching: bool = False
+    springs: tuple[Line, ...] = ()
+
+    @property
+    def bound(self) -> bool:
+        """Does anything act in it?"""
+        return self.touching or (bool(self.springs) and not self.joined)
+
+    @property
+    def touches(self) -> bool:
+        """Is it, exactly, where the two meet: at no room, or where a bumper springs no further?"""
+        if is_zero(self.memory):
+            return self.tail is None and is_zero(self.room)
+        return self.spent
+
+    @property
+    def alike(self) -> bool:
+        """Do both go on with one motion, so that nothing changes between them?"""
+        return self.simple and is_zero(self.rate) and is_zero(self.pull)
+
+    def rest(self) -> Ball:
+        """m. The overlap at which a bumper that has not recovered meets the other again."""
+        e = exact(self.contact.restitution or 0.0)
+        return (1 - e * e) * self.memory
+
+    def pulled(self) -> Ball:
+        """N, of its springs, at `since`; positive pushes the two apart."""
+        forces = (s.kappa * (-self.room - s.rest) - s.gamma * self.rate for s in self.springs)
+        return sum(forces, ZERO)
 
     def room_at(self, now: Instant) -> Ball:
         """m."""
         if now is self.since:
             return self.room
-        return self.room + self.right.way(self.since, now) - self.left.way(self.since, now)
+        if self.simple:  # of two on one slope it knows that they fall alike
+            tau = now.minus(self.since)
+            return self.room + tau * (self.rate + self.pull * tau / 2)
+        return self.room + self.way_at(now)
+
+    def way_at(self, now: Instant) -> Ball:
+        """m. By how much the room has grown."""
+        return self.right.way(self.since, now) - self.left.way(self.since, now)
 
     def rate_at(self, now: Instant) -> Ball:
         """m/s."""
         if now is self.since:
             return self.rate
+        if self.simple:
+            return self.rate + self.pull * now.minus(self.since)
         return self.right.speed(now) - self.left.speed(now)
+
+    def pull_at(self, now: Instant) -> Ball:
+        """m/s²."""
+        return self.right.rate(now) - self.left.rate(now)
 
     @property
     def shown(self) -> str:

@@ -9,26 +9,25 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
-from sim.certify.arithmetic import ctx
-from sim.certify.balls import (
+from sim.certify.band import Seen, Spans, pieces, united, united_seen
+from sim.certify.foresight import at_once, called
+from sim.certify.inputs import inputs
+from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import ctx
+from sim.certify.numbers.balls import (
+    UNIT,
     ZERO,
     Ball,
     NoBoundError,
     NotProvableError,
-    between,
     bounds,
     exact,
     is_zero,
     lower,
     upper,
 )
-from sim.certify.band import Seen, Spans, pieces, united, united_seen
-from sim.certify.foresight import at_once, called
-from sim.certify.inputs import inputs
-from sim.certify.instants import Instant
 from sim.certify.row import Told
 from sim.certify.run import MOST_EVENTS, BallRun
 from sim.scene.model import Scene
@@ -44,9 +43,6 @@ NARROW = 2.0**-50
 SPARE = 2.0**-100
 """Of the largest number of its kind. Bounds leave so much more room (nothing, beside a double), so
 that an independent run with thirty digits or more finds its own rounded answer inside."""
-
-UNIT = between(Fraction(-1), Fraction(1))
-"""0 ± 1."""
 
 ORDER = ("contact", "release", "peak", "separate", "stick", "stop", "start", "end")
 """Events of one instant are listed in this order of kinds, as in a run."""

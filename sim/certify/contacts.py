@@ -1,43 +1,36 @@
-"""Contacts of a row: a meeting, the phases of a contact one after the other, its end."""
+"""Contacts of a row: a meeting, what ends a motion of bodies that touch, and what follows."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from sim.certify.balls import ZERO, NoBoundError, is_zero
+from sim.certify import peaks
 from sim.certify.bodies import Body, Gap
-from sim.certify.foresight import Foresight
+from sim.certify.coupled import CoupledPhase
+from sim.certify.forming import Forming, no_joint, rest_against
+from sim.certify.impacts import common_velocity, impact
 from sim.certify.instants import Instant
+from sim.certify.numbers.balls import ZERO, NoBoundError, NotProvableError, is_zero
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
-from sim.certify.touches import Touch, common_velocity, impact
+from sim.certify.touches import Touch
 from sim.scene.said import said
 
 
-class Contacts(Foresight):
+class Contacts(Forming):
     """What happens between two bodies."""
 
     def meet(self, gap: Gap, now: Instant) -> None:
-        """Two bodies in flight meet."""
-        for body in (gap.left, gap.right):
-            if body.phase is not None:
-                raise NoBoundError(
-                    said(
-                        "{pair} meet while one of them is in another contact: coupled contacts "
-                        "have no bound yet",
-                        pair=gap.shown,
-                    )
-                )
-        if gap.tail is not None or not is_zero(gap.memory):
-            raise NoBoundError(
-                said("{pair} meet again before their bumpers have recovered", pair=gap.shown)
-            )
-        held = [body for body in (gap.left, gap.right) if body.held]
-        self.forget((gap.left, gap.right))
-        self.settle((gap.left, gap.right), now)
-        gap.room = ZERO
+        """Two bodies meet; either may be in another contact."""
+        both = (gap.left, gap.right)
+        pressed = self.interrupt(both, now)
+        held = [body for body in both if body.held]
+        self.forget(both)
+        self.settle(both, now)
+        if gap.tail is None and is_zero(gap.memory):
+            gap.room = ZERO
         if not gap.contact.sudden:
-            self.touch(gap, now)
+            self.begin([gap], now, pressed)
             return
         if not gap.rate < 0:
             raise NoBoundError(
@@ -45,13 +38,25 @@ class Contacts(Foresight):
             )
         self.tell(now, "contact", gap.names)
         if gap.contact.joins:
+            for one in pressed:
+                if one.touching:
+                    no_joint(self.touches[one.index])
             self._join(gap, now)
-            return
-        impact(gap)
-        rate = gap.rate
-        self.fly((gap.left, gap.right), now)
-        gap.rate = rate
-        self._tell_grips((gap.left, gap.right), held, now)
+        else:
+            impact(gap)
+            rate, free = gap.rate, [body for body in both if not self._touches(body)]
+            self.fly(free, now)
+            gap.rate = rate
+            self._tell_grips(free, held, now)
+            for body in both:
+                if body not in free:  # who touches others is judged with them
+                    body.held, body.sliding = body in held, 0
+        for one in pressed:
+            if one is not gap:
+                one.rate = one.right.v - one.left.v
+            if one.touching:
+                self.touches[one.index].still_pushes(now)
+        self.form(pressed, now)
 
     def _join(self, gap: Gap, now: Instant) -> None:
         left, right = gap.left, gap.right
@@ -67,84 +72,125 @@ class Contacts(Foresight):
             if other.right is left or other.right is right:
                 other.right = one
         held = (left if left.carts else right).held  # the joint goes on as this one
+        if self._touches(one):
+            one.held = held
+            return
         self.fly((one,), now)
         if one.mass is not None and held != one.held:
             self.tell_carts(now, "stop" if one.held else "start", one)
 
-    def touch(self, gap: Gap, now: Instant) -> None:
-        """A contact of finite duration begins."""
-        self.tell(now, "contact", gap.names)
-        self.touches[gap.index] = Touch(gap, now)
-        gap.touching = True
-        self.press(gap, now)
+    def _touches(self, body: Body) -> bool:
+        return any(gap.bound and body in (gap.left, gap.right) for gap in self.gaps)
 
-    def press(self, gap: Gap, now: Instant) -> None:
-        """A phase begins; both bodies are settled."""
-        touch = self.touches[gap.index]
-        push = touch.force()
-        for body, way in ((gap.left, -1), (gap.right, 1)):
-            if body.mass is not None and not (body.sliding and is_zero(body.v)):
-                held = body.held
-                body.fly(now, way * push)
-                if held != body.held:
-                    self.tell_carts(now, "stop" if body.held else "start", body)
-        phase = ContactPhase(gap, touch.line, now)
-        gap.left.phase = gap.right.phase = None
-        for body in (gap.left, gap.right):
-            if body.carts:
-                body.phase = phase
-        horizon = self.until.minus(now).upper().mid()
-        ends: list[Next] = []
-        bodies = (gap.left, gap.right)
-        if horizon > 0:
-            own = touch.end(phase, horizon)
-            if own is not None:
-                ends.append(Next(now.after(own[0]), "end", bodies, gap, own[1]))
-                horizon = min(horizon, own[0].upper().mid())
-            for tau, cause, body in () if touch.turns_alone else phase.grips(horizon):
-                ends.append(Next(now.after(tau), "end", bodies, gap, cause, body))
-        self.phases[gap.index] = (phase, ends)
-        for near in self.gaps:
-            if {near.left, near.right} & {body for body in bodies if body.carts}:
-                self.ahead.pop(near.index, None)
+    def begin(self, gaps: Sequence[Gap], now: Instant, pressed: Iterable[Gap] = ()) -> None:
+        """Contacts of finite duration begin; `pressed`: what else touches around them."""
+        for gap in gaps:
+            self.tell(now, "contact", gap.names)
+            self.touches[gap.index] = Touch(gap, now)
+            gap.touching = True
+        self.form([*gaps, *pressed], now)
 
-    def phase_ends(self, gap: Gap, one: Next) -> None:
-        """Its bumper turns, it comes apart, or friction takes hold of one of the two."""
-        if one.cause in ("halt", "slip") and one.body is not None:
-            self.again(gap, one.when, ((one.body, one.cause),))
+    def phase_ends(self, one: Next) -> None:
+        """A bumper turns, two come apart or meet, or friction takes hold of somebody."""
+        now, cause, gap = one.when, one.cause, one.gap
+        if gap is not None and cause == "touch":
+            self.meet(gap, now)
             return
-        touch, (phase, _) = self.touches[gap.index], self.phases[gap.index]
-        touch.see_peak(phase, one.when.minus(phase.begun), one.when, one.cause)
-        self._leave(gap, one.when)
-        if one.cause == "turn":
+        key = next(k for k, (_, ends) in self.phases.items() if one in ends)
+        phase, _ = self.phases[key]
+        for other in phase.gaps:
+            if other.touching:
+                touch = self.touches[other.index]
+                seen = cause if other is gap and one.body is None else ""
+                if isinstance(phase, ContactPhase) and _turns(touch, cause):
+                    seen = "turn"
+                self._see(phase, other, now, seen)
+                touch.fresh = touch.fresh and other is gap and one.body is None
+        self.leave(key, now)
+        if one.body is not None:
+            self._grip(one.body, cause, phase.gaps, now)
+            if not phase.gaps:
+                self._alone(one.body, now)
+            self.form(phase.gaps, now)
+        elif gap is not None and cause == "clear":
+            gap.room, gap.memory, gap.tail = ZERO, ZERO, None
+            self.form(phase.gaps, now)
+        elif gap is not None:
+            self._contact_ends(gap, phase, one)
+
+    def _alone(self, body: Body, now: Instant) -> None:
+        """Friction stops a body in the air."""
+        self.fly((body,), now)
+        if body.held:
+            self.tell_carts(now, "stop", body)
+
+    def _contact_ends(self, gap: Gap, phase: ContactPhase | CoupledPhase, one: Next) -> None:
+        now, cause, touch = one.when, one.cause, self.touches[gap.index]
+        turned, alone = cause == "turn", isinstance(phase, ContactPhase)
+        held = [body for body in phase.bodies if body.held]
+        if turned:
             gap.rate = ZERO
-            if touch.turns_alone:  # at a wall the cart itself stands still now
+            if gap.left.still or gap.right.still:  # the cart itself stands still now
                 for body in (gap.left, gap.right):
                     body.v, body.sliding = ZERO, 0
-            if touch.turn():
-                self.press(gap, one.when)
-                return
-        touch.part(turned=one.cause == "turn")
-        gap.spent = one.cause == "apart"
-        gap.touching = False
-        del self.touches[gap.index]
-        room, rate = gap.room, gap.rate
-        if one.cause == "turn":
+        if cause == "climb":
+            touch.climb()
+        if cause == "climb" or (turned and touch.turn(now)):
+            self.form(phase.gaps, now)
+            return
+        self._part(gap, now, turned=turned, alone=alone)
+        self._go_on(phase.gaps, gap, held, now)
+        if turned and self._pressed_on(gap, alone=alone):
+            raise NoBoundError(said("{pair} stay pressed together under a force", pair=gap.shown))
+
+    def _grip(self, body: Body, cause: str, gaps: Sequence[Gap], now: Instant) -> None:
+        """Friction stops a body, or lets it go."""
+        if cause == "halt":
+            body.v, body.sliding = ZERO, 0
+            for gap in gaps:
+                if body in (gap.left, gap.right):
+                    rest_against(gap)
+            return
+        total = body.force(now)
+        for gap in gaps:
+            if body in (gap.left, gap.right):
+                push = self.push(gap)
+                total = total - push if body is gap.left else total + push
+        body.v, body.held = ZERO, False
+        body.balanced = now if all(one.even for one in body.load) else None
+        if not total > 0 and not total < 0:
+            raise NotProvableError(said("which way a cart begins to slide"))
+        body.sliding = 1 if total > 0 else -1
+        self.tell_carts(now, "start", body)
+
+    def _part(self, gap: Gap, now: Instant, *, turned: bool, alone: bool) -> None:
+        touch = self.touches.pop(gap.index)
+        touch.part(turned=turned)
+        gap.spent, gap.touching = True, False
+        if turned and alone:
             same = common_velocity(gap.left, gap.right)
             for body in (gap.left, gap.right):
                 body.v = same
-        held = [body for body in (gap.left, gap.right) if body.held]
-        self.fly((gap.left, gap.right), one.when)
-        gap.room, gap.rate = room, rate
-        pairs = gap.left.mass is not None and gap.right.mass is not None
-        loaded = not is_zero(gap.pull) or (pairs and self.scene.effects)
-        if one.cause == "turn" and loaded:  # it is held at its greatest overlap, and never parts
-            raise NoBoundError(said("{pair} stay pressed together under a force", pair=gap.shown))
-        peak = touch.peak()
+        peak = peaks.greatest(touch)
         if peak is not None:
             self.tell(peak, "peak", gap.names)
-        self.tell(one.when, "separate", gap.names)
-        self._tell_grips((gap.left, gap.right), held, one.when)
+        self.tell(now, "separate", gap.names)
+
+    def _go_on(self, gaps: Sequence[Gap], gap: Gap, held: Sequence[Body], now: Instant) -> None:
+        """After a separation: who is free flies, the others form anew."""
+        room, rate = gap.room, gap.rate
+        free = [body for body in (gap.left, gap.right) if not self._touches(body)]
+        self.fly(free, now)
+        gap.room, gap.rate = room, rate
+        self._tell_grips(free, held, now)
+        self.form(gaps, now)
+
+    def _pressed_on(self, gap: Gap, *, alone: bool) -> bool:
+        """Is a bumper that does not spring back held at its greatest overlap by other forces?"""
+        if not alone:
+            return not gap.right.rate(gap.since) - gap.left.rate(gap.since) > 0
+        pairs = gap.left.mass is not None and gap.right.mass is not None
+        return bool(not is_zero(gap.pull) or (pairs and self.scene.effects))
 
     def _tell_grips(self, bodies: Iterable[Body], held: Sequence[Body], now: Instant) -> None:
         """Which of these friction has just taken hold of, or let go; `held`: before."""
@@ -152,36 +198,8 @@ class Contacts(Foresight):
             if body.mass is not None and body.held != (body in held):
                 self.tell_carts(now, "stop" if body.held else "start", body)
 
-    def _leave(self, gap: Gap, now: Instant) -> None:
-        """Out of a phase: bodies and gaps are settled, and in flight."""
-        bodies = tuple(body for body in (gap.left, gap.right) if body.carts)
-        self.forget(bodies)
-        self.settle(bodies, now)
-        del self.phases[gap.index]
-        for body in bodies:
-            body.phase = None
 
-    def again(self, gap: Gap, now: Instant, grips: tuple[tuple[Body, str], ...]) -> None:
-        """The same stage goes on with other loads."""
-        touch, (phase, _) = self.touches[gap.index], self.phases[gap.index]
-        alone = gap.left.mass is None or gap.right.mass is None
-        turns = alone and any(cause == "halt" for _, cause in grips)
-        still = turns and is_zero(touch.line.gamma)  # at a wall: o′ is the cart's velocity
-        touch.see_peak(phase, now.minus(phase.begun), now, "turn" if still else "")
-        self._leave(gap, now)
-        touch.fresh = False
-        if turns:
-            gap.rate = ZERO
-        push = touch.force()
-        for body, cause in grips:
-            if cause == "halt":
-                body.v, body.sliding = ZERO, 0
-                body.fly(now, -push if body is gap.left else push)
-                if body.held:
-                    self.tell_carts(now, "stop", body)
-            else:
-                total = body.force(now) + (-push if body is gap.left else push)
-                body.v, body.held = ZERO, False
-                body.sliding = 1 if total > 0 else -1
-                self.tell_carts(now, "start", body)
-        self.press(gap, now)
+def _turns(touch: Touch, cause: str) -> bool:
+    """Does a cart that stops at a wall thereby turn there? o′ is its velocity."""
+    walls = touch.gap.left.mass is None or touch.gap.right.mass is None
+    return walls and cause == "halt" and is_zero(touch.line.gamma)

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from sim.certify.arithmetic import arb, ctx
-from sim.certify.balls import Ball, NotProvableError, is_zero
+from sim.certify.numbers.arithmetic import arb, ctx
+from sim.certify.numbers.balls import Ball, NotProvableError, is_zero
 from sim.scene.said import said
 
 GUARD = 24

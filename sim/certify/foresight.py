@@ -9,19 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.certify.balls import (
+from sim.certify.bodies import Gap
+from sim.certify.instants import Instant, instant
+from sim.certify.numbers.balls import (
     ZERO,
     Ball,
-    NoBoundError,
     NotProvableError,
-    exact,
     is_zero,
     lower,
     upper,
 )
-from sim.certify.bodies import Gap
-from sim.certify.instants import instant
-from sim.certify.roots import falls_to_zero, first_root
+from sim.certify.numbers.roots import Function, falls_to_zero, first_root
 from sim.certify.row import Next, Row
 from sim.scene.said import Said, listed, said
 
@@ -54,11 +52,25 @@ def at_once(one: Said, other: Said) -> Said:
     )
 
 
+def _soft(one: Next) -> bool:
+    return one.gap is not None and not one.gap.contact.sudden
+
+
+def _opening(gap: Gap) -> Function | None:
+    """Of two that touch at rest to each other: how their room grows, if it does."""
+    if not (gap.touches and is_zero(gap.rate)):
+        return None
+    return lambda t: gap.pull_at(gap.since.after(t))
+
+
 class Foresight(Row):
     """What is still to come of a row."""
 
     def first(self, coming: list[Next]) -> Next | None:
         """The provably first; None if nothing comes before the end."""
+        for one in coming:
+            if one.when is self.present and one.kind == "touch" and _soft(one):
+                return one  # nothing can come before now, and such touches change no velocity
         known = [(lower(one.when.ball), upper(one.when.ball), one) for one in coming]
         end = upper(self.until.ball)
         known = [row for row in known if not row[0] > end]
@@ -94,12 +106,18 @@ class Foresight(Row):
 
     def _apart(self, one: Next, other: Next) -> bool:
         """At exactly one instant: is either order the same, as no body takes part in both?"""
+        if one.kind == other.kind == "touch" and _soft(one) and _soft(other):
+            return True
         return not set(map(id, one.bodies)) & set(map(id, other.bodies))
 
     def _called(self, one: Next) -> Said:
         if one.gap is not None:
             return called(one.kind, one.gap.names)
         return called(one.kind, [self.names[k] for body in one.bodies for k in body.carts])
+
+    def presses(self, gap: Gap, now: Instant) -> bool:
+        """Do two that touch at rest to each other press at once?"""
+        raise NotImplementedError
 
     def halts(self) -> list[Next]:
         """Where friction brings carts in flight to rest."""
@@ -116,7 +134,7 @@ class Foresight(Row):
 
     def of_gap(self, gap: Gap) -> list[Next]:
         """A meeting, and the recovery of bumpers; kept until one of the bodies changes."""
-        if gap.joined or gap.touching:
+        if gap.joined or gap.bound:
             return []
         found = self.ahead.get(gap.index)
         if found is None:
@@ -137,28 +155,27 @@ class Foresight(Row):
                 clear = falls_to_zero(-gap.room, -gap.rate, -gap.pull, left, doubt)
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
-        elif tail:
-            raise NoBoundError(
-                said("{pair} have not recovered when one of them meets another", pair=gap.shown)
-            )
-        elif is_zero(gap.room) and is_zero(gap.rate):
-            raise NotProvableError(
-                said(
-                    "{pair} touch while one of them is in another contact: coupled contacts have "
-                    "no bound yet",
-                    pair=gap.shown,
-                )
-            )
+        elif gap.touches and self._closes(gap):
+            tau = ZERO
         else:
-            tau = first_root(
-                lambda t: gap.room_at(gap.since.after(t)),
-                lambda t: gap.rate_at(gap.since.after(t)),
-                (self.horizon(gap) - gap.since.ball).upper().mid(),
-                doubt,
-            )
+            left = (self.horizon(gap) - gap.since.ball).upper().mid()
+            tau = first_root(*self._closing(gap), left, doubt, curve=_opening(gap))
+            if tail:
+                clear = first_root(
+                    lambda t: -gap.room_at(gap.since.after(t)),
+                    lambda t: -gap.rate_at(gap.since.after(t)),
+                    left,
+                    doubt,
+                )
+                if clear is not None:
+                    found.append(Next(gap.since.after(clear), "clear", bodies, gap))
         if tau is not None:
             found.append(Next(gap.since.after(tau), "touch", bodies, gap))
         return found
+
+    def _closes(self, gap: Gap) -> bool:
+        """Do two that touch come together at once?"""
+        return bool(gap.rate < 0) or (is_zero(gap.rate) and self.presses(gap, gap.since))
 
     def _force_left(self, gap: Gap) -> tuple[Ball, Ball, Ball]:
         """What has to fall to nought for a touch, as a parabola: room, or −N where it lingers."""
@@ -167,11 +184,29 @@ class Foresight(Row):
             first = ZERO if gap.spent else k * gap.room + c * gap.rate
             return first, k * gap.rate + c * gap.pull, k * gap.pull
         if not is_zero(gap.memory):
-            e = exact(gap.contact.restitution or 0.0)
-            spent = is_zero(e) or gap.spent
-            room = ZERO if spent else gap.room + (1 - e * e) * gap.memory
+            room = ZERO if gap.spent else gap.room + gap.rest()
             return room, gap.rate, gap.pull
         return gap.room, gap.rate, gap.pull
+
+    def _closing(self, gap: Gap) -> tuple[Function, Function]:
+        """The same and its slope, s after `since`, while one of the bodies is in a contact."""
+
+        def room(t: Ball) -> Ball:
+            return gap.room_at(gap.since.after(t))
+
+        def rate(t: Ball) -> Ball:
+            return gap.rate_at(gap.since.after(t))
+
+        if gap.tail is not None:
+            k, c = gap.tail
+            return (
+                lambda t: k * room(t) + c * rate(t),
+                lambda t: k * rate(t) + c * gap.pull_at(gap.since.after(t)),
+            )
+        if gap.touches:  # of what is left of the room nothing has to cancel
+            return (lambda t: gap.way_at(gap.since.after(t))), rate
+        rest = ZERO if is_zero(gap.memory) else gap.rest()
+        return (lambda t: room(t) + rest), rate
 
     def horizon(self, gap: Gap) -> Ball:
         """s. Up to there the present motions of both bodies hold."""

@@ -11,10 +11,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import Ball, between, exact
 from sim.certify.band import Spans
-from sim.certify.loads import Load, loads
+from sim.certify.loads import Load, loads, springs
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import Ball, between, exact
+from sim.certify.oscillation import Line
 from sim.scene.model import Scene
 
 
@@ -28,6 +29,7 @@ class Inputs:
     velocities: list[Ball]
     gaps: list[Ball]
     loads: list[Load]
+    springs: dict[int, list[Line]]
 
 
 NOTHING = (Fraction(0), Fraction(0))
@@ -43,6 +45,7 @@ def inputs(scene: Scene, spans: Spans, *, wide: bool) -> Inputs:
         [exact(cart.velocity) for cart in scene.carts],
         [_gap(scene, spans, k, wide=wide) for k in range(len(scene.gaps))],
         loads(scene, masses),
+        springs(scene),
     )
 
 

@@ -7,7 +7,7 @@ difference is the sum of the steps wherever one leads to the other, or both come
 
 from __future__ import annotations
 
-from sim.certify.balls import Ball, exact, is_zero
+from sim.certify.numbers.balls import Ball, exact, is_zero
 
 MOST_BACK = 12
 """Steps that are followed. Beyond them the balls themselves are subtracted, which holds too."""

@@ -1,15 +1,19 @@
-"""Forces on single carts that are constant for a time (`sim.effects.constant`), as balls.
+"""Effects as balls: what is constant for a time, and what is linear in place and velocity.
 
-Another effect has no bound here, and says so.
+`sim.effects.constant` and `sim.effects.linear` say which. Another effect has no bound here, and
+says so.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
+from sim.certify.oscillation import Line
 from sim.effects.constant import Constant, constant_of
+from sim.effects.linear import linear_of
+from sim.effects.where import gap_of
 from sim.scene.model import Scene
 from sim.scene.said import said
 
@@ -26,6 +30,8 @@ class Load:
     kinetic: Ball = ZERO
     static: Ball = ZERO
     pushes: list[tuple[float, float, Ball]] = field(default_factory=list)  # s, s, N
+    drag: Ball = ZERO  # kg/s
+    even: bool = True  # is friction the same, sliding and at rest?
 
     def force(self, now: Ball) -> Ball:
         """N without friction, just after `now`, which is exact where a push begins or ends."""
@@ -53,11 +59,29 @@ def loads(scene: Scene, masses: list[Ball]) -> list[Load]:
             if one.friction:
                 press = load.mass * gravity * angle.cos()
                 kinetic, static = map(exact, one.friction)
+                load.even = load.even and one.friction[0] == one.friction[1]
                 load.kinetic = load.kinetic + kinetic * press
                 load.static = load.static + static * press
             if one.push:
                 begin, end, force = one.push
                 load.pushes.append((begin, end, exact(force)))
+    for effect in scene.effects:
+        one_linear = linear_of(effect)
+        if one_linear is not None and one_linear.drag is not None:
+            for cart, load in zip(scene.carts, found, strict=True):
+                if cart.name in effect.carts:
+                    load.drag = load.drag + exact(one_linear.drag)
+    return found
+
+
+def springs(scene: Scene) -> dict[int, list[Line]]:
+    """By gap: N = k (o + L) + c o′, o the overlap of the edges."""
+    found: dict[int, list[Line]] = {}
+    for effect in scene.effects:
+        one = linear_of(effect)
+        if one is not None and one.spring is not None:
+            k, length, c = map(exact, one.spring)
+            found.setdefault(gap_of(effect, scene), []).append(Line(k, c, -length))
     return found
 
 
@@ -67,6 +91,8 @@ def _on_each(scene: Scene) -> list[list[Constant]]:
     for effect in scene.effects:
         one = constant_of(effect)
         if one is None:
+            if linear_of(effect) is not None:
+                continue
             raise NoBoundError(said("{what} has no bound yet", what=effect.kind))
         for cart, constants in zip(scene.carts, on_each, strict=True):
             if cart.name in effect.carts:

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import Ball, NotProvableError, is_zero
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import Ball, NotProvableError, is_zero
 from sim.scene.said import said
 
 

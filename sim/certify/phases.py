@@ -13,11 +13,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim.certify.balls import ZERO, Ball, NoBoundError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, is_zero
+from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line, Oscillation
-from sim.certify.roots import first_root
 from sim.scene.said import said
 
 
@@ -27,6 +27,7 @@ class ContactPhase:
     def __init__(self, gap: Gap, line: Line, now: Instant) -> None:
         left, right = gap.left, gap.right
         self.gap, self.begun, self.line = gap, now, line
+        self.gaps, self.bodies = [gap], tuple(b for b in (left, right) if b.mass is not None)
         self.left, self.right = left, right
         a = ZERO if left.still else left.acceleration(now)
         b = ZERO if right.still else right.acceleration(now)
@@ -75,6 +76,12 @@ class ContactPhase:
             return ZERO
         tau = now.minus(self.begun)
         return self.centre + self.drift * tau + self._side(body) * self.swing.at(tau)[1]
+
+    def acceleration(self, body: Body, now: Instant) -> Ball:
+        """m/s²."""
+        if body.still:
+            return ZERO
+        return self.drift + self._side(body) * self.swing.all(now.minus(self.begun))[2]
 
     def grips(self, horizon: Ball) -> Iterator[tuple[Ball, str, Body]]:
         """Where a sliding body stops, or a held one is pushed away, up to `horizon` [s] after."""

@@ -10,11 +10,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.certify.balls import ZERO, upper
-from sim.certify.band import Seen
+from sim.certify.band import Seen, State, united_states
 from sim.certify.bodies import Body, Gap
+from sim.certify.coupled import CoupledPhase
 from sim.certify.inputs import Inputs
 from sim.certify.instants import Instant, instant
+from sim.certify.numbers.balls import ZERO, between, upper
 from sim.certify.phases import ContactPhase
 from sim.certify.touches import Touch
 
@@ -64,28 +65,47 @@ class Row:
                 inputs.gaps[k],
                 ZERO,
                 self.zero,
+                springs=tuple(inputs.springs.get(k, ())),
             )
             for k, contact in enumerate(self.scene.contacts)
             if contact is not None
         ]
         self.moved = [ZERO for _ in self.names]  # m, of each cart
         self.touches: dict[int, Touch] = {}
-        self.phases: dict[int, tuple[ContactPhase, list[Next]]] = {}
+        self.phases: dict[int, tuple[ContactPhase | CoupledPhase, list[Next]]] = {}
+        self.coupled: dict[int, CoupledPhase] = {}  # by gap
+        self.present = self.zero
+        self.running = False  # what holds at the start is no event
         self.ahead: dict[int, list[Next]] = {}  # of each gap
         self.told: list[Told] = []
         self.doubt = ""  # about the order of two events that are independent
         self.happened = 0
         self.seen: Seen = {}
+        self.glimpsed: dict[float, list[State]] = {}
 
     def look(self, t: float) -> None:
-        """Keep where everything is at a time up to which no motion ends."""
-        now = instant(t)
-        if all(upper(body.begun.ball) <= Fraction(t) for body in self.bodies):
-            places = [
-                way + body.way(body.begun, now)
-                for way, body in zip(self.moved, self.bodies, strict=True)
-            ]
-            self.seen[t] = (places, [body.speed(now) for body in self.bodies])
+        """Keep where everything is at a time [s] that is no later than what comes next.
+
+        Within an event's own time it has happened or not: both are kept.
+        """
+        known = [*self.glimpsed.pop(t, []), self._state(t)]
+        self.seen[t] = united_states(known)
+
+    def glimpse(self, t: float) -> None:
+        """Keep where everything is at a time at which the next event may have happened or not."""
+        self.glimpsed.setdefault(t, []).append(self._state(t))
+
+    def _state(self, t: float) -> State:
+        """By motions that began before t; of one that perhaps did not, from its beginning on."""
+        now, places, speeds = instant(t), [], []
+        for way, body in zip(self.moved, self.bodies, strict=True):
+            then = now
+            if not upper(body.begun.ball) <= Fraction(t):
+                tau = upper(now.minus(body.begun))
+                then = body.begun.after(between(Fraction(0), max(tau, Fraction(0))))
+            places.append(way + body.way(body.begun, then))
+            speeds.append(body.speed(then))
+        return places, speeds
 
     def settle(self, bodies: Iterable[Body], now: Instant) -> None:
         """Bring bodies to `now`, and the gaps around them."""
@@ -94,7 +114,15 @@ class Row:
             if gap.joined or not ({gap.left, gap.right} & {*bodies}):
                 continue
             if gap.since is not now:
-                room, rate = gap.room_at(now), gap.rate_at(now)
+                if gap.alike:
+                    gap.since = now
+                    continue
+                coupled = self.coupled.get(gap.index)
+                room, rate = (
+                    (gap.room_at(now), gap.rate_at(now))
+                    if coupled is None
+                    else coupled.between(gap, now)
+                )
                 gap.room, gap.rate, gap.since = room, rate, now
                 gap.spent = False
         for body in bodies:
@@ -110,7 +138,7 @@ class Row:
             if body.carts and body.phase is None:
                 body.fly(now)
         for gap in self.gaps:
-            if not gap.joined and not gap.touching and {gap.left, gap.right} & {*bodies}:
+            if not gap.joined and not gap.bound and {gap.left, gap.right} & {*bodies}:
                 if gap.since is not now:
                     raise AssertionError("a gap was not settled")
                 if not self._alike(gap):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
-from sim.certify.balls import ZERO, NoBoundError, lower
 from sim.certify.contacts import Contacts
+from sim.certify.numbers.balls import ZERO, NoBoundError, lower, upper
 from sim.certify.row import Next
 from sim.scene.said import said
 
@@ -24,6 +24,7 @@ class BallRun(Contacts):
         """
         waiting = deque(instants)
         self._start()
+        self.running = True
         switches = self.switches()
         while True:
             coming = [one for _, ends in self.phases.values() for one in ends]
@@ -36,11 +37,16 @@ class BallRun(Contacts):
                     self.look(waiting.popleft())
             if first is None:
                 break
+            for t in waiting:
+                if t > upper(first.when.ball):
+                    break
+                self.glimpse(t)
             if first.kind == "switch":
                 switches = switches[1:]
             self.happened += 1
             if self.happened > most:
                 raise NoBoundError(said("there are more than {most} changes", most=str(most)))
+            self.present = first.when
             self._happen(first)
         self.settle(self.bodies, self.until)
         self.tell(self.until, "end", tuple(self.names))
@@ -55,9 +61,9 @@ class BallRun(Contacts):
             gap.rate = gap.right.v - gap.left.v
         for body in self.bodies:
             body.fly(self.zero)
-        for gap in self.gaps:
-            if gap.room < 0:
-                self.touch(gap, self.zero)
+        pulled = [gap for gap in self.gaps if gap.springs]
+        self.begin([gap for gap in self.gaps if gap.room < 0], self.zero, pulled)
+        self.fly([body for body in self.bodies if not self._touches(body)], self.zero)
 
     def _happen(self, one: Next) -> None:
         if one.kind == "touch" and one.gap is not None:
@@ -67,8 +73,8 @@ class BallRun(Contacts):
             self.settle(one.bodies, one.when)
             one.gap.room, one.gap.memory, one.gap.tail = ZERO, ZERO, None
             self.fly(one.bodies, one.when)
-        elif one.kind == "end" and one.gap is not None:
-            self.phase_ends(one.gap, one)
+        elif one.kind == "end":
+            self.phase_ends(one)
         elif one.kind == "halt" and one.body is not None:
             self.forget(one.bodies)
             self.settle(one.bodies, one.when)
@@ -80,13 +86,11 @@ class BallRun(Contacts):
             self._switch(one)
 
     def _switch(self, one: Next) -> None:
-        held = [body for body in one.bodies if body.held]
-        for gap_index in [
-            k for k, (p, _) in self.phases.items() if {p.left, p.right} & {*one.bodies}
-        ]:
-            gap = next(gap for gap in self.gaps if gap.index == gap_index)
-            self.again(gap, one.when, ())
-        free = [body for body in one.bodies if body.phase is None]
+        held = [body for body in one.bodies if body.held and body.phase is None]
+        pressed = self.interrupt(one.bodies, one.when)
+        in_contact = {body for gap in pressed for body in (gap.left, gap.right)}
+        self.form(pressed, one.when)
+        free = [body for body in one.bodies if body not in in_contact]
         self.forget(free)
         self.settle(free, one.when)
         self.fly(free, one.when)

@@ -1,12 +1,14 @@
-"""A touch of finite duration, stage by stage; an impact and a joint, which have no duration.
+"""A touch of finite duration, stage by stage.
 
     bumper                  press   N = k o                       until o′ = 0 (e = 1: o = 0)
                             back    N = (k/e²)(o − (1 − e²) M)    until N = 0; M: greatest overlap
     paper                   on      N = k o + c o′                until o = 0
     push-only, -uncorrected on      N = k o + c o′                until N = 0
 
-A bumper keeps M, and a push-only pair its overlap, until the two are clear of each other; what
-meets again before has no bound here. Hertz's law has no closed form: it has no bound either.
+A bumper keeps M, and a push-only pair its overlap, until the two are clear of each other. What
+meets again before goes on where it was: a bumper back along its second line, and along the first
+once it is pressed further than M. Hertz's N = k o^(3/2) has no Taylor series at the touch, so no
+bound here.
 """
 
 from __future__ import annotations
@@ -14,13 +16,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sim.certify import damping
-from sim.certify.arithmetic import arb
-from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
-from sim.certify.bodies import Body, Gap
+from sim.certify.bodies import Gap
 from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
+from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
 from sim.certify.phases import ContactPhase
-from sim.certify.roots import first_root
+from sim.certify.watches import Watch, signal
 from sim.scene.said import said
 
 Damped = Callable[[Ball], tuple[Ball, bool]]
@@ -43,13 +46,16 @@ class Touch:
         if contact.stiffness is None or restitution is None:
             raise NoBoundError(said("{what} has no bound yet", what=law))
         if law != BUMPER and law not in DAMPED:
-            raise NoBoundError(said("{what} has no bound yet", what=law))
+            raise NoBoundError(said("{what} has no bound: its force is not linear", what=law))
         self.gap, self.law, self.begun = gap, law, now
         self.k, self.e = exact(contact.stiffness), exact(restitution)
         self.fresh = is_zero(gap.room)
         self.peaks: list[tuple[Instant, Ball]] = []  # s, N
         self.stage = "on"
         self.at_no_force = False
+        self.nought: Instant | None = None  # when its next end is exactly 0, as it begins
+        self.greatest = ZERO  # m, the overlap at the turn
+        self.turned = False
         if law == BUMPER:
             self._bumper()
         else:
@@ -66,9 +72,18 @@ class Touch:
         walls = self.gap.left.mass is None or self.gap.right.mass is None
         return walls and self.stage == "press" and not self.elastic
 
+    @property
+    def turns_at_rest(self) -> bool:
+        """The same, where the neighbour may be a cart that friction holds."""
+        still = self.gap.left.still or self.gap.right.still
+        return still and self.stage == "press" and not self.elastic
+
     def _bumper(self) -> None:
         closing = -self.gap.rate
-        if self.fresh or closing > 0 or self.elastic:
+        if not is_zero(self.gap.memory):
+            self._spring_back(self.gap.memory)
+            self.nought = self.begun
+        elif self.fresh or closing > 0 or self.elastic:
             self.stage, self.line = "press", Line(self.k, ZERO, ZERO)
         elif is_zero(closing) or closing < 0:
             self._spring_back(-self.gap.room)
@@ -80,7 +95,7 @@ class Touch:
         if is_zero(square):
             raise NoBoundError(said("a bumper that does not spring back is pressed at the start"))
         self.stage = "back"
-        self.gap.memory = greatest
+        self.greatest = self.gap.memory = greatest
         self.line = Line(self.k / square, ZERO, (1 - square) * greatest)
 
     def _damped(self) -> None:
@@ -90,12 +105,25 @@ class Touch:
         both = one if other is None else other if one is None else one * other / (one + other)
         self.zeta = zeta
         self.line = Line(self.k, 2 * zeta * (self.k * both).sqrt(), ZERO, critical)
-        if self.at_no_force and not self.fresh:
-            push = -self.k * self.gap.room - self.line.gamma * self.gap.rate
-            if not push > 0:
-                raise NotProvableError(
-                    said("whether {pair} push each other at the start", pair=self.gap.shown)
+        if self.gap.tail is not None:
+            self.gap.tail, self.nought = None, self.begun
+        elif not self.fresh:
+            self.still_pushes(self.begun)
+
+    def still_pushes(self, now: Instant) -> None:
+        """Rates have been changed at once: the force must not pull, and a bumper may turn."""
+        if self.stage == "press" and not self.elastic and not self.gap.rate > 0:
+            return
+        if self.stage == "press" and not self.elastic:
+            self.peaks.append((now, self.force()))
+            if not self.turn(now):
+                raise NoBoundError(
+                    said("{pair} stay pressed together under a force", pair=self.gap.shown)
                 )
+        elif self.at_no_force and not self.force() > 0:
+            raise NotProvableError(
+                said("whether {pair} push each other at the start", pair=self.gap.shown)
+            )
 
     def force(self) -> Ball:
         """N, at `since` of the gap."""
@@ -121,7 +149,9 @@ class Touch:
                 lambda t: swing.at(t)[0] - line.rest, lambda t: swing.at(t)[1], horizon, doubt
             )
         if self.stage == "back":
-            self._never_climbs(phase, horizon if tau is None else tau)
+            again = self._climbs(phase, horizon if tau is None else tau)
+            if again is not None:
+                return again, "climb"
         return None if tau is None else (tau, "apart")
 
     def _formula(self, phase: ContactPhase) -> tuple[Ball, str] | None:
@@ -139,62 +169,49 @@ class Touch:
             return 2 * self.zeta.acosh() / swing.w, "apart"
         return (2 * half / swing.w, "apart") if swing.turns else None
 
-    def _never_climbs(self, phase: ContactPhase, until: Ball) -> None:
-        again = first_root(
-            lambda t: -phase.swing.at(t)[1],
-            lambda t: -phase.swing.all(t)[2],
-            until,
-            said("whether {pair} are pressed again", pair=self.gap.shown),
-        )
-        if again is not None:
-            raise NotProvableError(
-                said("{pair} are pressed again as their bumper springs back", pair=self.gap.shown)
-            )
-
-    def see_peak(self, phase: ContactPhase, tau: Ball, now: Instant, cause: str) -> None:
-        """The greatest force of a phase that lasted `tau` s and ended at `now`."""
+    def _climbs(self, phase: ContactPhase, until: Ball) -> Ball | None:
+        """Is a bumper on its way back pressed beyond its greatest overlap?"""
         swing = phase.swing
-        if cause == "turn":
-            self.peaks.append((now, swing.force(tau)[0]))
-            return
-        if self.stage == "back" and (self.peaks or is_zero(swing.r0)):
-            if not self.peaks:
-                self.peaks.append((phase.begun, swing.force(ZERO)[0]))
-            return
-        first, rate = swing.force(ZERO)
-        if rate <= 0:
-            self.peaks.append((phase.begun, first))
-            return
-        if self.fresh and phase.unloaded and self.elastic and self.law == BUMPER:
-            when: Ball | None = tau / 2
-        else:
-            when = first_root(
-                lambda t: swing.force(t)[1],
-                lambda t: swing.line.kappa * swing.all(t)[2] + swing.line.gamma * swing.all(t)[3],
-                tau,
-                said("when the force between {pair} is greatest", pair=self.gap.shown),
-            )
-        at = (now, tau) if when is None else (phase.begun.after(when), when)
-        self.peaks.append((at[0], swing.force(at[1])[0]))
+        doubt = said("whether {pair} are pressed again", pair=self.gap.shown)
+        if is_zero(swing.r0) or swing.r0 < 0:
+            turned = first_root(lambda t: -swing.at(t)[1], lambda t: -swing.all(t)[2], until, doubt)
+            if turned is None:
+                return None
+        if not self.greatest - swing.o0 > 0:
+            raise NotProvableError(doubt)
+        return first_root(
+            lambda t: self.greatest - swing.at(t)[0], lambda t: -swing.at(t)[1], until, doubt
+        )
 
-    def peak(self) -> Instant | None:
-        """When the force was greatest; None where it never pushed."""
-        best: tuple[Instant, Ball] | None = None
-        for when, force in self.peaks:
-            if best is None or force > best[1]:
-                best = (when, force)
-            elif not force < best[1] and when is not best[0]:
-                raise NotProvableError(
-                    said("when the force between {pair} is greatest", pair=self.gap.shown)
-                )
-        return best[0] if best is not None and best[1] > 0 else None
+    def watches(self, k: int, now: Instant) -> list[Watch]:
+        """What ends the present stage in a longer row, where this is gap k, from `now` on."""
+        one, none, line = arb(1), ZERO, self.line
+        doubt = said("how the contact of {pair} ends", pair=self.gap.shown)
+        exactly = self.nought is now
+        if self.stage == "press" and not self.elastic:
+            return [Watch(signal(k, (none, one, none)), "turn", doubt, self.gap)]
+        factors = (one, none, -line.rest)
+        if self.at_no_force:
+            factors = (line.kappa, line.gamma, none)
+        again = exactly and (self.at_no_force or self.begun is now)
+        found = [Watch(signal(k, factors, nought=again), "apart", doubt, self.gap)]
+        if self.stage == "back":
+            doubt = said("whether {pair} are pressed again", pair=self.gap.shown)
+            room = signal(k, (-one, none, self.greatest), nought=exactly and not again)
+            found.append(Watch(room, "climb", doubt, self.gap))
+        return found
 
-    def turn(self) -> bool:
+    def turn(self, now: Instant) -> bool:
         """The greatest overlap is reached; does the bumper spring back?"""
         if is_zero(self.e):
             return False
         self._spring_back(-self.gap.room)
+        self.nought, self.turned = now, True
         return True
+
+    def climb(self) -> None:
+        """It is pressed further than before: along the first line again."""
+        self.stage, self.line, self.nought = "press", Line(self.k, ZERO, ZERO), None
 
     def part(self, *, turned: bool) -> None:
         """The two go their ways: what the gap keeps of the contact."""
@@ -208,24 +225,3 @@ class Touch:
             gap.tail, gap.spent = (self.line.kappa, self.line.gamma), True
         else:
             gap.room = ZERO
-
-
-def impact(gap: Gap) -> None:
-    """v′ = V + e (V − v), at once."""
-    restitution = gap.contact.restitution
-    e = exact(restitution or 0.0)
-    left, right = gap.left, gap.right
-    common = common_velocity(left, right)
-    closing = -gap.rate
-    for body in (left, right):
-        if body.mass is not None:
-            body.v = common if is_zero(e) else common + e * (common - body.v)
-            body.held = False
-    gap.room, gap.rate = ZERO, e * closing
-
-
-def common_velocity(left: Body, right: Body) -> Ball:
-    """m/s, of the common centre; a wall stands still."""
-    if left.mass is None or right.mass is None:
-        return ZERO
-    return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)

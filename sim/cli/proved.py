@@ -14,8 +14,8 @@ from sim.scene import Scene
 def proved(scene: Scene, truth: Exact) -> tuple[Exact, CostRow] | None:
     """`truth` with the middles of the certificate in its place, and the certificate as a row of the
     table: half of its width is its error. None where nothing is proved, or inputs are tolerant."""
-    from sim.certify.arithmetic import ARB
     from sim.certify.certificate import certify
+    from sim.certify.numbers.arithmetic import ARB
 
     if not ARB:  # a thousand contacts would take minutes
         return None
@@ -30,7 +30,7 @@ def proved(scene: Scene, truth: Exact) -> tuple[Exact, CostRow] | None:
 
 def _middles(scene: Scene, balls: Mapping[str, Any]) -> tuple[tuple[float, ...], float]:
     """The doubles in the middle, and the greatest half of a width."""
-    from sim.certify.balls import bounds
+    from sim.certify.numbers.balls import bounds
 
     ends = [bounds(balls[cart.name]) for cart in scene.carts]
     middles = tuple(low + 0.5 * (high - low) for low, high in ends)

@@ -5,6 +5,7 @@
     model.py      PIECE, its lines in the program in plain Python; imported when asked for
     estimate.py   optional: its usual size where a scene leaves it out, and the source
     constant.py   optional: what is constant of its force, for proofs (`carts run --certify`)
+    linear.py     optional: what is linear of it in place and velocity, for the same
     largest.py    optional: how large its force becomes, where a picture's scale asks before a run
     page.md       its page of the docs
     scenes/       scenes that show it; tests, gallery and pages find them by name

@@ -10,7 +10,7 @@ from sim.measured.events.momentum import Momentum, momentum_of
 from sim.measured.events.quantities import loss, told_of
 from sim.measured.events.story import Story
 from sim.measured.events.wild import of_aside
-from sim.measured.events.words import of_momentum, of_story
+from sim.measured.events.words import of_momentum, of_rung, of_scatter, of_story
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared
 from sim.measured.model.fit import Fit
@@ -120,6 +120,7 @@ def base_report(
             {"step": step, "held_out": error, "taken": step == story.speeds.step}
             for step, error in story.speeds.held_out
         ] if story.speeds else [],
+        "rungs": _rungs(story),
         "law": "bumper", "law_words": _WORDS.get(outcome or "", LAWS["bumper"]), "effect": "none",
         "known": [], "untold": [], "noise": None, "compared": [], "calls_for": None,
         "aside": [{"cart": names[o.cart], "t": o.t, "x": o.value} for o in story.aside],
@@ -138,6 +139,25 @@ def segment_rows(story: Story) -> list[dict[str, Any]]:
         {"from": s.begin, "until": s.end, "cart": names[s.cart], "kind": s.kind}
         for s in story.segments
     ]
+
+
+def _rungs(story: Story) -> dict[str, Any] | None:
+    """What each effect changes beside the contact, largest first, and what readings can show."""
+    speeds = story.speeds
+    if speeds is None or story.outcome is None:
+        return None
+    rows = [
+        {
+            "effect": rung.step,
+            "changes": rung.changes,
+            "missed": rung.missed,
+            "without": rung.without,
+            "verdict": rung.verdict,
+            "sentence": of_rung(rung),
+        }
+        for rung in speeds.rungs
+    ]
+    return {"scatter": speeds.scatter, "line": of_scatter(speeds), "rows": rows}
 
 
 _WORDS = {

@@ -12,23 +12,24 @@ import json
 import re
 import sys
 from collections import Counter
+from typing import Any
 
 from sim.certify.certificate import certify, document
 from sim.scene import SceneError, read_scene
 from tests.certify.held import misses
-from tests.certify.random_scenes import plain
+from tests.certify.random_scenes import plain, swinging, touching
 from tests.reference.digit_pairs import UnsupportedError
 
 
-def verdict(seed: int) -> tuple[str, list[str]]:
+def verdict(written: dict[str, Any]) -> tuple[str, list[str]]:
     """One word or sentence for a scene, and what its certificate misses."""
     try:
-        scene = read_scene(plain(seed))
+        scene = read_scene(written)
     except SceneError:
         return "no scene", []
     found = document(certify(scene))
     if not found["final"]["x"]:
-        return "no certificate: " + re.sub(r"\b([A-D]|left|right)\b", "…", found["reason"]), []
+        return "no certificate: " + re.sub(r"\b([A-F]|left|right)\b", "…", found["reason"]), []
     try:
         missed = misses(scene, found)
     except UnsupportedError:
@@ -43,13 +44,16 @@ def main() -> int:
     asked = argparse.ArgumentParser(prog="tests.certify", description=__doc__)
     asked.add_argument("--scenes", type=int, default=10_000)
     asked.add_argument("--from", dest="first", type=int, default=0, help="number of the first")
+    asked.add_argument("--rows", action="store_true", help="three and more carts at once")
+    asked.add_argument("--springs", action="store_true", help="springs and linear drag")
     given = asked.parse_args()
+    make = touching if given.rows else swinging if given.springs else plain
     seen: Counter[str] = Counter()
     for seed in range(given.first, given.first + given.scenes):
-        word, missed = verdict(seed)
+        word, missed = verdict(make(seed))
         seen[word] += 1
         if missed:
-            print(f"{seed}: {missed}\n  {json.dumps(plain(seed))}", flush=True)
+            print(f"{seed}: {missed}\n  {json.dumps(make(seed))}", flush=True)
     for word, count in seen.most_common():
         print(f"{count:7}  {word}")
     return 1 if seen["MISSED"] else 0

@@ -1,4 +1,8 @@
-"""Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces."""
+"""Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces.
+
+`touching` are rows of which three and more push each other at once: cradles, trains that are hit,
+carts between soft walls. `swinging` have springs and linear drag.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ from random import Random
 from typing import Any
 
 LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")
+SOFT = LAWS[:4]
 
 
 def plain(seed: int) -> dict[str, Any]:
@@ -36,8 +41,58 @@ def plain(seed: int) -> dict[str, Any]:
     return scene
 
 
-def _contact(dice: Random) -> dict[str, Any]:
-    law = dice.choice(LAWS)
+def touching(seed: int) -> dict[str, Any]:
+    """A row of 3 to 6 carts, some of which touch from the start; the last may come from outside."""
+    dice = Random(f"row {seed}")
+    count = dice.choice([3, 3, 3, 4, 5, 6])
+    alike, x, carts = dice.random() < 0.3, 0.2, {}
+    hit = dice.choice([0.5, 1, round(dice.uniform(0.2, 1.5), 2)])
+    for k in range(count):
+        x = round(x + 0.2 + (dice.choice([0, 0, 0.001, round(dice.uniform(0, 0.2), 3)])), 3)
+        came = k == 0 or (k == count - 1 and dice.random() < 0.4)
+        carts["ABCDEF"[k]] = {
+            "mass": 1 if alike else round(10 ** dice.uniform(-0.7, 0.7), 2),
+            "position": x,
+            "velocity": (hit if k == 0 else -0.7) if came else 0,
+        }
+    walls = dice.choice(["open", "open", "wall"])
+    track = {"right": walls, "length": round(x + 0.1 + dice.choice([0, dice.uniform(0, 0.3)]), 3)}
+    contact = _contact(dice, SOFT)
+    scene = {"carts": carts, "track": track, "contact": contact, "until": dice.choice([0.5, 1, 2])}
+    if dice.random() < 0.3:
+        contact["pairs"] = {"A-B": _contact(dice, SOFT), "B-C": _contact(dice, LAWS)}
+    if dice.random() < 0.3:
+        scene["effects"] = [_effect(dice, list(carts))]
+    return scene
+
+
+def swinging(seed: int) -> dict[str, Any]:
+    """One to four carts with springs between them or to a wall, in air that may drag."""
+    dice = Random(f"springs {seed}")
+    count = dice.choice([1, 2, 2, 3, 4])
+    x, carts = 0.3, {}
+    for k in range(count):
+        x = round(x + 0.2 + dice.uniform(0.02, 0.4), 3)
+        speed = dice.choice([0, round(dice.uniform(-0.8, 0.8), 2)])
+        mass = round(10 ** dice.uniform(-0.7, 0.7), 2)
+        carts["ABCD"[k]] = {"mass": mass, "position": x, "velocity": speed}
+    track = {"left": "wall", "right": "wall", "length": round(x + 0.1 + dice.uniform(0.05, 0.5), 3)}
+    row = ["left", *carts, "right"]
+    effects: list[dict[str, Any]] = []
+    for k in dice.sample(range(count + 1), dice.choice([1, 1, 2]) if count > 1 else 1):
+        spring = {"between": row[k : k + 2], "stiffness": round(10 ** dice.uniform(0, 2), 2)}
+        spring |= {"length": round(dice.uniform(0, 0.6), 2)}
+        effects.append({"spring": spring | {"damping": dice.choice([0, 0, 0.2])}})
+    if dice.random() < 0.4:
+        effects.append({"drag": {"linear": round(dice.uniform(0.05, 1), 2)}})
+    elif dice.random() < 0.5:
+        effects.append(_effect(dice, list(carts)))
+    contact, until = _contact(dice), dice.choice([0.5, 1, 2])
+    return {"carts": carts, "track": track, "contact": contact, "until": until, "effects": effects}
+
+
+def _contact(dice: Random, laws: tuple[str, ...] = LAWS) -> dict[str, Any]:
+    law = dice.choice(laws)
     found: dict[str, Any] = {"law": law}
     if law != "velcro":
         least = 0.02 if law.startswith("push") else 0

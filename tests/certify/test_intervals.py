@@ -14,8 +14,8 @@ from flint import arb, ctx, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.certify.intervals import Interval
-from sim.certify.rounding import context
+from sim.certify.numbers.intervals import Interval
+from sim.certify.numbers.rounding import context
 from tests import registry
 from tests.certify.held import NO_BOUND, misses
 
@@ -118,7 +118,7 @@ def test_without_arb_every_scene_has_the_same_certificate_with_bounds_of_its_own
     code = (
         "import sys, json; sys.modules['flint'] = None\n"
         "from sim.certify.certificate import certify, document\n"
-        "from sim.certify.arithmetic import ARB\n"
+        "from sim.certify.numbers.arithmetic import ARB\n"
         "from tests import registry\n"
         "assert not ARB\n"
         "print(json.dumps({n: document(certify(registry.scene(n))) for n in registry.PATHS}))"

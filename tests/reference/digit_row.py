@@ -66,7 +66,19 @@ class DigitRow:
         self.steady, self.grips = [mpf(0)] * self.n, [(mpf(0), mpf(0))] * self.n
         self.pushes: list[tuple[int, mpf, mpf, mpf]] = []
         names = [cart.name for cart in scene.carts]
+        self.drag = [mpf(0)] * self.n
+        self.springs: dict[int, tuple[mpf, mpf, mpf]] = {}
         for effect in scene.effects:
+            if effect.kind == "spring":
+                k = next(k for k in range(self.n + 1) if scene.names_at(k) == effect.between)
+                stiff, length, c = (
+                    mpf(effect.numbers[key]) for key in ("stiffness", "length", "damping")
+                )
+                a, b, rest = self.springs.get(k, (mpf(0), mpf(0), mpf(0)))
+                self.springs[k] = (a + stiff, b + c, rest + stiff * length)
+                continue
+            if effect.kind == "release":
+                raise UnsupportedError(effect.kind)
             for k in (names.index(name) for name in effect.carts):
                 if effect.kind == "incline":
                     one = mpf(effect.numbers["angle"])
@@ -76,6 +88,8 @@ class DigitRow:
                     end = mpf(effect.numbers.get("until", scene.until + 1))
                     row = (k, mpf(effect.numbers["from"]), end, mpf(effect.numbers["force"]))
                     self.pushes.append(row)
+                elif effect.kind == "drag" and not effect.numbers["quadratic"]:
+                    self.drag[k] += mpf(effect.numbers["linear"])
                 elif effect.kind != "friction":
                     raise UnsupportedError(effect.kind)
         for effect in scene.effects:
@@ -125,17 +139,23 @@ class DigitRow:
 
     def contact_force(self, group: Group) -> mpf:
         total = mpf(0)
-        for k, pair in self.pairs.items():
-            if pair is None or k in self.joined:
-                continue
+        for k, (a, b, c) in self.acting():
             d, s = self.overlap(k)
-            a, b, c = pair.force()
             push = a * d + b * s + c
             if k - 1 in group.carts:
                 total -= push
             if k in group.carts:
                 total += push
         return total
+
+    def acting(self) -> list[tuple[int, tuple[Any, Any, Any]]]:
+        """Forces in gaps: factors of overlap and rate, and a constant."""
+        found: list[tuple[int, tuple[Any, Any, Any]]] = [
+            (k, pair.force())
+            for k, pair in self.pairs.items()
+            if pair is not None and k not in self.joined and any(pair.force())
+        ]
+        return found + [(k, s) for k, s in self.springs.items() if k not in self.joined]
 
     def judge(self, *, tell: bool = True) -> None:
         """Who is held, and who slides where."""

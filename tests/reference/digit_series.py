@@ -22,12 +22,8 @@ class Series(DigitRow):
         constant = {}
         for g in self.groups:
             constant[id(g)] = self.outer(g) - g.sliding * self.grip(g)[0]
-        acting = [
-            (k, pair.force())
-            for k, pair in self.pairs.items()
-            if pair is not None and k not in self.joined and pair.state in ("press", "on", "spring")
-        ]
-        order = ORDER if acting else 3
+        acting = self.acting()
+        order = ORDER if acting or any(self.drag) else 3
         for n in range(order):
             force = {id(g): (constant[id(g)] if n == 0 else mpf(0)) for g in self.groups}
             for k, (a, b, c) in acting:
@@ -38,6 +34,7 @@ class Series(DigitRow):
                         force[id(g)] += way * push
             for g in self.groups:
                 still = g.held or g.fixed
+                force[id(g)] -= sum(self.drag[k] for k in g.carts) * self.sv[id(g)][n]
                 a = mpf(0) if still else force[id(g)] / self.mass(g)
                 self.sx[id(g)].append(self.sv[id(g)][n] / (n + 1))
                 self.sv[id(g)].append(a / (n + 1))
@@ -83,14 +80,11 @@ class Series(DigitRow):
         static = self.grip(g)[1]
         total = [mpf(0)] * len(self.sv[id(g)])
         total[0] = self.outer(g)
-        for k, pair in self.pairs.items():
-            if pair is None or k in self.joined or not any(pair.force()):
-                continue
+        for k, factors in self.acting():
             for cart, way in ((k - 1, -1), (k, 1)):
                 if cart in g.carts:
                     total = [
-                        a + way * b
-                        for a, b in zip(total, self._series_of(k, pair.force()), strict=True)
+                        a + way * b for a, b in zip(total, self._series_of(k, factors), strict=True)
                     ]
         return [
             ([(static if n == 0 else 0) - way * c for n, c in enumerate(total)], ("slip", g))
@@ -100,11 +94,11 @@ class Series(DigitRow):
     def quick(self) -> mpf:
         """s. Of one step."""
         rate = mpf(0)
-        for k, pair in self.pairs.items():
-            if pair is not None and k not in self.joined:
-                a, b, _ = pair.force()
-                light = self._inverse(k - 1) + self._inverse(k)
-                rate = max(rate, mp.sqrt(a * light) + b * light)
+        for k, (a, b, _) in self.acting():
+            light = self._inverse(k - 1) + self._inverse(k)
+            rate = max(rate, mp.sqrt(a * light) + b * light)
+        for g in self.groups:
+            rate = max(rate, sum(self.drag[k] for k in g.carts) / self.mass(g))
         end = mpf(self.scene.until)
         step = mpf("0.3") / rate if rate else end / 50
         step = min(step, end - self.t)

@@ -90,6 +90,11 @@ class Digits(Series):
             self.tell("separate", names)
         elif state == "clear":
             pair.state, pair.memory = "open", mpf(0)
+        elif state == "again" and pair.e > 0:
+            pair.state = "spring" if pair.law == "bumper" else "on"
+            self.tell("contact", names)
+        elif state == "climb":
+            pair.state = "press"
         else:
             raise UnsupportedError(f"{state} of {names}")
 

@@ -14,7 +14,7 @@ from sim.cli.tables import table
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.cells import MOST_BYTES
 from sim.measured.events.story import Hints
-from sim.measured.events.words import strip
+from sim.measured.events.words import ladder, strip
 from sim.measured.model.fit import Fit
 from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError, ReadingError
@@ -244,4 +244,4 @@ def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
         lines += [table(("what", "value ± half of the 95 % interval"), rows), ""]
         lines += [f"Not printed: {one['name']}: {one['reason']}." for one in report["untold"]]
         lines.append("")
-    return "\n".join([*lines, *report["sentences"]])
+    return "\n".join([*lines, *report["sentences"], *ladder(report.get("rungs"))])

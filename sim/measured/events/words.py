@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from sim.measured.events.momentum import Momentum
+from sim.measured.events.rungs import Rung
 from sim.measured.events.segments import Segment
+from sim.measured.events.sides import Speeds
 from sim.measured.events.story import Story
 from sim.measured.words import number, places_for, with_half
 
@@ -37,6 +42,43 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
             f"{', '.join(rows)} (root mean square). Taken: {STEPS[story.speeds.step]}."
         )
     return said
+
+
+BRAKES = {"friction": "Friction", "tilt": "A tilt", "drag": "Drag"}
+
+
+def of_scatter(speeds: Speeds) -> str:
+    """The line of the ladder: what readings cannot show."""
+    scatter = _millimetres(speeds.scatter)
+    return f"These readings scatter by {scatter}: what changes less, they cannot show."
+
+
+def of_rung(rung: Rung) -> str:
+    """What an effect changes beside the contact, and whether the readings show it."""
+    begin = (
+        f"{BRAKES[rung.step]} changes where the carts are beside the contact by "
+        f"{_millimetres(rung.changes)}"
+    )
+    if rung.verdict == "not-shown":
+        return f"{begin}: your readings cannot show it."
+    errors = f"by {_millimetres(rung.missed)} with it and {_millimetres(rung.without)} without"
+    if rung.verdict == "shown":
+        return f"{begin}: your readings show it. They are missed {errors}."
+    return f"{begin}: your readings do not bear it out. They are missed {errors}."
+
+
+def ladder(rungs: Mapping[str, Any] | None) -> list[str]:
+    """The `rungs` of a report as text: the line stands where readings can no longer show it."""
+    if not rungs:
+        return []
+    shown = [row["sentence"] for row in rungs["rows"] if row["verdict"] != "not-shown"]
+    hidden = [row["sentence"] for row in rungs["rows"] if row["verdict"] == "not-shown"]
+    rows = [f"  {sentence}" for sentence in (*shown, rungs["line"], *hidden)]
+    return ["What do these readings call for? Each effect alone, largest first:", *rows]
+
+
+def _millimetres(metres: float) -> str:
+    return f"{number(1e3 * metres, 2)} mm"
 
 
 def of_momentum(found: Momentum) -> str:

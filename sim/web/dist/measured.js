@@ -852,7 +852,25 @@
     const said = html("ul", "carts-measured-sentences");
     said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
     parts.push(said);
+    if (report.rungs) parts.push(...ladder(report.rungs));
     place2.replaceChildren(...parts);
+  }
+  function ladder({ line, rows }) {
+    const item = ({ sentence }) => html("li", "", sentence);
+    const list = html("ol", "carts-ladder");
+    list.append(
+      ...rows.filter(({ verdict }) => verdict !== "not-shown").map(item),
+      html("li", "carts-ladder-line", line),
+      ...rows.filter(({ verdict }) => verdict === "not-shown").map(item)
+    );
+    return [
+      html(
+        "p",
+        "carts-how-head",
+        "What do these readings call for? Each effect alone, largest first:"
+      ),
+      list
+    ];
   }
   function table(report) {
     const made = html("table", "carts-table carts-measured-known");

@@ -172,7 +172,8 @@
     for (const bound of shown(bounds, sure)) {
       line.append(html("td", "carts-proof-bound", `${bound} ${unit}`));
     }
-    line.append(html("td", "", Number.isFinite(sure) ? String(sure) : tr("all")));
+    const count = sure ? String(sure) : tr("none");
+    line.append(html("td", "", Number.isFinite(sure) ? count : tr("all")));
     return line;
   }
   function shown(bounds, sure) {
@@ -220,7 +221,9 @@
       this.body = html("tbody");
       this.table = html("div", "carts-scroll");
       this.table.hidden = true;
-      this.table.append(tableWith(this.body));
+      this.count = html("th", "");
+      this.count.setAttribute("scope", "col");
+      this.table.append(tableWith(this.body, this.count));
       const box = html("div", "carts-proof");
       box.append(
         html("p", "carts-how-head", tr("How many of these digits are sure?")),
@@ -282,18 +285,20 @@
       ];
       say(this.note, lines.filter(Boolean).join(" "));
       this.table.hidden = !known && certificate.events.length === 0;
+      this.count.textContent = band ? tr("digits that the tolerance leaves") : tr("sure digits");
       this.body.replaceChildren(...rows(certificate));
       this.#show(band);
     }
   };
-  function tableWith(body) {
+  function tableWith(body, count) {
     const table = html("table", "carts-table carts-proof-told");
     const head = html("tr");
-    for (const text of ["", tr("not less than"), tr("not more than"), tr("sure digits")]) {
+    for (const text of ["", tr("not less than"), tr("not more than")]) {
       const cell = html(text ? "th" : "td", "", text);
       if (text) cell.setAttribute("scope", "col");
       head.append(cell);
     }
+    head.append(count);
     const heads = html("thead");
     heads.append(head);
     table.append(heads, body);

@@ -21,7 +21,30 @@ export function showResult(place, report) {
   const said = html("ul", "carts-measured-sentences");
   said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
   parts.push(said);
+  if (report.rungs) parts.push(...ladder(report.rungs));
   place.replaceChildren(...parts);
+}
+
+/**
+ * What brakes the carts, largest first, with what these readings can show as the line between.
+ * @param {NonNullable<Report["rungs"]>} rungs
+ */
+function ladder({ line, rows }) {
+  const item = (/** @type {{sentence: string}} */ { sentence }) => html("li", "", sentence);
+  const list = html("ol", "carts-ladder");
+  list.append(
+    ...rows.filter(({ verdict }) => verdict !== "not-shown").map(item),
+    html("li", "carts-ladder-line", line),
+    ...rows.filter(({ verdict }) => verdict === "not-shown").map(item),
+  );
+  return [
+    html(
+      "p",
+      "carts-how-head",
+      "What do these readings call for? Each effect alone, largest first:",
+    ),
+    list,
+  ];
 }
 
 /** @param {Report} report */

@@ -39,7 +39,9 @@ export class Proof {
     this.body = html("tbody");
     this.table = html("div", "carts-scroll");
     this.table.hidden = true;
-    this.table.append(tableWith(this.body));
+    this.count = html("th", "");
+    this.count.setAttribute("scope", "col");
+    this.table.append(tableWith(this.body, this.count));
     const box = html("div", "carts-proof");
     box.append(
       html("p", "carts-how-head", tr("How many of these digits are sure?")),
@@ -102,20 +104,22 @@ export class Proof {
     ];
     say(this.note, lines.filter(Boolean).join(" "));
     this.table.hidden = !known && certificate.events.length === 0;
+    this.count.textContent = band ? tr("digits that the tolerance leaves") : tr("sure digits");
     this.body.replaceChildren(...rows(certificate));
     this.#show(band);
   }
 }
 
-/** @param {Element} body */
-function tableWith(body) {
+/** @param {Element} body @param {Element} count the last head: what the digits are counted for */
+function tableWith(body, count) {
   const table = html("table", "carts-table carts-proof-told");
   const head = html("tr");
-  for (const text of ["", tr("not less than"), tr("not more than"), tr("sure digits")]) {
+  for (const text of ["", tr("not less than"), tr("not more than")]) {
     const cell = html(text ? "th" : "td", "", text);
     if (text) cell.setAttribute("scope", "col");
     head.append(cell);
   }
+  head.append(count);
   const heads = html("thead");
   heads.append(head);
   table.append(heads, body);

@@ -48,7 +48,8 @@ function row(label, bounds, unit) {
   for (const bound of shown(bounds, sure)) {
     line.append(html("td", "carts-proof-bound", `${bound} ${unit}`));
   }
-  line.append(html("td", "", Number.isFinite(sure) ? String(sure) : tr("all")));
+  const count = sure ? String(sure) : tr("none");
+  line.append(html("td", "", Number.isFinite(sure) ? count : tr("all")));
   return line;
 }
 

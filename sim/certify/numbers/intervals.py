@@ -7,8 +7,7 @@ decimal outwards is a bound. Sines are in `waves`. A function that rises takes i
 two ends. The methods are those of python-flint's `arb` that a certificate calls: a comparison is
 true only if it holds for every choice from both sides.
 
-Theory: R. E. Moore, Interval Analysis (1966), chapters 2 and 4.
-"""
+R. E. Moore, Interval Analysis (1966), chapters 2 and 4."""
 
 from __future__ import annotations
 
@@ -16,10 +15,11 @@ import math
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
-from sim.certify import waves
-from sim.certify.rounding import context, down, near, next_down, next_up, up
+from sim.certify.numbers import products, waves
+from sim.certify.numbers.rounding import context, down, near, next_down, next_up, up
 
 ENDLESS = Decimal("Infinity")
 
@@ -139,12 +139,7 @@ class Interval:
         by = _of(other)
         if not (self.is_finite() and by.is_finite()):
             return Interval.of(ENDLESS.copy_negate(), ENDLESS)
-        if self.low >= 0 and by.low >= 0:  # the usual case, at a fourth of the work
-            low, high = down().multiply(self.low, by.low), up().multiply(self.high, by.high)
-            return Interval.of(low, high)
-        pairs = [(a, b) for a in (self.low, self.high) for b in (by.low, by.high)]
-        low = min(down().multiply(a, b) for a, b in pairs)
-        return Interval.of(low, max(up().multiply(a, b) for a, b in pairs))
+        return Interval.of(*products.product(self.low, self.high, by.low, by.high))
 
     __rmul__ = __mul__
 
@@ -191,15 +186,16 @@ class Interval:
 
     def sin(self) -> Interval:
         """The sine of an angle in rad."""
-        return Interval.of(*waves.sine(self.low, self.high, 0))
+        return Interval.of(*waves.sines(self.low, self.high, 0)[0])
 
     def cos(self) -> Interval:
         """The cosine: a quarter of a turn ahead."""
-        return Interval.of(*waves.sine(self.low, self.high, 1))
+        return Interval.of(*waves.sines(self.low, self.high, 1)[0])
 
     def sin_cos(self) -> tuple[Interval, Interval]:
-        """Both."""
-        return self.sin(), self.cos()
+        """Both, from one reduction of the angle."""
+        sine, cosine = waves.sines(self.low, self.high, 0, 1)
+        return Interval.of(*sine), Interval.of(*cosine)
 
     def sinh(self) -> Interval:
         """It rises."""
@@ -234,7 +230,14 @@ class Interval:
 
 
 def _of(other: Any) -> Interval:
-    return other if isinstance(other, Interval) else Interval(other)
+    if isinstance(other, Interval):
+        return other
+    return _whole(other) if type(other) is int else Interval(other)
+
+
+@lru_cache(maxsize=256)
+def _whole(number: int) -> Interval:
+    return Interval(number)
 
 
 def _root(x: Decimal, outwards: Callable[[Decimal], Decimal]) -> Decimal:

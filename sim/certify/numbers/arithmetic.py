@@ -19,7 +19,7 @@ try:
 
     arb, ctx, ARB = flint.arb, flint.ctx, True
 except ImportError:
-    from sim.certify import intervals, rounding
+    from sim.certify.numbers import intervals, rounding
 
     arb, ctx, ARB = intervals.Interval, rounding.context, False
 

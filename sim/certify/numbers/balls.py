@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from sim.certify.arithmetic import Ball, arb, ends, fraction
+from sim.certify.numbers.arithmetic import Ball, arb, ends, fraction
 from sim.scene.said import said
 
 __all__ = ["Ball"]
@@ -33,6 +33,10 @@ def exact(number: float) -> Ball:
 def between(low: Fraction, high: Fraction) -> Ball:
     """The smallest ball around an interval."""
     return fraction(low) if low == high else fraction(low).union(fraction(high))
+
+
+UNIT = between(Fraction(-1), Fraction(1))
+"""0 ± 1."""
 
 
 def is_zero(x: Ball) -> bool:

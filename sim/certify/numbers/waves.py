@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from functools import cache
 
-from sim.certify.rounding import context, down, up
+from sim.certify.numbers.rounding import context, down, up
 
 GUARD = 10
 """Digits. A series of 2000 terms, each rounded four times, needs five."""
@@ -53,8 +53,18 @@ def _wide(digits: int) -> Context:
 
 
 @dataclass(frozen=True, slots=True)
+class _Angle:
+    """x = r + k π/2, with r known to `unsure`."""
+
+    k: int
+    r: Decimal
+    unsure: Decimal
+    work: Context
+
+
+@dataclass(frozen=True, slots=True)
 class _Point:
-    """One angle: x + quarters π/2 = r + k π/2, with r known to `unsure`; bounds of its sine."""
+    """x + quarters π/2 = r + k π/2, and bounds of its sine."""
 
     k: int
     r: Decimal
@@ -63,14 +73,20 @@ class _Point:
     high: Decimal
 
 
-def sine(low: Decimal, high: Decimal, quarters: int) -> tuple[Decimal, Decimal]:
-    """Bounds of sin(x + quarters π/2) for x from `low` to `high`."""
+def sines(low: Decimal, high: Decimal, *quarters: int) -> list[tuple[Decimal, Decimal]]:
+    """Bounds of sin(x + quarters π/2) for x from `low` to `high`: sine is 0, cosine 1."""
     if not (low.is_finite() and high.is_finite()) or up().subtract(high, low) > 6:
-        return Decimal(-1), Decimal(1)
-    a = _at(low, quarters)
-    b = a if low == high else _at(high, quarters)
+        return [(Decimal(-1), Decimal(1))] * len(quarters)
+    first = _reduced(low)
+    last = first if low == high else _reduced(high)
+    return [_between(first, last, quarter) for quarter in quarters]
+
+
+def _between(first: _Angle, last: _Angle, quarters: int) -> tuple[Decimal, Decimal]:
+    a = _at(first, quarters)
+    b = a if last is first else _at(last, quarters)
     least, most = min(a.low, b.low), max(a.high, b.high)
-    if low != high:
+    if last is not first:
         for k in range(a.k, b.k + 1):  # crests are at k = 1, 5, 9 …, troughs at 3, 7, 11 …
             after_a = k > a.k or a.r <= a.unsure
             before_b = k < b.k or b.r >= b.unsure.copy_negate()
@@ -79,7 +95,7 @@ def sine(low: Decimal, high: Decimal, quarters: int) -> tuple[Decimal, Decimal]:
     return max(least, Decimal(-1)), min(most, Decimal(1))
 
 
-def _at(x: Decimal, quarters: int) -> _Point:
+def _reduced(x: Decimal) -> _Angle:
     more = max(x.adjusted(), 0) if x else 0  # digits that go into k
     work = _wide(context.digits + more)
     below, above = _pi(context.digits + more)
@@ -88,7 +104,11 @@ def _at(x: Decimal, quarters: int) -> _Point:
     r = work.subtract(x, work.multiply(Decimal(k), half))
     rounding = Decimal(1).scaleb(2 - GUARD - context.digits)
     unsure = up().add(up().multiply(Decimal(abs(k)), up().subtract(above, below)), rounding)
-    k += quarters
+    return _Angle(k, r, unsure, work)
+
+
+def _at(angle: _Angle, quarters: int) -> _Point:
+    k, r, unsure, work = angle.k + quarters, angle.r, angle.unsure, angle.work
     value = _series(Decimal(1), 0, r, work) if k % 2 else _series(r, 1, r, work)
     if k % 4 >= 2:
         value = value.copy_negate()

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from sim.certify.arithmetic import arb
-from sim.certify.balls import Ball, NotProvableError, is_zero
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import Ball, NotProvableError, is_zero
 
 Function = Callable[[Ball], Ball]
 

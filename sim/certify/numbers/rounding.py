@@ -22,7 +22,11 @@ class Precision:
     @property
     def digits(self) -> int:
         """Decimals that hold as much."""
-        return int(self.prec * BITS_OF_A_DIGIT) + 2
+        return _digits(self.prec)
+
+
+def _digits(bits: int) -> int:
+    return int(bits * BITS_OF_A_DIGIT) + 2
 
 
 context = Precision()
@@ -30,17 +34,17 @@ context = Precision()
 
 def down() -> decimal.Context:
     """Rounds towards −∞."""
-    return _context(context.digits, decimal.ROUND_FLOOR)
+    return _context(context.prec, decimal.ROUND_FLOOR)
 
 
 def up() -> decimal.Context:
     """Rounds towards +∞."""
-    return _context(context.digits, decimal.ROUND_CEILING)
+    return _context(context.prec, decimal.ROUND_CEILING)
 
 
 def near() -> decimal.Context:
     """Rounds to the nearest."""
-    return _context(context.digits, decimal.ROUND_HALF_EVEN)
+    return _context(context.prec, decimal.ROUND_HALF_EVEN)
 
 
 def next_down(x: Decimal) -> Decimal:
@@ -54,6 +58,6 @@ def next_up(x: Decimal) -> Decimal:
 
 
 @cache
-def _context(digits: int, rounding: str) -> decimal.Context:
+def _context(bits: int, rounding: str) -> decimal.Context:
     low, high = decimal.MIN_EMIN, decimal.MAX_EMAX
-    return decimal.Context(prec=digits, rounding=rounding, traps=[], Emin=low, Emax=high)
+    return decimal.Context(prec=_digits(bits), rounding=rounding, traps=[], Emin=low, Emax=high)

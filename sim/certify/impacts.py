@@ -1,0 +1,27 @@
+"""A touch without a duration: an impact, and the velocity that two share."""
+
+from __future__ import annotations
+
+from sim.certify.bodies import Body, Gap
+from sim.certify.numbers.balls import ZERO, Ball, exact, is_zero
+
+
+def impact(gap: Gap) -> None:
+    """v′ = V + e (V − v), at once."""
+    restitution = gap.contact.restitution
+    e = exact(restitution or 0.0)
+    left, right = gap.left, gap.right
+    common = common_velocity(left, right)
+    closing = -gap.rate
+    for body in (left, right):
+        if body.mass is not None:
+            body.v = common if is_zero(e) else common + e * (common - body.v)
+            body.held = False
+    gap.room, gap.rate = ZERO, e * closing
+
+
+def common_velocity(left: Body, right: Body) -> Ball:
+    """m/s, of the common centre; a wall stands still."""
+    if left.mass is None or right.mass is None:
+        return ZERO
+    return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)

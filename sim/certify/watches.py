@@ -1,0 +1,94 @@
+"""What can end the motion of a row: functions that are positive until they do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from sim.certify.bodies import Body, Gap
+from sim.certify.instants import Instant
+from sim.certify.numbers.arithmetic import arb
+from sim.certify.numbers.balls import ZERO, Ball, is_zero
+from sim.certify.series import Piece
+from sim.certify.signals import Signal, total
+from sim.scene.said import said
+
+
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """A function that is positive until it ends the motion."""
+
+    signal: Callable[[Piece], Signal]
+    cause: str
+    doubt: str
+    gap: Gap | None = None
+    body: Body | None = None
+
+
+def signal(
+    k: int, factors: tuple[Ball, Ball, Ball], *, nought: bool = False
+) -> Callable[[Piece], Signal]:
+    """a o + b o′ + c of gap k; `nought`: exactly 0 where the first piece begins."""
+
+    def within(piece: Piece) -> Signal:
+        found = piece.overlap(k, factors)
+        if not (nought and piece.first):
+            return found
+        return Signal((ZERO, *found.terms[1:]), found.tails)
+
+    return within
+
+
+def open_gap(gap: Gap, k: int) -> list[Watch]:
+    """What happens first in a gap with a spring whose bodies do not touch."""
+    one, none = arb(1), ZERO
+    doubt = said("whether {pair} meet", pair=gap.shown)
+    lingers = True
+    if gap.tail is not None:
+        stiff, damper = gap.tail
+        room = signal(k, (-stiff, -damper, none), nought=gap.spent)
+    elif not is_zero(gap.memory):
+        room = signal(k, (-one, none, gap.rest()), nought=gap.spent)
+    else:
+        lingers, room = False, signal(k, (-one, none, none), nought=is_zero(gap.room))
+    found = [Watch(room, "touch", doubt, gap)]
+    if lingers:
+        found.append(Watch(signal(k, (one, none, none)), "clear", doubt, gap))
+    return found
+
+
+def grips(row: list[Body], gaps: list[Gap], now: Instant, silent: set[Body]) -> Iterator[Watch]:
+    """Where a sliding body stops, or a held one is pushed away; not of those that a wall turns."""
+    for j, body in enumerate(row):
+        if body.mass is None:
+            continue
+        if body.held:
+            doubt = said(
+                "whether friction holds a cart in the contact of {pair}", pair=_near(gaps, j)
+            )
+            load = body.force(now)
+            for way in (1, -1):
+                yield Watch(_room(len(gaps), body, j, load, way), "slip", doubt, body=body)
+        elif body.sliding and body not in silent:
+            doubt = said("whether a cart stops in the contact of {pair}", pair=_near(gaps, j))
+
+            def speed(piece: Piece, j: int = j, way: int = body.sliding) -> Signal:
+                return total([(way, piece.speed(j))], ZERO)
+
+            yield Watch(speed, "halt", doubt, body=body)
+
+
+def _room(gaps: int, body: Body, j: int, load: Ball, way: int) -> Callable[[Piece], Signal]:
+    """What friction can still hold against a push to the right (way 1) or the left, N."""
+
+    def room(piece: Piece) -> Signal:
+        pushes = [(-way, piece.force(j - 1))] if j else []
+        if j < gaps:
+            pushes.append((way, piece.force(j)))
+        return total(pushes, body.static - way * load)
+
+    return room
+
+
+def _near(gaps: list[Gap], j: int) -> str:
+    return gaps[max(j - 1, 0)].shown if gaps else ""

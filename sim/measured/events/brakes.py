@@ -1,0 +1,74 @@
+"""Four sides of a contact and what brakes the carts there: a linear least-squares problem.
+
+See `sides` for the four formulas.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+from sim.measured.events.correlated import inflation
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+Step = Literal["nothing", "friction", "tilt", "drag"]
+STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag")
+HUBER = 1.5
+"""Robust standard deviations beyond which a reading counts less."""
+
+Side = tuple[Any, Any]
+"""Seconds after the middle of the contact, and metres: arrays."""
+
+
+def slopes_of(sides: Sequence[Side]) -> list[float]:
+    """m/s. Of straight lines, for the sign of friction and the size of drag."""
+    import numpy as np
+
+    return [float(np.polyfit(tau, x, 1)[0]) for tau, x in sides]
+
+
+def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats:
+    """A row for each reading: place and velocity of its side, and what brakes."""
+    import numpy as np
+
+    extra = {"nothing": 0, "friction": 2, "tilt": 1, "drag": 2}[step]
+    total = sum(len(tau) for tau, _ in sides)
+    matrix, row = np.zeros((total, 8 + extra)), 0
+    for k, (tau, _) in enumerate(sides):
+        rows, cart = slice(row, row + len(tau)), k % 2
+        matrix[rows, 2 * k], matrix[rows, 2 * k + 1] = 1.0, tau
+        bend = 0.5 * tau * tau
+        if step == "tilt":
+            matrix[rows, 8] = bend
+        elif step == "friction":
+            matrix[rows, 8 + cart] = -np.sign(slopes[k]) * bend
+        elif step == "drag":
+            matrix[rows, 8 + cart] = -slopes[k] * bend
+        row += len(tau)
+    return matrix
+
+
+def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
+    """Numbers, covariance and correlation of neighbours; Huber's loss by weights."""
+    import numpy as np
+
+    matrix = design(sides, step, slopes_of(sides))
+    x = np.concatenate([side[1] for side in sides])
+    weight, numbers = np.ones(len(x)), np.zeros(matrix.shape[1])
+    for _ in range(8):
+        root = np.sqrt(weight)
+        numbers = np.linalg.lstsq(matrix * root[:, None], x * root, rcond=None)[0]
+        left = x - matrix @ numbers
+        scale = max(1.4826 * float(np.median(np.abs(left))), 1e-12)
+        weight = np.minimum(1.0, HUBER * scale / np.maximum(np.abs(left), 1e-300))
+    freedom = max(len(x) - matrix.shape[1], 1)
+    noise = float(np.sum(weight * left**2)) / freedom
+    covariance = noise * np.linalg.pinv((matrix * weight[:, None]).T @ matrix)
+    cuts = np.cumsum([len(tau) for tau, _ in sides])[:-1]
+    alike, more = inflation(np.split(left, cuts))
+    return numbers, covariance * more, alike
