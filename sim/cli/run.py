@@ -106,19 +106,8 @@ def command(
         _written(scene, description, as_json=as_json, as_csv=as_csv)
         return
     if method != "exact":
-        from sim.dynamics.stepping.stepped_report import stepped_report
-
         result = _stepped(scene, description, method, step, rtol, keep_events=not no_events)
-        if as_json:
-            click.echo(json.dumps(stepped_report(result), allow_nan=False, ensure_ascii=False))
-        elif as_csv:
-            click.echo(columns_as_csv(result.samples), nl=False)
-        else:
-            click.echo(run_as_text(result.run))
-            click.echo(
-                f"\nStepped with {method}: {result.steps} steps, {result.evaluations} evaluations. "
-                f"Not accounted for: {result.lost_energy:.3g} J, {result.lost_momentum:.3g} N s."
-            )
+        _tell_stepped(result, method, as_json=as_json, as_csv=as_csv)
         return
     finished = run_on_terminal(
         scene,
@@ -204,6 +193,22 @@ def _certificate(description: Scene) -> dict[str, Any]:
     from sim.certify.certificate import certify, document
 
     return document(certify(description))
+
+
+def _tell_stepped(result: SteppedRun, method: str, *, as_json: bool, as_csv: bool) -> None:
+    """A run by a stepping method, and what it lost."""
+    from sim.dynamics.stepping.stepped_report import stepped_report
+
+    if as_json:
+        click.echo(json.dumps(stepped_report(result), allow_nan=False, ensure_ascii=False))
+    elif as_csv:
+        click.echo(columns_as_csv(result.samples), nl=False)
+    else:
+        click.echo(run_as_text(result.run))
+        click.echo(
+            f"\nStepped with {method}: {result.steps} steps, {result.evaluations} evaluations. "
+            f"Not accounted for: {result.lost_energy:.3g} J, {result.lost_momentum:.3g} N s."
+        )
 
 
 def _stepped(

@@ -71,76 +71,59 @@ def _control(
     effects: Sequence[Effect],
     problems: list[Problem],
 ) -> Control | None:
-    target = table.get("set")
-    found = _target(str(target), scene) or effect_number(str(target), effects)
+    target = str(table.get("set"))
+    found = _target(target, scene) or effect_number(target, effects)
     if found is None:
-        names = [cart.name for cart in scene.carts]
-        owner = str(target).partition(".")[0]
-        known = (*names, "contact", "track", "until", "gravity", "effects", *kinds())
-        unknown = owner not in known
-        problems.append(
-            Problem(
-                (*path, "set"),
-                "unknown-path",
-                f"there is no cart {owner}" if unknown else f"no control can set “{target}”",
-                _hint(owner, effects),
-            )
-        )
+        problems.append(_unknown(target, (*path, "set"), scene, effects))
         return None
     field, label, value = found
-    numbers = {}
-    for key in ("from", "to", "step"):
-        if key not in table:
-            problems.append(
-                Problem(
-                    path,
-                    "missing",
-                    f"{key} is missing",
-                    f"{{set: {target}, from: …, to: …, step: …}}",
-                )
-            )
-            return None
-        try:
-            numbers[key] = read_quantity(table[key], field.dimension)
-        except QuantityError as error:
-            problems.append(Problem((*path, key), error.code, error.message, error.hint))
-            return None
-    if numbers["from"] >= numbers["to"] or numbers["step"] <= 0:
-        problems.append(
-            Problem(
-                path,
-                "out-of-range",
-                "a control goes from a smaller to a larger number in positive steps",
-                f"{{set: {target}, from: 1, to: 5, step: 0.5}}",
-            )
-        )
+    limits = _limits(table, path, target, field)
+    if isinstance(limits, Problem):
+        problems.append(limits)
         return None
-    for key in ("from", "to"):
-        bound = field.read(table[key], (*path, key))
-        if isinstance(bound, Problem):
-            problems.append(bound)
-            return None
-    if not float(numbers["from"]) <= value <= float(numbers["to"]):
-        problems.append(
-            Problem(
-                path,
-                "out-of-range",
-                f"the scene's own {target} is {value:g}, outside of this control",
-                "widen from and to, or change the scene",
-            )
-        )
+    low, high, step = limits
+    if not low <= value <= high:
+        told = f"the scene's own {target} is {value:g}, outside of this control"
+        hint = "widen from and to, or change the scene"
+        problems.append(Problem(path, "out-of-range", told, hint))
         return None
     unit, per = _shown_unit(field, table)
     return Control(
-        set=str(target),
-        low=float(numbers["from"]),
-        high=float(numbers["to"]),
-        step=float(numbers["step"]),
-        unit=unit,
-        per=per,
-        label=label,
-        value=value,
+        set=target, low=low, high=high, step=step, unit=unit, per=per, label=label, value=value
     )
+
+
+def _unknown(target: str, path: Path, scene: Scene, effects: Sequence[Effect]) -> Problem:
+    """No control can set this."""
+    names = [cart.name for cart in scene.carts]
+    owner = target.partition(".")[0]
+    known = (*names, "contact", "track", "until", "gravity", "effects", *kinds())
+    told = f"no control can set “{target}”" if owner in known else f"there is no cart {owner}"
+    return Problem(path, "unknown-path", told, _hint(owner, effects))
+
+
+def _limits(
+    table: Mapping[str, Any], path: Path, target: str, field: Field
+) -> tuple[float, float, float] | Problem:
+    """From, to and step in SI."""
+    numbers = {}
+    for key in ("from", "to", "step"):
+        if key not in table:
+            hint = f"{{set: {target}, from: …, to: …, step: …}}"
+            return Problem(path, "missing", f"{key} is missing", hint)
+        try:
+            numbers[key] = read_quantity(table[key], field.dimension)
+        except QuantityError as error:
+            return Problem((*path, key), error.code, error.message, error.hint)
+    if numbers["from"] >= numbers["to"] or numbers["step"] <= 0:
+        told = "a control goes from a smaller to a larger number in positive steps"
+        hint = f"{{set: {target}, from: 1, to: 5, step: 0.5}}"
+        return Problem(path, "out-of-range", told, hint)
+    for key in ("from", "to"):
+        bound = field.read(table[key], (*path, key))
+        if isinstance(bound, Problem):
+            return bound
+    return float(numbers["from"]), float(numbers["to"]), float(numbers["step"])
 
 
 def _hint(owner: str, effects: Sequence[Effect]) -> str:

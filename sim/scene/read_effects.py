@@ -92,7 +92,10 @@ def _entry(
     keys = (*keys, "by", "active") if kind.by else (*keys, "active")
     unknown_keys(table, keys, path, problems)
     numbers = _numbers(kind, table, path, problems)
-    carts, between = _bodies(kind, table, path, names, track, problems)
+    acting = _bodies(kind, table, path, names, track)
+    if isinstance(acting, Problem):
+        problems.append(acting)
+    carts, between = ((), None) if isinstance(acting, Problem) else acting
     by = table.get("by", kind.by)
     if by is not None and not isinstance(by, str):
         problems.append(Problem((*path, "by"), "not-text", "by names who pushes", "by: hand"))
@@ -136,75 +139,51 @@ def _numbers(
     return numbers
 
 
+Acting = tuple[tuple[str, ...], tuple[str, str] | None]
+"""Carts acted on, and the pair for an effect between two bodies."""
+
+
 def _bodies(
-    kind: EffectKind,
-    table: Mapping[str, Any],
-    path: Path,
-    names: list[str],
-    track: Track,
-    problems: list[Problem],
-) -> tuple[tuple[str, ...], tuple[str, str] | None]:
-    """Carts acted on, and the pair for an effect between two bodies."""
+    kind: EffectKind, table: Mapping[str, Any], path: Path, names: list[str], track: Track
+) -> Acting | Problem:
     if kind.needs == "between":
-        between = table.get("between")
-        order = [
-            *(["left"] if track.left == "wall" else []),
-            *names,
-            *(["right"] if track.right == "wall" else []),
-        ]
-        known = order if kind.walls else names
-        if (
-            not isinstance(between, (list, tuple))
-            or len(between) != 2
-            or between[0] == between[1]
-            or any(body not in known for body in between)
-        ):
-            problems.append(
-                Problem(
-                    (*path, "between"),
-                    "unknown-body",
-                    f"between names two of {', '.join(known[:12])}",
-                    "between: [A, B]",
-                )
-            )
-            return (), None
-        a, b = sorted(between, key=order.index)
-        if order.index(b) - order.index(a) != 1:
-            problems.append(
-                Problem(
-                    (*path, "between"),
-                    "not-neighbours",
-                    f"{a} and {b} are not neighbours",
-                    "between: [A, B]",
-                )
-            )
-            return (), None
-        return tuple(n for n in (a, b) if n in names), (a, b)
+        return _between(kind, table.get("between"), (*path, "between"), names, track)
     if kind.needs == "cart":
         cart = table.get("cart")
-        if cart not in names:
-            problems.append(
-                Problem(
-                    (*path, "cart"),
-                    "unknown-body",
-                    f"cart names one of {', '.join(names[:12])}",
-                    f"cart: {names[0]}",
-                )
-            )
-            return (), None
-        return (str(cart),), None
+        if cart in names:
+            return (str(cart),), None
+        told = f"cart names one of {', '.join(names[:12])}"
+        return Problem((*path, "cart"), "unknown-body", told, f"cart: {names[0]}")
     carts = table.get("carts", names)
     if not isinstance(carts, (list, tuple)) or not carts or any(c not in names for c in carts):
-        problems.append(
-            Problem(
-                (*path, "carts"),
-                "unknown-body",
-                f"carts is a list of {', '.join(names[:12])}",
-                f"carts: [{names[0]}]",
-            )
-        )
-        return (), None
+        told = f"carts is a list of {', '.join(names[:12])}"
+        return Problem((*path, "carts"), "unknown-body", told, f"carts: [{names[0]}]")
     return tuple(name for name in names if name in carts), None
+
+
+def _between(
+    kind: EffectKind, between: object, path: Path, names: list[str], track: Track
+) -> Acting | Problem:
+    """Two neighbours; walls where the effect can act on them."""
+    order = [
+        *(["left"] if track.left == "wall" else []),
+        *names,
+        *(["right"] if track.right == "wall" else []),
+    ]
+    known = order if kind.walls else names
+    if (
+        not isinstance(between, (list, tuple))
+        or len(between) != 2
+        or between[0] == between[1]
+        or any(body not in known for body in between)
+    ):
+        told = f"between names two of {', '.join(known[:12])}"
+        return Problem(path, "unknown-body", told, "between: [A, B]")
+    a, b = sorted(between, key=order.index)
+    if order.index(b) - order.index(a) != 1:
+        told = f"{a} and {b} are not neighbours"
+        return Problem(path, "not-neighbours", told, "between: [A, B]")
+    return tuple(n for n in (a, b) if n in names), (a, b)
 
 
 def check_effects(effects: Sequence[Effect], listed: object, problems: list[Problem]) -> None:

@@ -140,12 +140,9 @@ def command(
     carts class --table country/ --html country.html
     """
     out = Out(ctx, as_json, html, csv_file, items_file, summary, by_total, language)
-    given = Given(
-        files=[*files, *keys, *([marks] if marks else [])],
-        groups=[group(text) for text in groups],
-        students=dict(map(student, students)),
-        codes=codes.read_text(encoding="utf-8-sig") if codes else "",
-    )
+    marked = [*files, *keys, *([marks] if marks else [])]
+    typed = codes.read_text(encoding="utf-8-sig") if codes else ""
+    given = Given(marked, list(map(group, groups)), dict(map(student, students)), typed)
     if by_total and (not summary or merge):
         raise click.UsageError("--by-total belongs to --summary")
     if parquet or (tables and of_country(tables, backend)):
@@ -157,17 +154,21 @@ def command(
         return
     only_one_way(ctx, files, tables)
     if merge:
-        report, whole, left_out = merged_report(files)
-        if summary:
-            write_whole(summary, whole)
-        out.report(report, left_out, anything=bool(whole.lessons))
+        _merged(out, files, summary)
     elif tables:
         found, unread = tables_of(tables, given.groups, most, lesson)
-        report = table_report(found)
         out.sums([found.lesson], found.groups)
-        out.report(report, [*unread, *found.refused], anything=bool(found.taken))
+        out.report(table_report(found), [*unread, *found.refused], anything=bool(found.taken))
     else:
         _answers(out, Papers(slips, sheet, answers), given)
+
+
+def _merged(out: Out, files: tuple[Path, ...], summary: Path | None) -> None:
+    """The report on summaries of schools, and one summary of them all."""
+    report, whole, left_out = merged_report(files)
+    if summary:
+        write_whole(summary, whole)
+    out.report(report, left_out, anything=bool(whole.lessons))
 
 
 def _answers(out: Out, papers: Papers, given: Given) -> None:

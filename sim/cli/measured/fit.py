@@ -9,20 +9,19 @@ from typing import Any, NoReturn, cast
 
 import click
 
+from sim.cli.measured.given import cut, readings
 from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
 from sim.cli.tables import table
 from sim.measured.analysis import Wanted, analysed
-from sim.measured.cells import MOST_BYTES
 from sim.measured.events.story import Hints
 from sim.measured.events.words import ladder, strip
 from sim.measured.model.fit import Fit
 from sim.measured.model.unknowns import Effect
-from sim.measured.refusal import FitError, ReadingError
+from sim.measured.refusal import FitError
 from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
-from sim.measured.tracks import Measured, between, read_measured
+from sim.measured.tracks import Measured
 from sim.measured.units import OFFERED, Units
-from sim.measured.zipped import texts_of
 from sim.scene.quantity import LENGTH, TIME
 
 FILE = click.Path(dir_okay=False, path_type=Path)
@@ -130,8 +129,8 @@ def command(
     if friction and tilt:
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
     units = Units(time=time, length=length, force=force, run=run or 0)
-    measured = _read(files, units)
-    measured = _cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
+    measured = readings(files, units)
+    measured = cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
     hints = Hints(
         at=quantity("--contact", contact, TIME),
         flips=named("--flip", flips, measured.names),
@@ -157,12 +156,7 @@ def command(
         report, made, refused = found.report, found.fit, found.refused
         report["strip"] = strip(found.story.segments, measured.names)
         measured = found.story.measured
-    if made is None and (scene_file or tracker_file) and not refused:
-        raise click.UsageError("--scene and --tracker need a bounce, seen in positions.")
-    if scene_file and made:
-        scene_file.write_text(report["scene"], encoding="utf-8")
-    if tracker_file and made:
-        tracker_file.write_text(model_as_tracker(measured, made), encoding="utf-8")
+    _write(report, measured, made, refused, scene_file, tracker_file)
     lines = report.pop("strip", [])
     if as_json:
         click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
@@ -174,6 +168,23 @@ def command(
         click.echo(f"Written: {path}")
 
 
+def _write(
+    report: dict[str, Any],
+    measured: Measured,
+    made: Fit | None,
+    refused: FitError | None,
+    scene_file: Path | None,
+    tracker_file: Path | None,
+) -> None:
+    """The files of a bounce that are asked for."""
+    if made is None and (scene_file or tracker_file) and not refused:
+        raise click.UsageError("--scene and --tracker need a bounce, seen in positions.")
+    if scene_file and made:
+        scene_file.write_text(report["scene"], encoding="utf-8")
+    if tracker_file and made:
+        tracker_file.write_text(model_as_tracker(measured, made), encoding="utf-8")
+
+
 def _forces(name: str, measured: Measured) -> dict[str, Any]:
     try:
         return forces_report(measured, third_law(measured))
@@ -181,55 +192,9 @@ def _forces(name: str, measured: Measured) -> dict[str, Any]:
         _fail(f"{name}: error: {error.reason}", error.hint)
 
 
-def _read(files: tuple[str, ...], units: Units) -> Measured:
-    """The readings; what is wrong with a file goes to standard error, and the command ends."""
-    texts = []
-    for name in files:
-        try:
-            texts += texts_of(_bytes(name))
-        except ReadingError as error:
-            _refuse(name, error)
-    try:
-        return read_measured(texts, units)
-    except ReadingError as error:
-        _refuse(files[error.source], error)
-
-
-def _refuse(name: str, error: ReadingError) -> NoReturn:
-    for fault in error.faults:
-        hint = f"\n  hint: {fault.hint}" if fault.hint else ""
-        click.echo(f"{name}:{fault.line}:1: error: {fault.reason}{hint}", err=True)
-    sys.exit(1)
-
-
 def _fail(reason: str, hint: str) -> NoReturn:
     click.echo(reason + (f"\n  hint: {hint}" if hint else ""), err=True)
     sys.exit(1)
-
-
-def _cut(measured: Measured, begin: float | None, end: float | None) -> Measured:
-    if begin is None and end is None:
-        return measured
-    try:
-        return between(measured, begin, end)
-    except ReadingError as error:
-        _refuse("--from/--until", error)
-
-
-def _bytes(name: str) -> bytes:
-    """Raises click's usage error: a wrong path is a wrong call."""
-    if name == "-":
-        return sys.stdin.buffer.read(MOST_BYTES + 1)
-    try:
-        with Path(name).open("rb") as file:
-            return file.read(MOST_BYTES + 1)
-    except FileNotFoundError:
-        raise click.UsageError(f"There is no file “{name}”.") from None
-    except IsADirectoryError:
-        raise click.UsageError(f"“{name}” is a folder, not a file of readings.") from None
-    except (OSError, ValueError) as error:
-        why = getattr(error, "strerror", None) or error
-        raise click.UsageError(f"“{name}” cannot be read: {why}.") from None
 
 
 def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:

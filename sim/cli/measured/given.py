@@ -1,0 +1,62 @@
+"""The files of readings that a command is given; what is wrong with one goes to standard error."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+import click
+
+from sim.measured.cells import MOST_BYTES
+from sim.measured.refusal import ReadingError
+from sim.measured.tracks import Measured, between, read_measured
+from sim.measured.units import Units
+from sim.measured.zipped import texts_of
+
+
+def readings(files: tuple[str, ...], units: Units) -> Measured:
+    """The readings; what is wrong with a file goes to standard error, and the command ends."""
+    texts = []
+    for name in files:
+        try:
+            texts += texts_of(_bytes(name))
+        except ReadingError as error:
+            _refuse(name, error)
+    try:
+        return read_measured(texts, units)
+    except ReadingError as error:
+        _refuse(files[error.source], error)
+
+
+def _refuse(name: str, error: ReadingError) -> NoReturn:
+    for fault in error.faults:
+        hint = f"\n  hint: {fault.hint}" if fault.hint else ""
+        click.echo(f"{name}:{fault.line}:1: error: {fault.reason}{hint}", err=True)
+    sys.exit(1)
+
+
+def cut(measured: Measured, begin: float | None, end: float | None) -> Measured:
+    """Only the readings between two times, in s."""
+    if begin is None and end is None:
+        return measured
+    try:
+        return between(measured, begin, end)
+    except ReadingError as error:
+        _refuse("--from/--until", error)
+
+
+def _bytes(name: str) -> bytes:
+    """Raises click's usage error: a wrong path is a wrong call."""
+    if name == "-":
+        return sys.stdin.buffer.read(MOST_BYTES + 1)
+    try:
+        with Path(name).open("rb") as file:
+            return file.read(MOST_BYTES + 1)
+    except FileNotFoundError:
+        raise click.UsageError(f"There is no file “{name}”.") from None
+    except IsADirectoryError:
+        raise click.UsageError(f"“{name}” is a folder, not a file of readings.") from None
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or error
+        raise click.UsageError(f"“{name}” cannot be read: {why}.") from None
