@@ -18,7 +18,7 @@ OUTCOMES = {
     "explosion": "An explosion: the carts were together and push each other apart. There is no "
     "bounciness.",
 }
-STEPS = {"nothing": "nothing", "friction": "friction", "tilt": "a tilt", "drag": "drag"}
+STEPS = {"nothing": "nothing that brakes", "friction": "friction", "tilt": "a tilt", "drag": "drag"}
 
 
 def of_story(story: Story, names: tuple[str, str]) -> list[str]:
@@ -33,13 +33,9 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
             f"velocity at {listed}: choose one with --contact TIME."
         )
     if story.speeds and story.outcome:
-        rows = [
-            f"with {STEPS[step]} {number(1e3 * error, 2)} mm"
-            for step, error in story.speeds.held_out
-        ]
         said.append(
-            "Readings next to the contact, predicted from those farther away, are missed by "
-            f"{', '.join(rows)} (root mean square). Taken: {STEPS[story.speeds.step]}."
+            f"Beside the contact {STEPS[story.speeds.step]} is counted: see what these readings "
+            "call for."
         )
     return said
 
