@@ -52,7 +52,7 @@ print(words_script("pl"))
 """
     script = python(project, "-c", program)
     assert '"Play":"Odtwórz"' in script
-    assert '"":"2011122222' in script
+    assert '"\\u0000":"2011122222' in script
 
 
 def test_make_words_keeps_what_was_translated_and_shows_what_is_not(project: Path) -> None:

@@ -9,8 +9,8 @@ is ever taken apart. Templates stand in the call as text: that is how the catalo
     counted("1 run", "{n} runs", n=3)
 
 English has a form for one and a form for more; other languages have one, three or six of them. A
-catalogue gives all forms of its language under the form for more, and under the empty key which of
-them each number takes: `FORMS`, `form_of`.
+catalogue gives all forms of its language under the form for more, and under a key that nobody says
+which of them each number takes: `FORMS`, `RULE`, `form_of`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from typing import Any
 PLACE = re.compile(r"\{(\w+)\}")
 FORMS = "\0"
 """Stands between the forms of a counted sentence in a catalogue, as in gettext's own files."""
-RULE = ""
+RULE = "\0"
 """The key in a catalogue of the rule of its language: for each number from 0 to 199 the digit of
 its form. Rules of languages look at a number below a hundred, and else at its last two digits."""
 

@@ -6,7 +6,7 @@
 /** @type {Record<string, string>} */
 const catalogue = /** @type {any} */ (globalThis).cartsWords ?? {};
 const FORMS = "\0"; // between the forms of a counted sentence; see `sim/scene/said.py`
-const RULE = catalogue[""] ?? ""; // for each number from 0 to 199 the digit of its form
+const RULE = catalogue["\0"] ?? ""; // for each number from 0 to 199 the digit of its form
 
 /**
  * A sentence in the reader's language. It must stand here as text, so that it is found for the

@@ -13,7 +13,7 @@ import pytest
 from babel.messages.plurals import PLURALS
 from py_mini_racer import MiniRacer
 
-from sim.pages.language import LANGUAGES, speaking, told, tr_counted, words
+from sim.pages.language import LANGUAGES, speaking, told, tr, tr_counted, words
 from sim.pages.language.plurals import rule_of
 from sim.scene.said import FORMS, RULE, counted, from_wire, wire
 
@@ -90,6 +90,18 @@ def test_the_rule_of_every_language_that_gettext_knows_fits_its_table(language: 
 def test_a_rule_that_looks_at_more_than_two_digits_is_refused() -> None:
     with pytest.raises(ValueError, match="last two digits"):
         rule_of("n % 1000 == 0")
+
+
+def test_nothing_is_said_where_nothing_is_to_be_said() -> None:
+    """No catalogue has words for an empty text, such as a question without a level has."""
+    page = MiniRacer()
+    page.eval(f"globalThis.cartsWords = {json.dumps(WORDS)};")
+    source = (ROOT / "sim" / "view" / "language.js").read_text(encoding="utf-8")
+    page.eval(source.replace("export function", "function"))
+    assert page.eval('told("") + tr("")') == ""
+    with speaking(WORDS):
+        assert told("") + tr("") == ""
+    assert not [language for language in LANGUAGES if "" in words(language)]
 
 
 def test_every_catalogue_gives_its_rule() -> None:

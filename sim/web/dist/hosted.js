@@ -5,7 +5,7 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
-  var RULE = catalogue[""] ?? "";
+  var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
   }

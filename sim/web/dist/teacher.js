@@ -168,7 +168,7 @@
     globalThis.cartsWords ?? {}
   );
   var FORMS = "\0";
-  var RULE = catalogue[""] ?? "";
+  var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
   }
