@@ -12,6 +12,7 @@ from sim.classroom.files.reading import Source
 from sim.lesson.bank import read_bank
 from sim.lesson.key_file import key_file
 from sim.pages.language import words
+from sim.scene.said import RULE
 from tests.classroom.makers import TIME, answers, bank, keys, random_class, sources
 
 BANK = bank(10, words=2, topics=("t1", "t2"))
@@ -92,7 +93,7 @@ class Blanked(dict[str, str]):
     """A language of blanks: what is left of a report in it did not come out of a catalogue."""
 
     def __init__(self) -> None:
-        super().__init__({key: _blank(key) for key in words("ms")})
+        super().__init__({key: _blank(key) for key in words("ms") if key != RULE})
 
 
 def _blank(sentence: str) -> str:

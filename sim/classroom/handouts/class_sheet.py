@@ -21,6 +21,8 @@ SHADES = 4
 """Steps of grey in the map: paper shows no more."""
 
 MOST_SAID = 4
+BRIEF = 60
+"""Characters of an option beside its question."""
 SHORT = 130
 """Characters of a question or an answer: two lines of the table. Nearly all are told whole."""
 
@@ -86,7 +88,7 @@ def _questions(items: Sequence[tuple[int, Row]], tell: Tell) -> str:
     for k, item in items:
         wrong = [c for c in item["choices"] if not c.get("correct") and c["count"] > 1]
         most = max(wrong, key=lambda c: int(c["count"]), default=None)
-        chosen = f"{text(most['label'])} ({most['count']})" if most else ""
+        chosen = f"{text(_option(most))} ({most['count']})" if most else ""
         sure = f"{item['sure']['wrong']}" if item["sure"] else "–"
         rows.append([str(k), text(cut(item["ask"], SHORT)), _bar(item, tell),
                      str(item["right"]), *([sure] if asked else []), chosen])  # fmt: skip
@@ -98,6 +100,11 @@ def _questions(items: Sequence[tuple[int, Row]], tell: Tell) -> str:
         if any(item[name] for _, item in items)
     )
     return f'{table(head, rows, kind="sheet")}<p class="carts-sheet-key">{key}</p>'
+
+
+def _option(choice: Row) -> str:
+    """Its letter and how it begins."""
+    return f"{choice['label']}: {cut(choice['text'], BRIEF)}" if choice["text"] else choice["label"]
 
 
 def _bar(item: Row, tell: Tell) -> str:

@@ -16,6 +16,9 @@ FEWEST = 2
 
 MOST = 3
 
+LONGEST = 80
+"""Characters of an option that are said: enough to know it again."""
+
 
 def talk_rows(items: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """At most three questions of a form, the most urgent first."""
@@ -34,13 +37,22 @@ def _sentence(item: dict[str, Any], most: dict[str, Any]) -> str:
     """How many chose what, how sure they were, and what they may think."""
     text = said("{question}: {count} of {answered} chose {answer}", question=item["label"],
                 count=f"{most['count']}", answered=f"{item['answered']}",
-                answer=most["label"])  # fmt: skip
+                answer=_answer(most))  # fmt: skip
     if most.get("sure"):
         text = said("{sentence}, {count} of them sure", sentence=text, count=f"{most['sure']}")
     if most.get("says"):
         return said("{sentence}; students who choose it often think: “{belief}”", sentence=text,
                     belief=most["says"])  # fmt: skip
     return said("{sentence}.", sentence=text)
+
+
+def _answer(choice: dict[str, Any]) -> str:
+    """The letter of an option and how its text begins; a number as it was typed."""
+    words = choice["text"]
+    if not words:
+        return str(choice["label"])
+    begins = words if len(words) <= LONGEST else f"{words[:LONGEST].rsplit(' ', 1)[0]} …"
+    return said("{letter} (“{text}”)", letter=choice["label"], text=begins)
 
 
 def _weight(choice: dict[str, Any]) -> int:

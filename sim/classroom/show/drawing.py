@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from sim.classroom.show.html_parts import Tell, text
+from sim.classroom.show.html_parts import Tell
 from sim.scene.said import counted, said, template
 
 WIDTH = 620
@@ -65,7 +65,7 @@ def bars(
     parts, y, thick = [], 10.0, 9
     for name, shares in rows:
         height = thick * max(1, len(shares)) + 9
-        parts.append(_text(8, y + height / 2, _cut(text(name)), "name"))
+        parts.append(_text(8, y + height / 2, _cut(tell(name)), "name"))
         for k, (form, share) in enumerate(shares):
             series = shown.index(form)
             parts.append(

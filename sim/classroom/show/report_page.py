@@ -5,6 +5,7 @@ There is no script and no style in it. The questions of a form: questions.py.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -129,7 +130,7 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
                 continue
             mean = f"{number(group['mean'])} ± {number(group['sd'])}" if "mean" in group else "–"
             rows.append([tell(TITLES.get(form["form"], form["form"])), person(group["group"], tell),
-                         str(group["n"]), mean, tell(interval(group)),
+                         str(group["n"]), mean, tell(interval(group, form["of"])),
                          "–" if form["of"] is None else f"{form['of']}"])  # fmt: skip
             if sentence := group.get("sentence"):
                 says.append(of_group(group_in_form(form["form"], group["group"]), sentence))
@@ -146,17 +147,18 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
     return table(list(map(tell, head)), rows, kind="means") + listed(says, tell)
 
 
-def interval(group: Row) -> str:
-    """From where to where."""
+def interval(group: Row, of: float | None) -> str:
+    """From where to where: no mark is below nought, none above all there are."""
     if group.get("low") is None:
         return "–"
-    return said("{low} to {high}", low=number(group["low"]), high=number(group["high"]))
+    low, high = max(0.0, group["low"]), min(group["high"], math.inf if of is None else of)
+    return said("{low} to {high}", low=number(low), high=number(high))
 
 
 def _waiting(form: Row) -> str:
     """Answers in words that nobody has marked yet."""
     labels = {item["id"]: item["label"] for item in form["items"]}
-    waiting = commas([labels.get(name, name) for name in form["unread"]])
+    waiting = commas([label for name, label in labels.items() if name in form["unread"]])
     return said("Form {form}: {questions} wait to be read by you and are in no total yet.",
                 form=form["form"], questions=waiting)  # fmt: skip
 
@@ -232,11 +234,14 @@ def _topics(rows: Sequence[Row], tell: Tell) -> str:
 def _items(lesson: Row, tell: Tell) -> str:
     """Share of right answers, item by item, for all forms of at least ten students."""
     shares: dict[str, list[tuple[str, float]]] = {}
+    labels: dict[str, str] = {}
     for form in lesson["forms"]:
         for item in form["items"]:
             if item["difficulty"] is not None and item["n"] >= 10:
                 shares.setdefault(item["id"], []).append((form["form"], item["difficulty"]))
+                labels.setdefault(item["id"], item["label"])
     shown = list(dict.fromkeys(form for values in shares.values() for form, _ in values))
     if not shares:
         return ""
-    return f"<figure>{bars(list(shares.items()), shown, tell)}</figure>"
+    rows = [(labels[name], row) for name, row in shares.items()]
+    return f"<figure>{bars(rows, shown, tell)}</figure>"

@@ -974,7 +974,10 @@
   }
   function clock(time) {
     const date = new Date(time ?? "");
-    return Number.isNaN(date.getTime()) ? "" : date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    return Number.isNaN(date.getTime()) ? "" : date.toLocaleString(document.documentElement.lang || [], {
+      dateStyle: "medium",
+      timeStyle: "short"
+    });
   }
 
   // src/answers/panel-files.js
@@ -1501,7 +1504,7 @@
         if (!handed) return;
         const { code } = this.state;
         const words3 = [
-          tr("Handed in on {when}.", { when: new Date(handed).toLocaleString() }),
+          tr("Handed in on {when}.", { when: clock(handed) }),
           code ? tr("Hand-in code: {code}.", { code }) : "",
           tr("Save your file under “My answers”."),
           review ? "" : tr("The questions are hidden until your teacher opens them again.")

@@ -3106,7 +3106,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   // src/teach/earlier-draft.js
   function earlierDraft(session2, draft) {
     const row = html("p", "carts-teach-earlier");
-    const date = new Date(draft.last).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    const date = new Date(draft.last).toLocaleString(document.documentElement.lang || [], {
+      dateStyle: "medium",
+      timeStyle: "short"
+    });
     row.append(
       `You have a draft of an earlier version of this lesson, of ${date}. `,
       button2("Open it", () => session2.change(draft.text, ""), "carts-teach-older"),
@@ -3929,7 +3932,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   };
   function when(time) {
     const date = new Date(time);
-    return date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    return date.toLocaleString(document.documentElement.lang || [], {
+      dateStyle: "medium",
+      timeStyle: "short"
+    });
   }
 
   // src/teacher-main.js

@@ -60,5 +60,8 @@ export function clock(time) {
   const date = new Date(time ?? "");
   return Number.isNaN(date.getTime())
     ? ""
-    : date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    : date.toLocaleString(document.documentElement.lang || [], {
+        dateStyle: "medium",
+        timeStyle: "short",
+      });
 }

@@ -2,6 +2,7 @@
 
 import { counted, tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
+import { clock } from "../answers/parts.js";
 import { need, say } from "../shared/dom.js";
 import { encode, fits } from "./handin.js";
 import { isOver, reasons, wordSum } from "./opening.js";
@@ -182,7 +183,7 @@ export function quizElement(book) {
       if (!handed) return;
       const { code } = this.state;
       const words = [
-        tr("Handed in on {when}.", { when: new Date(handed).toLocaleString() }),
+        tr("Handed in on {when}.", { when: clock(handed) }),
         code ? tr("Hand-in code: {code}.", { code }) : "",
         tr("Save your file under “My answers”."),
         review ? "" : tr("The questions are hidden until your teacher opens them again."),

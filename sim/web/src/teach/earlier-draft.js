@@ -7,7 +7,10 @@ import { download } from "../shared/download.js";
 /** @param {import("./session.js").Session} session @param {import("./drafts.js").Draft} draft @returns {HTMLElement} */
 export function earlierDraft(session, draft) {
   const row = html("p", "carts-teach-earlier");
-  const date = new Date(draft.last).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+  const date = new Date(draft.last).toLocaleString(document.documentElement.lang || [], {
+    dateStyle: "medium",
+    timeStyle: "short",
+  });
   row.append(
     `You have a draft of an earlier version of this lesson, of ${date}. `,
     button("Open it", () => session.change(draft.text, ""), "carts-teach-older"),

@@ -246,5 +246,8 @@ export class Session {
 /** @param {string} time ISO */
 function when(time) {
   const date = new Date(time);
-  return date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+  return date.toLocaleString(document.documentElement.lang || [], {
+    dateStyle: "medium",
+    timeStyle: "short",
+  });
 }
