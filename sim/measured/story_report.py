@@ -10,7 +10,7 @@ from sim.measured.events.momentum import Momentum, momentum_of
 from sim.measured.events.quantities import loss, told_of
 from sim.measured.events.story import Story
 from sim.measured.events.wild import of_aside
-from sim.measured.events.words import of_momentum, of_rung, of_scatter, of_story
+from sim.measured.events.words import of_momentum, of_rung, of_scatter, of_story, of_taken
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared
 from sim.measured.model.fit import Fit
@@ -157,7 +157,8 @@ def _rungs(story: Story) -> dict[str, Any] | None:
         }
         for rung in speeds.rungs
     ]
-    return {"scatter": speeds.scatter, "line": of_scatter(speeds), "rows": rows}
+    told = {"line": of_scatter(speeds), "taken": of_taken(speeds)}
+    return {"scatter": speeds.scatter, **told, "rows": rows}
 
 
 _WORDS = {

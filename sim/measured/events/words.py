@@ -32,12 +32,15 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
             f"The contact at {story.contact.middle:.2f} s is taken; both carts also change their "
             f"velocity at {listed}: choose one with --contact TIME."
         )
-    if story.speeds and story.outcome:
-        said.append(
-            f"Beside the contact {STEPS[story.speeds.step]} is counted: see what these readings "
-            "call for."
-        )
     return said
+
+
+def of_taken(speeds: Speeds) -> str:
+    """What the velocities count: the model's own effect is chosen by whoever fits it."""
+    return (
+        f"Velocities just before and after the contact are told with {STEPS[speeds.step]}; what "
+        "the model itself counts is what you choose for it."
+    )
 
 
 BRAKES = {"friction": "Friction", "tilt": "A tilt", "drag": "Drag"}
@@ -69,7 +72,7 @@ def ladder(rungs: Mapping[str, Any] | None) -> list[str]:
         return []
     shown = [row["sentence"] for row in rungs["rows"] if row["verdict"] != "not-shown"]
     hidden = [row["sentence"] for row in rungs["rows"] if row["verdict"] == "not-shown"]
-    rows = [f"  {sentence}" for sentence in (*shown, rungs["line"], *hidden)]
+    rows = [f"  {sentence}" for sentence in (*shown, rungs["line"], *hidden, rungs["taken"])]
     return ["What do these readings call for? Each effect alone, largest first:", *rows]
 
 

@@ -12,7 +12,7 @@
  * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],
  *   untold: {key: string, name: string, reason: string}[], noise: number, sentences: string[], scene: string,
  *   fence: string, calls_for: string | null, segments?: Segment[], rungs?: Rungs | null}} Report
- * @typedef {{scatter: number, line: string, rows: {effect: string, changes: number, missed: number, without: number,
+ * @typedef {{scatter: number, line: string, taken: string, rows: {effect: string, changes: number, missed: number, without: number,
  *   verdict: "shown" | "not-shown" | "against", sentence: string}[]}} Rungs in m
  * @typedef {{from: number, until: number, cart: string, kind: string}} Segment times in s
  * @typedef {{from: number, until: number, cart: string | null, kind: string}} Given by the reader; null: both carts

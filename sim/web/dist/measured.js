@@ -852,10 +852,10 @@
     const said = html("ul", "carts-measured-sentences");
     said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
     parts.push(said);
-    if (report.rungs) parts.push(...ladder(report.rungs));
+    if (report.rungs) parts.push(ladder(report.rungs));
     place2.replaceChildren(...parts);
   }
-  function ladder({ line, rows }) {
+  function ladder({ line, taken, rows }) {
     const item = ({ sentence }) => html("li", "", sentence);
     const list = html("ol", "carts-ladder");
     list.append(
@@ -863,14 +863,14 @@
       html("li", "carts-ladder-line", line),
       ...rows.filter(({ verdict }) => verdict === "not-shown").map(item)
     );
-    return [
-      html(
-        "p",
-        "carts-how-head",
-        "What do these readings call for? Each effect alone, largest first:"
-      ),
-      list
-    ];
+    const root = html("details", "carts-measured-ladder");
+    root.append(
+      html("summary", "", "What do these readings call for?"),
+      html("p", "", "Each effect alone, largest first:"),
+      list,
+      html("p", "carts-quiet", taken)
+    );
+    return root;
   }
   function table(report) {
     const made = html("table", "carts-table carts-measured-known");
@@ -1636,13 +1636,13 @@
     rest: () => tr("rest"),
     hand: () => tr("hand"),
     coasting: () => tr("coasting"),
-    friction: () => tr("friction"),
+    friction: () => tr("slowing down"),
     contact: () => tr("contact"),
     stop: () => tr("stop")
   };
   var word = (kind) => KINDS[kind]?.() ?? kind;
   var hint = () => tr(
-    "What each cart did. Drag a boundary, or move it with the arrow keys: the fit runs again with it."
+    "What each cart did. Drag a boundary, or move it with the arrow keys: velocities and what the readings call for are found again with it."
   );
 
   // src/measured/spans.js

@@ -7,7 +7,7 @@ const KINDS = {
   rest: () => tr("rest"),
   hand: () => tr("hand"),
   coasting: () => tr("coasting"),
-  friction: () => tr("friction"),
+  friction: () => tr("slowing down"),
   contact: () => tr("contact"),
   stop: () => tr("stop"),
 };
@@ -16,5 +16,5 @@ export const word = (kind) => KINDS[kind]?.() ?? kind;
 
 export const hint = () =>
   tr(
-    "What each cart did. Drag a boundary, or move it with the arrow keys: the fit runs again with it.",
+    "What each cart did. Drag a boundary, or move it with the arrow keys: velocities and what the readings call for are found again with it.",
   );

@@ -21,7 +21,7 @@ export function showResult(place, report) {
   const said = html("ul", "carts-measured-sentences");
   said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
   parts.push(said);
-  if (report.rungs) parts.push(...ladder(report.rungs));
+  if (report.rungs) parts.push(ladder(report.rungs));
   place.replaceChildren(...parts);
 }
 
@@ -29,7 +29,7 @@ export function showResult(place, report) {
  * What brakes the carts, largest first, with what these readings can show as the line between.
  * @param {NonNullable<Report["rungs"]>} rungs
  */
-function ladder({ line, rows }) {
+function ladder({ line, taken, rows }) {
   const item = (/** @type {{sentence: string}} */ { sentence }) => html("li", "", sentence);
   const list = html("ol", "carts-ladder");
   list.append(
@@ -37,14 +37,14 @@ function ladder({ line, rows }) {
     html("li", "carts-ladder-line", line),
     ...rows.filter(({ verdict }) => verdict === "not-shown").map(item),
   );
-  return [
-    html(
-      "p",
-      "carts-how-head",
-      "What do these readings call for? Each effect alone, largest first:",
-    ),
+  const root = html("details", "carts-measured-ladder"); // a lesson may ask for it first
+  root.append(
+    html("summary", "", "What do these readings call for?"),
+    html("p", "", "Each effect alone, largest first:"),
     list,
-  ];
+    html("p", "carts-quiet", taken),
+  );
+  return root;
 }
 
 /** @param {Report} report */
