@@ -984,6 +984,39 @@
     return typeof value?.text === "string" && typeof value?.base === "string";
   }
 
+  // src/answers/parts.js
+  function button(text2, act, name = "") {
+    const made2 = (
+      /** @type {HTMLButtonElement} */
+      html("button", `carts-button ${name}`.trim(), text2)
+    );
+    made2.type = "button";
+    made2.addEventListener("click", act);
+    return made2;
+  }
+  function askingButton(text2, question, yes, act, name) {
+    const row = html("p", `carts-answers-asking ${name}`);
+    const first = button(text2, () => ask(true));
+    const asked = html("span", "", `${question} `);
+    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    asked.hidden = true;
+    row.append(first, asked);
+    function ask(on) {
+      first.hidden = on;
+      asked.hidden = !on;
+      (on ? no : first).focus();
+    }
+    return row;
+  }
+  function clock(time) {
+    const date = new Date(time ?? "");
+    return Number.isNaN(date.getTime()) ? "" : date.toLocaleString(document.documentElement.lang || [], {
+      dateStyle: "medium",
+      timeStyle: "short"
+    });
+  }
+
   // src/teach/asked.js
   async function zipped(client, file, text2, published) {
     const { header } = await client.ask({}, () => ({
@@ -2680,17 +2713,17 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       (n) => html2`<option value=${n}${n === speed && html2` selected`}>${n}×</option>`
     );
     return html2`<div class="carts-transport">
-${button("start", START, tr("Back to the start"), tr("Back to the start (Home)"))}
-${button("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
+${button2("start", START, tr("Back to the start"), tr("Back to the start (Home)"))}
+${button2("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
 <button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
-${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
+${button2("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html2`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html2`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
 ${fence.watch === "first" && html2`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}
 </div>`;
   }
-  function button(name, icon, label, title) {
+  function button2(name, icon, label, title) {
     return html2`<button type="button" class="carts-button carts-${name}" aria-label=${label} title=${title} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${icon}/></svg></button>`;
   }
   function openingSpeed(until) {
@@ -3061,32 +3094,6 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
   };
 
-  // src/answers/parts.js
-  function button2(text2, act, name = "") {
-    const made2 = (
-      /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text2)
-    );
-    made2.type = "button";
-    made2.addEventListener("click", act);
-    return made2;
-  }
-  function askingButton(text2, question, yes, act, name) {
-    const row = html("p", `carts-answers-asking ${name}`);
-    const first = button2(text2, () => ask(true));
-    const asked = html("span", "", `${question} `);
-    const no = button2(tr("No"), () => ask(false), "carts-answers-no");
-    asked.append(button2(yes, act, "carts-answers-yes"), " ", no);
-    asked.hidden = true;
-    row.append(first, asked);
-    function ask(on) {
-      first.hidden = on;
-      asked.hidden = !on;
-      (on ? no : first).focus();
-    }
-    return row;
-  }
-
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text2, type) {
@@ -3106,17 +3113,13 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   // src/teach/earlier-draft.js
   function earlierDraft(session2, draft) {
     const row = html("p", "carts-teach-earlier");
-    const date = new Date(draft.last).toLocaleString(document.documentElement.lang || [], {
-      dateStyle: "medium",
-      timeStyle: "short"
-    });
     row.append(
-      `You have a draft of an earlier version of this lesson, of ${date}. `,
-      button2("Open it", () => session2.change(draft.text, ""), "carts-teach-older"),
+      `You have a draft of an earlier version of this lesson, of ${clock(draft.last)}. `,
+      button("Open it", () => session2.change(draft.text, ""), "carts-teach-older"),
       " ",
-      button2("Save it", () => download(session2.name, draft.text, "text/markdown")),
+      button("Save it", () => download(session2.name, draft.text, "text/markdown")),
       " ",
-      button2("Delete it", () => {
+      button("Delete it", () => {
         void session2.drafts.forget(draft.hash);
         row.remove();
       })
@@ -3407,10 +3410,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   // src/teach/saves.js
   function toolbar(session2, tell) {
     const root = html("div", "carts-teach-tools");
-    const undo = button2("Undo", () => session2.undo(), "carts-teach-undo");
-    const redo = button2("Redo", () => session2.redo(), "carts-teach-redo");
+    const undo = button("Undo", () => session2.undo(), "carts-teach-undo");
+    const redo = button("Redo", () => session2.redo(), "carts-teach-redo");
     const warn = () => session2.look?.findings.length ? " There are mistakes in it: the build would stop at them." : "";
-    const save = button2(
+    const save = button(
       "Save lesson",
       () => {
         download(session2.name, session2.text, "text/markdown");
@@ -3418,7 +3421,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       },
       "carts-teach-save"
     );
-    const zip = button2(
+    const zip = button(
       "Save as zip",
       async () => {
         const name = session2.name.replace(/\.md$/, ".zip");
@@ -3481,9 +3484,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       this.root.setAttribute("aria-label", "Change this lesson");
       this.heading = html("h2", "", "Change this lesson");
       this.heading.tabIndex = -1;
-      const small = button2("Make room", () => this.#fold(small), "carts-teach-fold");
+      const small = button("Make room", () => this.#fold(small), "carts-teach-fold");
       small.setAttribute("aria-expanded", "true");
-      const close = button2("Close", () => session2.close(), "carts-teach-close");
+      const close = button("Close", () => session2.close(), "carts-teach-close");
       const head = html("div", "carts-teach-head");
       head.append(this.heading, small, close);
       this.note = html("p", "carts-teach-status");
@@ -3775,7 +3778,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         this.base = draft.base;
         this.withheld = this.withheld && draft.base === this.told.text;
         this.history.change(draft.text, "");
-        this.panel.status(`Your draft of ${when(draft.last)} is back.`);
+        this.panel.status(`Your draft of ${clock(draft.last)} is back.`);
         this.panel.kept(true);
         await this.lookNow();
       } else this.panel.status("");
@@ -3930,13 +3933,6 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       return zipped(this.client, this.told.file, this.text, this.base);
     }
   };
-  function when(time) {
-    const date = new Date(time);
-    return date.toLocaleString(document.documentElement.lang || [], {
-      dateStyle: "medium",
-      timeStyle: "short"
-    });
-  }
 
   // src/teacher-main.js
   var PACKAGE = "newtons-carts-teacher";

@@ -1,18 +1,14 @@
 /** A draft of an earlier version of the lesson: offered, never thrown away unasked. */
 
-import { button } from "../answers/parts.js";
+import { button, clock } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 
 /** @param {import("./session.js").Session} session @param {import("./drafts.js").Draft} draft @returns {HTMLElement} */
 export function earlierDraft(session, draft) {
   const row = html("p", "carts-teach-earlier");
-  const date = new Date(draft.last).toLocaleString(document.documentElement.lang || [], {
-    dateStyle: "medium",
-    timeStyle: "short",
-  });
   row.append(
-    `You have a draft of an earlier version of this lesson, of ${date}. `,
+    `You have a draft of an earlier version of this lesson, of ${clock(draft.last)}. `,
     button("Open it", () => session.change(draft.text, ""), "carts-teach-older"),
     " ",
     button("Save it", () => download(session.name, draft.text, "text/markdown")),

@@ -1,5 +1,6 @@
 /** One teacher at work on one lesson: text, drafts, Python's answers, the page and the panel. */
 
+import { clock } from "../answers/parts.js";
 import { restored, zipped } from "./asked.js";
 import { History } from "./history.js";
 import { LessonPage } from "./page.js";
@@ -80,7 +81,7 @@ export class Session {
       this.base = draft.base;
       this.withheld = this.withheld && draft.base === this.told.text;
       this.history.change(draft.text, "");
-      this.panel.status(`Your draft of ${when(draft.last)} is back.`);
+      this.panel.status(`Your draft of ${clock(draft.last)} is back.`);
       this.panel.kept(true);
       await this.lookNow();
     } else this.panel.status("");
@@ -241,13 +242,4 @@ export class Session {
   zip() {
     return zipped(this.client, this.told.file, this.text, this.base);
   }
-}
-
-/** @param {string} time ISO */
-function when(time) {
-  const date = new Date(time);
-  return date.toLocaleString(document.documentElement.lang || [], {
-    dateStyle: "medium",
-    timeStyle: "short",
-  });
 }
