@@ -37,7 +37,8 @@ EXPLAINED = (
     (
         "expected ',' or '}'",
         "a comma or the closing } is missing",
-        "for example: {mass: 0.5 kg, position: 0.4 m}",
+        "for example: {mass: 0.5 kg, position: 0.4 m}; a text with a colon or a comma in it goes "
+        "in quotes",
     ),
     (
         "expected ',' or ']'",
