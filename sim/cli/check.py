@@ -62,8 +62,9 @@ def command(
         )
     else:
         if counted:
+            lessons = len({finding.file for finding in counted})
             click.echo(
-                f"{len(counted)} scenes and questions of {len({f.file for f in counted})} lessons "
+                f"{len(counted)} scenes and questions of {lessons} lesson{'s' * (lessons > 1)} "
                 "wait by default until a run was watched: carts check --defaults lists them."
             )
         report(found)
