@@ -9,6 +9,7 @@ from typing import NoReturn
 
 import click
 
+from sim.cli.named_file import bytes_of
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.law_files import with_law_files
 from sim.pages.scene_block import read_scene_text
@@ -57,7 +58,7 @@ def fail(findings: Iterable[Finding]) -> NoReturn:
 def text_of(name: str) -> str:
     """The text of a file, or of standard input."""
     shown = shown_name(name)
-    data = sys.stdin.buffer.read(MOST_BYTES) if name == "-" else _bytes(name)
+    data = bytes_of(name, MOST_BYTES, "a scene file")
     if len(data) == MOST_BYTES:
         what, hint = "this is more than a scene can be", "a scene is short: is this the right file?"
         fail([Finding(shown, 1, 1, "too-long", what, hint)])
@@ -67,17 +68,3 @@ def text_of(name: str) -> str:
         line = data[: error.start].count(b"\n") + 1
         what, hint = "this is not UTF-8 text", "save the file as UTF-8"
         fail([Finding(shown, line, 1, "not-text", what, hint)])
-
-
-def _bytes(name: str) -> bytes:
-    """Raises click's usage error: a wrong path is a wrong call."""
-    try:
-        with Path(name).open("rb") as file:
-            return file.read(MOST_BYTES)
-    except FileNotFoundError:
-        raise click.UsageError(f"There is no file “{name}”.") from None
-    except IsADirectoryError:
-        raise click.UsageError(f"“{name}” is a folder, not a scene file.") from None
-    except (OSError, ValueError) as error:
-        why = getattr(error, "strerror", None) or error
-        raise click.UsageError(f"“{name}” cannot be read: {why}.") from None

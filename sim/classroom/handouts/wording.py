@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from sim.classroom.report.sentences import begins
 from sim.classroom.show.prose import prose
 from sim.scene.said import template
 
@@ -19,8 +20,7 @@ LONGEST = 220
 
 def cut(words: str, most: int = LONGEST) -> str:
     """The beginning of an author's or a student's text, up to the end of a word."""
-    plain = prose(words)
-    return plain if len(plain) <= most else f"{plain[:most].rsplit(' ', 1)[0]} …"
+    return begins(prose(words), most)
 
 
 def numbers(found: Iterable[int]) -> str:

@@ -49,6 +49,16 @@ COUNTED = {
 }  # fmt: skip
 
 
+def within_marks(low: float, high: float, of: float | None) -> tuple[float, float]:
+    """An interval without what no mark can be: below nought, or above all there are."""
+    return max(0.0, low), min(high, math.inf if of is None else of)
+
+
+def begins(words: str, most: int) -> str:
+    """The beginning of a text, up to the end of a word; a text of `most` characters is whole."""
+    return words if len(words) <= most else f"{words[:most].rsplit(' ', 1)[0]} …"
+
+
 def of_files(files: Mapping[str, Any]) -> str:
     """What a report counts: files of answers, rows of a table, or summaries of schools."""
     nothing, some = COUNTED[files.get("unit", "files")]
@@ -121,7 +131,7 @@ def of_mean(spread: Spread, of: float | None, interval: tuple[float, float] | No
     )  # fmt: skip
     if interval is None:
         return text
-    low, high = max(0.0, interval[0]), min(interval[1], math.inf if of is None else of)
+    low, high = within_marks(*interval, of)
     return joined(text, said(
         "For many students like these the average would lie between about {low} and {high} "
         "(95 % interval).",

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from sim.classroom.report.sentences import begins
 from sim.scene.said import said
 
 FEWEST = 2
@@ -51,8 +52,7 @@ def _answer(choice: dict[str, Any]) -> str:
     words = choice["text"]
     if not words:
         return str(choice["label"])
-    begins = words if len(words) <= LONGEST else f"{words[:LONGEST].rsplit(' ', 1)[0]} …"
-    return said("{letter} (“{text}”)", letter=choice["label"], text=begins)
+    return said("{letter} (“{text}”)", letter=choice["label"], text=begins(words, LONGEST))
 
 
 def _weight(choice: dict[str, Any]) -> int:

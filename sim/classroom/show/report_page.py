@@ -5,7 +5,6 @@ There is no script and no style in it. The questions of a form: questions.py.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -148,10 +147,10 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
 
 
 def interval(group: Row, of: float | None) -> str:
-    """From where to where: no mark is below nought, none above all there are."""
+    """From where to where."""
     if group.get("low") is None:
         return "–"
-    low, high = max(0.0, group["low"]), min(group["high"], math.inf if of is None else of)
+    low, high = say.within_marks(group["low"], group["high"], of)
     return said("{low} to {high}", low=number(low), high=number(high))
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 from typing import NoReturn
 
 import click
 
+from sim.cli.named_file import bytes_of
 from sim.measured.cells import MOST_BYTES
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import Measured, between, read_measured
@@ -20,7 +20,7 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
     texts = []
     for name in files:
         try:
-            texts += texts_of(_bytes(name))
+            texts += texts_of(bytes_of(name, MOST_BYTES + 1, "a file of readings"))
         except ReadingError as error:
             _refuse(name, error)
     try:
@@ -44,19 +44,3 @@ def cut(measured: Measured, begin: float | None, end: float | None) -> Measured:
         return between(measured, begin, end)
     except ReadingError as error:
         _refuse("--from/--until", error)
-
-
-def _bytes(name: str) -> bytes:
-    """Raises click's usage error: a wrong path is a wrong call."""
-    if name == "-":
-        return sys.stdin.buffer.read(MOST_BYTES + 1)
-    try:
-        with Path(name).open("rb") as file:
-            return file.read(MOST_BYTES + 1)
-    except FileNotFoundError:
-        raise click.UsageError(f"There is no file “{name}”.") from None
-    except IsADirectoryError:
-        raise click.UsageError(f"“{name}” is a folder, not a file of readings.") from None
-    except (OSError, ValueError) as error:
-        why = getattr(error, "strerror", None) or error
-        raise click.UsageError(f"“{name}” cannot be read: {why}.") from None
