@@ -9,7 +9,7 @@ import click
 
 from sim.pages.check import USUAL_PLACES, check_paths
 from sim.pages.findings import Finding
-from sim.pages.question.by_default import CODE
+from sim.pages.question.by_default import CODE, TEXT
 
 
 @click.command("check")
@@ -51,7 +51,7 @@ def command(
             "or name a file: carts check my-lesson.md"
         )
     found = check_paths(places, root, hints=True)
-    counted = [] if defaults else [finding for finding in found if finding.code == CODE]
+    counted = [] if defaults else [finding for finding in found if finding.code in (CODE, TEXT)]
     found = [finding for finding in found if finding not in counted]
     if form == "github":
         for finding in found:
@@ -62,10 +62,12 @@ def command(
         )
     else:
         if counted:
+            texts = sum(finding.code == TEXT for finding in counted)
             lessons = len({finding.file for finding in counted})
             click.echo(
-                f"{len(counted)} scenes and questions of {lessons} lesson{'s' * (lessons > 1)} "
-                "wait by default until a run was watched: carts check --defaults lists them."
+                f"{len(counted) - texts} scenes and questions of {lessons} "
+                f"lesson{'s' * (lessons > 1)} wait by default until a run was watched, the text "
+                f"below {texts} predictions does not: carts check --defaults lists them."
             )
         report(found)
     ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)

@@ -10,7 +10,7 @@ import click
 
 from sim.cli import starter_files as starter
 from sim.pages.carried import lessons_folder
-from sim.pages.text.lesson_text import LAST, lesson_order
+from sim.pages.text.front_matter import LAST, lesson_order
 
 WORKSHEETS = "worksheets"
 BANKS = "banks"

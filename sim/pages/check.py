@@ -17,7 +17,7 @@ from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
 from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
-from sim.pages.question.by_default import waits_by_default, watched_by_default
+from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
@@ -67,6 +67,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
                 _check_law(read_law_block(block, lesson, ids, first_line=1))
             else:
                 findings += _read(block, lesson, ids, items, hints=hints)
+                if hints and block.name == "scene" and (asking := items.scenes[-1]).predict:
+                    findings += open_by_default(lines, blocks, block, asking.id, lesson.file)
         except AuthorError as error:
             items.give_up(block)
             findings += error.findings

@@ -11,15 +11,21 @@ from __future__ import annotations
 import hashlib
 import re
 from contextvars import ContextVar
+from xml.etree.ElementTree import Element
 
 from markdown import Extension, Markdown
 from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
+from markdown.treeprocessors import Treeprocessor
+from markupsafe import Markup
 
 from sim.pages.findings import AuthorError, error_box
+from sim.pages.language import speaking, tr, tr_html, words
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
+from sim.pages.text.held_back import MARK, held_back
+from sim.pages.text.lesson_text import without_code
 from sim.pages.text.sections import in_sections, title_of
 
 __all__ = [
@@ -35,6 +41,7 @@ __all__ = [
 _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
+_AFTER_TEXT = 15  # when the text within has become HTML (20), before it is written out
 _WORD = "cartsblock"
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
@@ -54,6 +61,7 @@ class CartsExtension(Extension):
         """Called by Python-Markdown."""
         put_in = _PutIn(md)
         md.preprocessors.register(_TakeOut(md, put_in), "carts_blocks", _BEFORE_EVERYTHING)
+        md.treeprocessors.register(_HoldBack(md, put_in), "carts_after", _AFTER_TEXT)
         md.postprocessors.register(put_in, "carts_blocks", _AFTER_EVERYTHING)
 
 
@@ -77,7 +85,9 @@ class _TakeOut(Preprocessor):
         done = 0
         # Front matter has been removed by the generator: a line of --- here is only a line.
         page.blocks = tuple(scan(lines, front_matter=False))
+        plain = without_code("\n".join(lines)).split("\n")
         for block, section in in_sections(lines, page.blocks):
+            _hold(lines, plain, done, block.start, page)
             page.section = section
             if section.new:
                 page.items.asking = ""  # its questions are about other scenes
@@ -99,11 +109,54 @@ class _TakeOut(Preprocessor):
             self.put_in.html[word] = html
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
+        _hold(lines, plain, done, len(lines), page)
         for finding in page.items.first_causes(()):
             if page.report is None:
                 raise AuthorError([finding])
             page.report(finding)
         return [*kept, *lines[done:]]
+
+
+def _hold(lines: list[str], plain: list[str], start: int, end: int, page: Page) -> None:
+    """Mark the text between two blocks that waits for a run; `plain`: the lines without code."""
+    scenes = [scene.id for scene in page.items.scenes]
+    for held in held_back(plain[start:end], page.items.asking, scenes):
+        lines[start + held.line] = held.opening
+
+
+class _HoldBack(Treeprocessor):
+    """Makes elements of the notes that wait: they open as questions do, and search passes them."""
+
+    def __init__(self, md: Markdown, put_in: _PutIn) -> None:
+        super().__init__(md)
+        self.put_in = put_in
+
+    def run(self, root: Element) -> None:
+        page = _page.get()
+        for note in root.iter("div"):
+            classes = (note.get("class") or "").split()
+            scene = next((name for name in classes if name.startswith(MARK)), "")
+            if not scene or page is None:
+                continue
+            classes.remove(scene)
+            note.tag = "carts-after"
+            note.set("class", " ".join(classes))
+            note.set("data-after", scene.removeprefix(MARK))
+            note.set("data-search-exclude", "")
+            word = f"{_WORD}{len(self.put_in.html)}waits"
+            self.put_in.html[word] = _waits(scene.removeprefix(MARK), page)
+            line = Element("p")
+            line.text = word
+            note.insert(0, line)
+
+
+def _waits(scene: str, page: Page) -> str:
+    """The line that stands there until then. Its link is no link of Markdown's tree: the generator
+    would look for the scene there, which is put in later."""
+    with speaking(words(page.language)):
+        link = Markup('<a href="#{}">{}</a>').format(scene, tr("the run above"))
+        told = tr_html("This part opens when you have watched {the_run}.", the_run=link)
+    return f'<p class="carts-q-waits">{told}</p>'
 
 
 def with_late(html: str, late: dict[str, str] | None) -> str:

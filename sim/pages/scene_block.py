@@ -136,7 +136,7 @@ def load_block(block: Block, file: str, *, first_line: int) -> Source:
             block.body, first_line=first_line + block.start + 1, first_col=block.body_indent + 1
         )
     except YamlError as error:
-        raise _yaml_fault(file, error) from None
+        raise AuthorError(yaml_findings(file, error)) from None
 
 
 def read_scene_text(text: str, file: str) -> tuple[Mapping[str, Any], Places]:
@@ -144,7 +144,7 @@ def read_scene_text(text: str, file: str) -> tuple[Mapping[str, Any], Places]:
     try:
         source = load(text)
     except YamlError as error:
-        raise _yaml_fault(file, error) from None
+        raise AuthorError(yaml_findings(file, error)) from None
     return source.plain, Places(file, source)
 
 
@@ -152,8 +152,10 @@ def _place(source: Source, path: KeyPath, code: str) -> Place:
     return source.key_place(path) if code == "unknown-key" else source.place(path)
 
 
-def _yaml_fault(file: str, error: YamlError) -> AuthorError:
-    return AuthorError([Finding(file, error.line, error.col, "yaml", error.message, error.hint)])
+def yaml_findings(file: str, error: YamlError) -> list[Finding]:
+    """All that was found in one reading of a YAML text of this file."""
+    found = (error, *error.others)
+    return [Finding(file, e.line, e.col, "yaml", e.message, e.hint) for e in found]
 
 
 _ANOTHER = re.compile(rf"^[ \t]*`{{3,}}[ \t]*(?:{'|'.join(KINDS)})\b", re.MULTILINE)
@@ -206,7 +208,7 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
     try:
         scene = load(path.read_text(encoding="utf-8"))
     except YamlError as error:
-        raise _yaml_fault(shown, error) from None
+        raise AuthorError(yaml_findings(shown, error)) from None
     except UnicodeDecodeError:
         message = f"“{name}” is not a text file"
         raise refuse(("file",), "not-text", message, "save it as UTF-8") from None

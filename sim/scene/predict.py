@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
@@ -21,6 +22,7 @@ READ = {
     },
 }
 """The texts that readers read, as a schema."""
+HINT = "predict: {arrows: [A-B]}, {curve: F.A}, {ask: …, choice: [“…”, “…”]} or {text: “…”}"
 WISHES = ("talk", "sure")
 SCALES = ("relative", "newtons")
 Quantity = Literal["F", "v", "x"]
@@ -67,21 +69,31 @@ def read_predict(value: object, scene: Scene, problems: list[Problem]) -> Predic
     return found and replace(found, talk=talk, scale=scale, sure=sure)
 
 
-def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
+def kind_of(value: object, problems: list[Problem]) -> tuple[str, Mapping[str, Any]] | None:
+    """Which kind of prediction is asked for, and its table: what can be told without the scene."""
     path: Path = ("predict",)
-    hint = "predict: {arrows: [A-B]}, {curve: F.A}, {ask: …, choice: [“…”, “…”]} or {text: “…”}"
-    table = mapping(value, path, problems, hint)
+    table = mapping(value, path, problems, HINT)
     if table is None:
         return None
     unknown_keys(table, (*KINDS, "ask", "scale", *WISHES), path, problems)
     kinds = [kind for kind in KINDS if kind in table]
     if len(kinds) != 1:
-        problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", hint))
+        problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", HINT))
         return None
-    kind, body, ask = kinds[0], table[kinds[0]], table.get("ask")
+    ask = table.get("ask")
     if ask is not None and not isinstance(ask, str):
-        problems.append(Problem((*path, "ask"), "not-text", "ask must be text", hint))
+        problems.append(Problem((*path, "ask"), "not-text", "ask must be text", HINT))
         return None
+    return kinds[0], table
+
+
+def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
+    path: Path = ("predict",)
+    found = kind_of(value, problems)
+    if found is None:
+        return None
+    kind, table = found
+    body, ask = table[kind], table.get("ask")
     if kind == "arrows":
         return _arrows(body, ask, scene, (*path, kind), problems)
     if kind == "curve":
@@ -93,12 +105,12 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
             or not all(isinstance(option, str) and option.strip() for option in body)
         ):
             problems.append(
-                Problem((*path, kind), "not-a-list", "choice lists two or more texts", hint)
+                Problem((*path, kind), "not-a-list", "choice lists two or more texts", HINT)
             )
             return None
         return Predict(kind="choice", ask=ask or said("What will happen?"), options=tuple(body))
     if not isinstance(body, str) or not body.strip():
-        problems.append(Problem((*path, kind), "not-text", "text is the question to answer", hint))
+        problems.append(Problem((*path, kind), "not-text", "text is the question to answer", HINT))
         return None
     return Predict(kind="text", ask=body)
 

@@ -12,7 +12,7 @@ from sim.scene.controls import Control, read_controls
 from sim.scene.effect_controls import Switch, read_switches
 from sim.scene.fields import SKINS
 from sim.scene.model import Scene
-from sim.scene.predict import Predict, read_predict
+from sim.scene.predict import Predict, kind_of, read_predict
 from sim.scene.presets import read_presets
 from sim.scene.problem import Problem, SceneError
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
@@ -94,8 +94,11 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         switches = read_switches(table.get("controls", []), effects, problems)
         presets = read_presets(table.get("presets", {}), scene_part, problems)
     predict = None
-    if "predict" in table and scene is not None:
-        predict = read_predict(table["predict"], scene, problems)
+    if "predict" in table:
+        asked = table["predict"]
+        predict = read_predict(asked, scene, problems) if scene else None
+        if scene is None:
+            kind_of(asked, problems)
     worlds: tuple[Any, ...] = ()
     if "worlds" in table and scene is not None:  # else nothing of them is even imported
         worlds = import_module(WORLDS).read_worlds(table["worlds"], scene, problems)

@@ -55,6 +55,8 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     overlap_allowed = _start(table.get("start", {}), problems)
     if len(problems) > before or exact is None or track is None or until is None or gravity is None:
         read_contacts(table.get("contact", {}), sorted_names(exact or {}), track, problems)
+        if track is not None:  # what is wrong with the effects is told in the same reading
+            read_effects(table.get("effects", []), _written_names(table), track, problems)
         return None
     names = sorted_names(exact)
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
@@ -108,6 +110,16 @@ def sorted_names(exact: Mapping[str, Mapping[str, Fraction]]) -> list[str]:
     return sorted(exact, key=lambda name: (exact[name]["position"], name))
 
 
+def _written_names(table: Mapping[str, Any]) -> list[str]:
+    """The names of the carts as they stand there, also of carts with mistakes."""
+    carts = table.get("carts")
+    return sorted(filter(_can_name, carts)) if isinstance(carts, Mapping) else []
+
+
+def _can_name(name: object) -> bool:
+    return isinstance(name, str) and bool(NAME.fullmatch(name)) and name not in NO_NAMES
+
+
 def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fraction]] | None:
     hint = "carts: {A: {mass: 1 kg, position: 0.40 m, velocity: 0.60 m/s}}"
     table = mapping(value, ("carts",), problems, hint)
@@ -121,7 +133,7 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
     carts: dict[str, dict[str, Fraction]] = {}
     for name, body in table.items():
         path = ("carts", name)
-        if not isinstance(name, str) or not NAME.fullmatch(name) or name in NO_NAMES:
+        if not _can_name(name):
             problems.append(
                 Problem(
                     path,

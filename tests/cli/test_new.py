@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.pages.check import check_paths
-from sim.pages.text.lesson_text import LAST, lesson_order
+from sim.pages.text.front_matter import LAST, lesson_order
 
 
 @pytest.fixture

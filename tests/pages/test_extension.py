@@ -94,6 +94,42 @@ def test_a_crash_of_ours_is_not_swallowed(
         html(SCENE)
 
 
+AFTER = "!!! {}after{}\n    Both were equal.\n"
+
+
+@pytest.mark.parametrize("kind", ["", "check "])
+@pytest.mark.parametrize("title", ["", ' "What was it?"'])
+def test_text_held_back_waits_for_the_scene_above(
+    found: list[Finding], kind: str, title: str
+) -> None:
+    made = html(f"{SCENE}\n{AFTER.format(kind, title)}\nOpen text\n")
+    waiting = made[made.index("<carts-after") : made.index("</carts-after>")]
+    assert 'data-after="one"' in waiting
+    assert '<a href="#one">the run above</a>' in waiting
+    assert "Both were equal." in waiting
+    assert ("What was it?" in waiting) == bool(title)
+    assert ("admonition-title" in waiting) == bool(title)
+    assert (kind.strip() or "after") in waiting
+    assert "Open text" not in waiting
+    assert "carts-waits-for" not in made
+    assert not found
+
+
+def test_text_held_back_waits_for_the_prediction_of_its_section(found: list[Finding]) -> None:
+    asking = SCENE.replace("until: 2 s", "until: 2 s\npredict: {text: What}")
+    other = SCENE.replace("id: one", "id: two")
+    made = html(f"{asking}\n{other}\n{AFTER.format('', '')}\n## New\n\n{AFTER.format('', '')}")
+    assert made.count('data-after="one"') == 1
+    assert made.count('data-after="two"') == 1
+    assert made.index('data-after="one"') < made.index("New") < made.index('data-after="two"')
+
+
+def test_an_example_of_text_held_back_stays_an_example(found: list[Finding]) -> None:
+    made = html(f"{SCENE}\n```markdown\n{AFTER.format('', '')}```\n")
+    assert "<carts-after" not in made
+    assert "!!! after" in made
+
+
 def test_an_example_of_a_block_stays_an_example(found: list[Finding]) -> None:
     made = html(f"````markdown\n{BAD}````\n")
     assert "<carts-scene" not in made

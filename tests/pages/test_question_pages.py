@@ -12,7 +12,7 @@ import pytest
 from sim.lesson.beliefs import BELIEFS
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.lesson_text import lesson_order
+from sim.pages.text.front_matter import lesson_order
 from sim.pages.text.yaml_source import load
 
 pytestmark = pytest.mark.slow  # builds the site

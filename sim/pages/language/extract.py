@@ -47,7 +47,7 @@ COUNTED = ("counted", "tr_counted")
 """Calls with two forms of a sentence: for one, and for more."""
 
 SOURCES = (
-    ("sim/pages", "*.py", "python", ("tr", "mark")),
+    ("sim/pages", "*.py", "python", ("tr", "tr_html", "mark")),
     ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
     ("sim/view", "*.js", "javascript", ("tr",)),
     ("sim/effects", "*.js", "javascript", ("tr",)),

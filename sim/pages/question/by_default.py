@@ -1,18 +1,23 @@
 """What the defaults of the format do on a page, for an author whose lesson is older than they are.
 
 A scene of a lesson is watched before it is known, and a question below a scene with a prediction
-waits until that scene was watched, unless the author says otherwise.
+waits until that scene was watched, unless the author says otherwise. Text does not wait.
 """
 
 from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
 
 from sim.pages.findings import Finding
 from sim.pages.question.block import QuestionBlock
 from sim.pages.question.on_page import PageItems
 from sim.pages.scene_block import SceneBlock
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.held_back import first_told
 from sim.scene.problem import Problem
 
 CODE = "default"
+TEXT = "default-text"
 LESSONS = "worksheets"  # the folder whose scenes are watched first
 
 
@@ -33,3 +38,19 @@ def waits_by_default(question: QuestionBlock, items: PageItems) -> list[Finding]
         return []
     told = f"opens when “{scene}” was watched; “after: none” opens it at once"
     return [question.places.finding(Problem(("id",), CODE, "")).as_hint(told)]
+
+
+def open_by_default(
+    lines: Sequence[str], blocks: Iterable[Block], own: Block, scene: str, file: str
+) -> list[Finding]:
+    """The first text that a student reads below a prediction before its run was watched.
+
+    `lines` of the whole lesson, with its `blocks`; `own`: that of the scene with this id.
+    """
+    prose = list(lines)
+    for block in blocks:
+        prose[block.start : block.end] = [""] * (block.end - block.start)
+    if (at := first_told(prose[own.end :])) is None:
+        return []
+    told = f"read before “{scene}” was watched; “!!! after” above it holds text back"
+    return [Finding(file, own.end + at + 1, 1, TEXT, told, severity="hint")]

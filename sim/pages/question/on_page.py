@@ -73,9 +73,9 @@ class PageItems:
         for block in self.questions:
             after = block.question.common.after
             if after not in ("", OPEN, *scenes):
-                yield block.places.finding(_no_such_scene("after", after, scenes))
+                yield block.places.finding(self._no_such_scene("after", after))
             if isinstance(block.question, (Reading, Drawn)):
-                problem = _misfit(block.question, scenes)
+                problem = self._misfit(block.question, scenes)
                 if problem:
                     yield block.places.finding(problem)
         forms: dict[str, str] = {}
@@ -85,6 +85,17 @@ class PageItems:
                 message = f"form: “{other}” is already the form “{quiz.form.form}” of this page"
                 hint = "a page has one form of each kind: a student's answers are filed under it"
                 yield quiz.places.finding(Problem(("form",), "twice", message, hint))
+
+    def _misfit(self, question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:
+        if scene := scenes.get(question.scene):
+            return _misfit(question, scene)
+        return self._no_such_scene("scene", question.scene)
+
+    def _no_such_scene(self, key: str, name: str) -> Problem:
+        broken = (f"{id_} (which has mistakes)" for id_ in sorted(self.broken))
+        known = ", ".join([*(scene.id for scene in self.scenes), *broken]) or "none"
+        message = f"there is no scene “{name[:40]}” on this page"
+        return Problem((key,), NO_SCENE, message, f"scenes of this page: {known}")
 
     def outline(self, lesson: str) -> dict[str, Any]:
         """What the page's script needs to know of all that can be answered here."""
@@ -125,16 +136,7 @@ def _item(data: dict[str, Any], form: str) -> dict[str, Any]:
     return {name: data[name] for name in ("id", "hash", "type", "level")} | {"form": form}
 
 
-def _no_such_scene(key: str, name: str, scenes: dict[str, Fence]) -> Problem:
-    known = ", ".join(scenes) or "none"
-    message = f"there is no scene “{name[:40]}” on this page"
-    return Problem((key,), NO_SCENE, message, f"scenes of this page: {known}")
-
-
-def _misfit(question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:
-    scene = scenes.get(question.scene)
-    if scene is None:
-        return _no_such_scene("scene", question.scene, scenes)
+def _misfit(question: Reading | Drawn, scene: Fence) -> Problem | None:
     if isinstance(question, Drawn):
         if scene.predict is None:
             message = f"the scene “{scene.id}” asks for no prediction"

@@ -9,7 +9,7 @@ from sim.lesson import LessonError
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, bank_name, read_form
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
+from sim.pages.scene_block import Lesson, Places, SiteIds, load_block, yaml_findings
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.text.yaml_source import Plain, YamlError, load
@@ -79,7 +79,7 @@ def read_bank_text(text: str, file: str) -> tuple[Bank | None, list[Finding]]:
     try:
         source = load(text)
     except YamlError as error:
-        return None, [Finding(file, error.line, error.col, "yaml", error.message, error.hint)]
+        return None, yaml_findings(file, error)
     try:
         return read_bank(source.plain), text_findings(text, Lesson(file))
     except LessonError as error:

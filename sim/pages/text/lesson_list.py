@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from sim.pages.language import LANGUAGES, language_folder
-from sim.pages.text.lesson_text import lesson_order
+from sim.pages.text.front_matter import lesson_order
 
 
 def lessons_in(folder: Path) -> list[Path]:

@@ -12,14 +12,12 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
-from yaml import YAMLError, safe_load
-
 from sim.pages.effect_pages import EFFECTS, PLACE
 from sim.pages.findings import Finding
-from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.scene_block import Lesson
-from sim.pages.text.fence_scan import KINDS, after_front_matter, meant_kind
-from sim.pages.text.yaml_source import YamlError, load
+from sim.pages.text.fence_scan import KINDS, meant_kind
+from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
+from sim.pages.text.held_back import without_scene
 
 _FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
 _INLINE_CODE = re.compile(r"(`+)(?!`).+?(?<!`)\1(?!`)")
@@ -30,23 +28,17 @@ _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _MORE = re.compile(r"\{.*\.more\b")  # a part for who has time: the lesson is whole without it
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
-_AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
-_ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
-_PLACE = re.compile(r"\d{1,4}")
-_LANGUAGE = re.compile(_AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
 _FEW = re.compile(rf"^[ \t]*(?<!`)`{{1,2}}({'|'.join(KINDS)})[ \t]*$", re.MULTILINE)
-LAST = 1000  # lessons without a place of their own come behind those with one
-_STATED = re.compile(_AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
-_Found = tuple[int, str, str, str]  # place in the text, code, message, hint
+_STATED = re.compile(AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
 
 def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     """Everything that is wrong with the text of a lesson, apart from its blocks."""
     prose = without_code(text)
-    found = [*_front_matter(text), *_few_backticks(prose)]
-    found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *_language(text)]
-    found += _minutes_of_questions(prose)
+    found = [*front_matter(text), *_few_backticks(prose)]
+    found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *language(text)]
+    found += [*_minutes_of_questions(prose), *_held_back(prose)]
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
     return _located(found, text, lesson)
@@ -54,24 +46,16 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
 
 def language_findings(text: str, lesson: Lesson) -> list[Finding]:
     """What is wrong with `language:` in the front matter of a lesson."""
-    return _located(_language(text), text, lesson)
+    return _located(language(text), text, lesson)
 
 
-def _located(found: Iterable[_Found], text: str, lesson: Lesson) -> list[Finding]:
+def _located(found: Iterable[Found], text: str, lesson: Lesson) -> list[Finding]:
     made = []
     for at, code, message, hint in found:
         line = text.count("\n", 0, at) + 1
         col = at - (text.rfind("\n", 0, at) + 1) + 1
         made.append(Finding(lesson.file, line, col, code, message, hint))
     return made
-
-
-def lesson_order(path: Path) -> tuple[int, str]:
-    """Where a lesson stands among the others: `order: 2` in its front matter, then its name."""
-    with path.open(encoding="utf-8", errors="replace") as file:
-        stated = _ORDER.match(file.read(2000))
-    place = stated[1].strip() if stated else ""
-    return int(place) if _PLACE.fullmatch(place) else LAST, path.name
 
 
 def without_code(text: str) -> str:
@@ -91,34 +75,7 @@ def without_code(text: str) -> str:
     return _INLINE_CODE.sub(lambda code: " " * len(code[0]), "".join(kept))
 
 
-def _language(text: str) -> Iterator[_Found]:
-    """A language that there are no interface words in."""
-    stated = _LANGUAGE.match(text)
-    try:
-        language_of(stated[1].strip().strip("\"'") if stated else ENGLISH)
-    except UnknownLanguageError as error:
-        hint = "for example language: ms; without it the page speaks as the site does"
-        yield stated.start(1) if stated else 0, "unknown-language", str(error), hint
-
-
-def _front_matter(text: str) -> Iterator[_Found]:
-    """Facts at the top that cannot be read: the page would print them and use none of them."""
-    lines = text.splitlines(keepends=True)
-    facts = "".join(lines[1 : max(1, after_front_matter(lines) - 1)])
-    try:
-        safe_load(facts)
-    except YAMLError:
-        try:
-            load(facts, first_line=2)
-        except YamlError as error:
-            at = sum(map(len, lines[: error.line - 1])) + error.col - 1
-            yield at, "yaml", error.message, error.hint
-    if (stated := _ORDER.match(text)) and not _PLACE.fullmatch(stated[1].strip()):
-        message = f"order: “{stated[1].strip()}” is not a whole number"
-        yield stated.start(1), "not-a-number", message, "for example order: 30"
-
-
-def _few_backticks(prose: str) -> Iterator[_Found]:
+def _few_backticks(prose: str) -> Iterator[Found]:
     """A block that begins with one or two backticks would be text, and swallow what follows."""
     hint = "write ``` here and at the end of the block"
     for opening in _FEW.finditer(prose):
@@ -126,7 +83,14 @@ def _few_backticks(prose: str) -> Iterator[_Found]:
         yield opening.start(), "few-backticks", message, hint
 
 
-def _pictures(prose: str) -> Iterator[_Found]:
+def _held_back(prose: str) -> Iterator[Found]:
+    """Text that would wait for ever, and is there at once."""
+    hint = "put it below the scene whose run is watched first"
+    for at in without_scene(prose):
+        yield at, "no-such-scene", "“!!! after” waits for a run, and no scene stands above it", hint
+
+
+def _pictures(prose: str) -> Iterator[Found]:
     hint = "say what it shows, without giving an answer away: ![two carts, one at rest](carts.png)"
     for picture in _PICTURE.finditer(prose):
         if not picture[1].strip():
@@ -135,7 +99,7 @@ def _pictures(prose: str) -> Iterator[_Found]:
         yield picture.start(), "missing-alt", "this picture has no words beside it", hint
 
 
-def _formulas(prose: str) -> Iterator[_Found]:
+def _formulas(prose: str) -> Iterator[Found]:
     """Formulas that are not closed in their paragraph, and brackets inside that do not match."""
     for paragraph in re.finditer(r"(?:[^\n]*\S[^\n]*\n?)+", prose):
         opened: re.Match[str] | None = None
@@ -175,7 +139,7 @@ def _braces_match(formula: str) -> bool:
     return depth == 0
 
 
-def _minutes(text: str, prose: str) -> Iterator[_Found]:
+def _minutes(text: str, prose: str) -> Iterator[Found]:
     stated = _STATED.match(text)
     core = (m for m in _MINUTES.finditer(prose) if _MORE.search(m[0]) is None)
     parts = [int(m[1]) for m in core]
@@ -185,7 +149,7 @@ def _minutes(text: str, prose: str) -> Iterator[_Found]:
         yield stated.start(1), "minutes", message, hint
 
 
-def _minutes_of_questions(prose: str) -> Iterator[_Found]:
+def _minutes_of_questions(prose: str) -> Iterator[Found]:
     """Questions that take longer than the part of the lesson in which they stand."""
     parts = [*_MINUTES.finditer(prose)]
     ends = [part.start() for part in parts[1:]] + [len(prose)]
@@ -196,7 +160,7 @@ def _minutes_of_questions(prose: str) -> Iterator[_Found]:
             yield part.start(), "minutes", message, "change one of them"
 
 
-def _links(prose: str, lesson: Lesson) -> Iterator[_Found]:
+def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
     folder = lesson.scene_folders[0]
     for link in (*_LINK.finditer(prose), *_PICTURE.finditer(prose)):
         target = unquote(link[link.re.groups].split("#")[0].split("?")[0])

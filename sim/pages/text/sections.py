@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from sim.pages.text.fence_scan import Block
 
-_HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
+HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
 _TITLE = re.compile(r"# +(.+?)(?: *\{:[^}]*\})? *")
 _MORE = re.compile(r"\{:?[^}]*(?<![\w-])\.more(?![\w-])[^}]*\}\s*$")
 _PARTS = 2  # the lowest level that divides a lesson into parts
@@ -39,7 +39,7 @@ def in_sections(lines: Sequence[str], blocks: Iterable[Block]) -> Iterator[tuple
     for block in blocks:
         section = replace(section, new=done == 0)
         for line in lines[done : block.start]:
-            if heading := _HEADING.match(line):
+            if heading := HEADING.match(line):
                 level = len(heading["signs"])
                 more = bool(_MORE.search(line)) if level <= _PARTS else section.optional
                 section = Section(level, more)

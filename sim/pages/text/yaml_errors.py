@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 
 class YamlError(ValueError):
-    """What is wrong with a YAML text: line and column (from 1), message and hint."""
+    """What is wrong with a YAML text: line and column (from 1), message and hint.
 
-    def __init__(self, line: int, col: int, message: str, hint: str) -> None:
+    `others`: what else was found in the same reading.
+    """
+
+    def __init__(
+        self, line: int, col: int, message: str, hint: str, others: Sequence[YamlError] = ()
+    ) -> None:
         super().__init__(f"{line}:{col}: {message}")
         self.line = line
         self.col = col
         self.message = message
         self.hint = hint
+        self.others = tuple(others)
 
 
 # What PyYAML notices only on a later line; the line where it began is the one to mend.

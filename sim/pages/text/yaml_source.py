@@ -12,7 +12,7 @@ validator has computed with it.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import yaml
 
@@ -30,6 +30,7 @@ Plain = dict[str, "Plain"] | list["Plain"] | str | int | bool | None
 Place = tuple[int, int]  # line and column, both counted from 1
 
 _WHOLE = re.compile(r"[+-]?(0|[1-9][0-9]*)")
+_OTHER_BASE = re.compile(r"[+-]?0[xXoObB0-9][0-9a-fA-F]*")
 _HINT_TRUTH = "write true or false, or put the word in quotes"
 
 
@@ -75,6 +76,7 @@ class _Reader:
 
     first_line: int
     first_col: int
+    found: list[YamlError] = field(default_factory=list)  # mistakes beside which one can read on
 
     def read(self, text: str) -> Source:
         if len(text) > MAX_CHARACTERS:
@@ -84,8 +86,8 @@ class _Reader:
                 f"this text has {len(text)} characters; at most {MAX_CHARACTERS} are read",
                 "a scene is short: is this the right file?",
             )
-        for typo in typos(text):
-            raise self.error(*typo)
+        self.found += [self.error(*typo) for typo in typos(text)]
+        self._tell()
         values: dict[KeyPath, Place] = {(): (self.first_line, self.first_col)}
         keys: dict[KeyPath, Place] = {}
         root = self._compose(text)
@@ -94,7 +96,14 @@ class _Reader:
         if not isinstance(root, yaml.MappingNode):
             raise self._at(root, "expected lines of “key: value”", "for example: mass: 0.5 kg")
         plain = self._mapping(root, (), values, keys)
+        self._tell()
         return Source(plain, values, keys)
+
+    def _tell(self) -> None:
+        """Raise what was found, the first of it with the others."""
+        if self.found:
+            first, *others = self.found
+            raise YamlError(first.line, first.col, first.message, first.hint, others)
 
     def _compose(self, text: str) -> yaml.Node | None:
         try:
@@ -146,11 +155,9 @@ class _Reader:
             key = self._key(key_node)
             here = (*path, key)
             if key in plain:
-                raise self._at(
-                    key_node,
-                    f"“{key}” is written twice (first in line {keys[here][0]})",
-                    "keep one of them",
-                )
+                message = f"“{key}” is written twice (first in line {keys[here][0]})"
+                self.found.append(self._at(key_node, message, "keep one of them"))
+                continue
             keys[here] = self._place(key_node)
             plain[key] = self._value(value_node, here, values, keys)
         return plain
@@ -194,7 +201,8 @@ class _Reader:
             return None
         if kind == "bool":
             if text.lower() not in ("true", "false"):
-                raise self._at(node, f"YAML reads “{text}” as true or false", _HINT_TRUTH)
+                message = f"YAML reads “{text}” as true or false"
+                self.found.append(self._at(node, message, _HINT_TRUTH))
             return text.lower() == "true"
         if kind in ("int", "float"):
             return self._number(node, text)
@@ -203,22 +211,18 @@ class _Reader:
     def _number(self, node: yaml.Node, text: str) -> str | int:
         if len(text) > MAX_DIGITS:
             raise self._at(node, f"a number of {len(text)} characters", "shorten it")
+        told = None
         if ":" in text:
-            raise self._at(
-                node, f"YAML reads {text} as a number to base 60", "write the seconds: 90 s"
-            )
-        if "_" in text:
-            raise self._at(
-                node, f"{text} has an underscore in it", f"write {text.replace('_', '')}"
-            )
-        if _WHOLE.fullmatch(text):
+            told = f"YAML reads {text} as a number to base 60", "write the seconds: 90 s"
+        elif "_" in text:
+            told = f"{text} has an underscore in it", f"write {text.replace('_', '')}"
+        elif _WHOLE.fullmatch(text):
             return int(text)
-        if re.fullmatch(r"[+-]?0[xXoObB0-9][0-9a-fA-F]*", text):
-            raise self._at(
-                node,
-                f"YAML does not read {text} as an ordinary number",
-                "write it with the digits 0 to 9, without a zero in front",
-            )
+        elif _OTHER_BASE.fullmatch(text):
+            hint = "write it with the digits 0 to 9, without a zero in front"
+            told = f"YAML does not read {text} as an ordinary number", hint
+        if told:
+            self.found.append(self._at(node, *told))
         return text
 
     def _place(self, node: yaml.Node) -> Place:

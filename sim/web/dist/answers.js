@@ -1133,10 +1133,10 @@
 
   // src/question/gate.js
   var OPEN_ALL = "carts-open-questions";
-  function wait(question, answered) {
-    const id = question.dataset.after;
-    if (!id || question.dataset.opened !== void 0) return;
-    const open2 = () => question.dataset.opened = "";
+  function wait(element, answered) {
+    const id = element.dataset.after;
+    if (!id || element.dataset.opened !== void 0) return;
+    const open2 = () => element.dataset.opened = "";
     const scene = document.getElementById(id);
     const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
     if (answered || shown()) return open2();
@@ -1145,8 +1145,13 @@
     }
     document.addEventListener(OPEN_ALL, open2);
   }
+  var CartsAfter = class extends HTMLElement {
+    connectedCallback() {
+      wait(this, false);
+    }
+  };
   function anyWaits() {
-    return document.querySelector("carts-question[data-after]:not([data-opened])") !== null;
+    return document.querySelector("[data-after]:not([data-opened])") !== null;
   }
   function openAll2() {
     document.dispatchEvent(new Event(OPEN_ALL));
@@ -3089,6 +3094,7 @@
   // src/answers-main.js
   var book = new Book();
   customElements.define("carts-question", questionElement(book));
+  customElements.define("carts-after", CartsAfter);
   customElements.define("carts-quiz", quizElement(book));
   var panel = new Panel(book);
   new Bar(book, () => void panel.open());

@@ -5,11 +5,13 @@ import { Bar } from "./answers/bar.js";
 import { Book } from "./answers/book.js";
 import { Panel } from "./answers/panel.js";
 import { questionElement } from "./question/element.js";
+import { CartsAfter } from "./question/gate.js";
 import { quizElement } from "./question/quiz.js";
 import { teacherDoor } from "./teach/door.js";
 
 const book = new Book();
 customElements.define("carts-question", questionElement(book));
+customElements.define("carts-after", CartsAfter);
 customElements.define("carts-quiz", quizElement(book));
 const panel = new Panel(book);
 new Bar(book, () => void panel.open());

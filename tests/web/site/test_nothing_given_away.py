@@ -68,3 +68,24 @@ def test_the_third_law_lesson_gives_nothing_away(site: Path, open_page: OpenPage
     scene.locator(".carts-end").click()
     expect(scene.locator(".carts-compared")).to_contain_text("equally large")
     assert {"2.53 N", "Impulse on each"} <= set(found(page))
+
+
+@pytest.mark.one_browser
+def test_text_below_a_prediction_waits_for_its_run(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "worksheets" / "momentum-and-restitution.html", folder=site)
+    text = page.get_by_text("what stays the same only with lively bumpers")
+    line = page.locator("carts-after").get_by_text("This part opens when you have watched")
+    expect(page.locator("carts-after")).to_have_count(1)
+    expect(line).to_be_visible()
+    expect(text).to_be_hidden()
+    page.emulate_media(media="print")
+    expect(text).to_be_hidden()
+    page.emulate_media(media="screen")
+    scene = page.locator("#momentum-bounce")
+    expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
+    scene.evaluate("scene => scene.reveal()")
+    expect(text).to_be_visible()
+    expect(line).to_be_hidden()
+    index = (site / "search" / "search_index.js").read_text(encoding="utf-8")
+    assert "They stay together" in index
+    assert "only with lively bumpers" not in " ".join(index.split())

@@ -1,16 +1,16 @@
 /**
- * A question that opens when its scene was watched: the text of a question often tells what was seen.
- * It opens too where no run can be had (Python cannot start), for who answered it before, and by the
+ * A question, and text below a scene (`!!! after`), that opens when the scene was watched: it often
+ * tells what was seen. It opens too where no run can be had (Python cannot start), for who answered it before, and by the
  * teacher's key in “My answers”.
  */
 
 const OPEN_ALL = "carts-open-questions";
 
-/** @param {HTMLElement} question @param {boolean} answered before */
-export function wait(question, answered) {
-  const id = question.dataset.after;
-  if (!id || question.dataset.opened !== undefined) return;
-  const open = () => (question.dataset.opened = "");
+/** @param {HTMLElement} element @param {boolean} answered before */
+export function wait(element, answered) {
+  const id = element.dataset.after;
+  if (!id || element.dataset.opened !== undefined) return;
+  const open = () => (element.dataset.opened = "");
   const scene = document.getElementById(id);
   const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
   if (answered || shown()) return open();
@@ -20,12 +20,19 @@ export function wait(question, answered) {
   document.addEventListener(OPEN_ALL, open);
 }
 
-/** Whether any question of this page still waits. */
-export function anyWaits() {
-  return document.querySelector("carts-question[data-after]:not([data-opened])") !== null;
+/** `<carts-after>`: text that waits. */
+export class CartsAfter extends HTMLElement {
+  connectedCallback() {
+    wait(this, false);
+  }
 }
 
-/** The teacher's key: all questions of this page. */
+/** Whether anything of this page still waits. */
+export function anyWaits() {
+  return document.querySelector("[data-after]:not([data-opened])") !== null;
+}
+
+/** The teacher's key: all of this page. */
 export function openAll() {
   document.dispatchEvent(new Event(OPEN_ALL));
 }

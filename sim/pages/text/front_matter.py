@@ -1,0 +1,76 @@
+"""The facts at the top of a lesson, between two lines of ---: what is wrong with them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
+from pathlib import Path
+
+from yaml import YAMLError, safe_load
+
+from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
+from sim.pages.text.fence_scan import after_front_matter
+from sim.pages.text.yaml_source import YamlError, load
+
+KEYS = (
+    *("title", "description", "author", "minutes", "order", "language"),
+    *("hide", "search", "tags", "template", "icon", "status", "date", "robots", "subtitle"),
+)
+"""Ours, the generator's and its theme's. Others are the author's own."""
+NEAR = 0.75  # of the letters in their order: “descripton” and “titel”, but no other word
+
+AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
+_ORDER = re.compile(AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
+_PLACE = re.compile(r"\d{1,4}")
+_LANGUAGE = re.compile(AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
+_KEY = re.compile(r"([^\W\d][\w-]*)[ \t]*:(?:\s|$)")
+LAST = 1000  # lessons without a place of their own come behind those with one
+Found = tuple[int, str, str, str]  # place in the text, code, message, hint
+
+
+def lesson_order(path: Path) -> tuple[int, str]:
+    """Where a lesson stands among the others: `order: 2` in its front matter, then its name."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        stated = _ORDER.match(file.read(2000))
+    place = stated[1].strip() if stated else ""
+    return int(place) if _PLACE.fullmatch(place) else LAST, path.name
+
+
+def language(text: str) -> Iterator[Found]:
+    """A language that there are no interface words in."""
+    stated = _LANGUAGE.match(text)
+    try:
+        language_of(stated[1].strip().strip("\"'") if stated else ENGLISH)
+    except UnknownLanguageError as error:
+        hint = "for example language: ms; without it the page speaks as the site does"
+        yield stated.start(1) if stated else 0, "unknown-language", str(error), hint
+
+
+def front_matter(text: str) -> Iterator[Found]:
+    """Facts at the top that cannot be read: the page would print them and use none of them."""
+    lines = text.splitlines(keepends=True)
+    inside = lines[1 : max(1, after_front_matter(lines) - 1)]
+    facts = "".join(inside)
+    try:
+        safe_load(facts)
+    except YAMLError:
+        try:
+            load(facts, first_line=2)
+        except YamlError as error:
+            at = sum(map(len, lines[: error.line - 1])) + error.col - 1
+            yield at, "yaml", error.message, error.hint
+    if (stated := _ORDER.match(text)) and not _PLACE.fullmatch(stated[1].strip()):
+        message = f"order: “{stated[1].strip()}” is not a whole number"
+        yield stated.start(1), "not-a-number", message, "for example order: 30"
+    yield from _misspelt(inside, len(lines[0]) if lines else 0)
+
+
+def _misspelt(lines: Sequence[str], at: int) -> Iterator[Found]:
+    """Names that are nearly one of ours: nothing would read them, and nobody would say so."""
+    for line in lines:
+        name = found[1] if (found := _KEY.match(line)) else ""
+        meant = get_close_matches(name.lower(), KEYS, 1, NEAR) if name and name not in KEYS else []
+        if meant:
+            yield at, "unknown-key", f"“{name[:40]}” is no key at the top of a page", f"{meant[0]}:"
+        at += len(line)

@@ -1,0 +1,76 @@
+"""Text that waits, as a question does: `!!! after "Title"` opens when the run above was watched.
+
+What an author writes below a prediction is read before it is locked; where the text tells what is
+to be seen, it is held back by these words above it. Markdown reads the lines as one of its notes,
+which may have a kind of its own: `!!! check after "Title"`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from sim.pages.text.fence_scan import scan
+from sim.pages.text.sections import HEADING
+
+MARK = "carts-waits-for-"  # with the id of a scene: a class of the note, until its HTML is made
+_OPENS = re.compile(
+    r"(?P<indent>\s*)!!! +(?P<kind>[\w-]+ +)?after(?: +\"(?P<title>[^\"]*)\")?[ \t]*"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """Text that waits. `line`: of these lines, from 0. `scene`: the id of what is watched first."""
+
+    line: int
+    indent: str
+    kind: str
+    title: str
+    scene: str
+
+    @property
+    def opening(self) -> str:
+        """The line as Markdown shall read it: a note of this class, without a title of its own."""
+        return f'{self.indent}!!! {self.kind}after {MARK}{self.scene} "{self.title}"'
+
+
+def held_back(lines: Sequence[str], asking: str, scenes: Sequence[str]) -> Iterator[Held]:
+    """Text that waits among these lines between two blocks.
+
+    `asking`: the scene with a prediction that the text above is about, up to the next heading;
+    `scenes`: the ids of all above, of which the last one counts where nothing was asked. Where
+    there is none, nothing is waited for.
+    """
+    for k, line in enumerate(lines):
+        if HEADING.match(line):
+            asking = ""
+        above = asking or (scenes[-1] if scenes else "")
+        if above and (found := _OPENS.fullmatch(line)):
+            yield Held(k, found["indent"], found["kind"] or "", found["title"] or "", above)
+
+
+def without_scene(text: str) -> Iterator[int]:
+    """Where in the text, without its code, something waits for a run and no scene stands above."""
+    lines = text.splitlines(keepends=True)
+    first = next((block.start for block in scan(lines) if block.name == "scene"), len(lines))
+    at = 0
+    for line in lines[:first]:
+        if found := _OPENS.fullmatch(line.rstrip("\n")):
+            yield at + len(found["indent"])
+        at += len(line)
+
+
+def first_told(lines: Iterable[str]) -> int | None:
+    """Which of these lines below a prediction is the first that is read before the run: text that
+    is neither held back nor under a heading of its own."""
+    held = False
+    for k, line in enumerate(lines):
+        if HEADING.match(line):
+            return None
+        if _OPENS.fullmatch(line):
+            held = True
+        elif line.strip() and not (held and line.startswith((" ", "\t"))):
+            return k
+    return None
