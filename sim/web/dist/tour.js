@@ -77,6 +77,7 @@
 
   // src/tour/tour.js
   var KEY = "carts-tour";
+  var MOVING = ".carts-cart, .carts-velocity, .carts-acting";
   var HERE = "carts-tour-here";
   function showTour(scene) {
     const kept = recall(KEY, BROWSER);
@@ -154,6 +155,22 @@
     say(text, hint.text(scene));
     if (!place.classList.contains(HERE)) place.classList.add(HERE);
     if (card.parentElement !== world) world.append(card);
+    settle(scene, card);
+  }
+  function settle(scene, card) {
+    delete card.dataset.low;
+    const sky = covered(scene, card);
+    if (sky === 0) return;
+    card.dataset.low = "";
+    if (covered(scene, card) >= sky) delete card.dataset.low;
+  }
+  function covered(scene, card) {
+    const own = card.getBoundingClientRect();
+    return [...scene.querySelectorAll(MOVING)].filter((part) => {
+      const box = part.getBoundingClientRect();
+      const beside = box.left >= own.right || box.right <= own.left;
+      return box.width > 0 && !beside && box.top < own.bottom && box.bottom > own.top;
+    }).length;
   }
 
   // src/tour-main.js

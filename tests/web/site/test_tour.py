@@ -8,12 +8,23 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.scene.widget_site import LIVE
 from tests.web.site.test_one_screen import LESSONS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SMALL, LAPTOP = {"width": 360, "height": 740}, {"width": 1366, "height": 768}
 SEEN = "localStorage.getItem('carts-tour')"
+
+COVERED = """scene => {
+  const card = scene.querySelector(".carts-tour").getBoundingClientRect();
+  const parts = [...scene.querySelectorAll(".carts-cart, .carts-velocity, .carts-acting")];
+  const boxes = parts.map((part) => [part, part.getBoundingClientRect()]);
+  return boxes.filter(([, box]) => box.width && box.left < card.right
+    && box.right > card.left && box.top < card.bottom && box.bottom > card.top)
+    .map(([part]) => part.getAttribute("class"));
+}"""
+"""What of the carts and their arrows lies under the hint."""
 
 
 def hint(page: Page) -> Locator:
@@ -80,14 +91,10 @@ def test_a_hint_covers_no_cart_and_no_arrow(
     if scene.evaluate("scene => scene.matches('.carts-asks')"):
         return
     expect(hint(page)).to_have_count(1)
-    covered = scene.evaluate(
-        """scene => {
-          const card = scene.querySelector(".carts-tour").getBoundingClientRect();
-          const parts = [...scene.querySelectorAll(".carts-cart, .carts-velocity, .carts-acting")];
-          const boxes = parts.map((part) => [part, part.getBoundingClientRect()]);
-          return boxes.filter(([, box]) => box.width && box.left < card.right
-            && box.right > card.left && box.top < card.bottom && box.bottom > card.top)
-            .map(([part]) => part.getAttribute("class"));
-        }"""
-    )
-    assert covered == []
+    assert scene.evaluate(COVERED) == []
+    expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
+    scene.evaluate("scene => scene.reveal()")
+    end = "scene => { scene.time = 60; scene.dispatchEvent(new Event('keyup')); }"
+    scene.evaluate(end)
+    expect(hint(page)).to_contain_text("Pull the time back")
+    assert scene.evaluate(COVERED) == []

@@ -13,6 +13,7 @@ import { HINTS, isPulled } from "./hints.js";
 /** @typedef {import("./hints.js").Hint} Hint */
 
 const KEY = "carts-tour"; // names of the hints that are not shown again
+const MOVING = ".carts-cart, .carts-velocity, .carts-acting";
 const HERE = "carts-tour-here"; // on the control that the hint is about
 
 /** @param {Scene} scene the first of the page */
@@ -99,4 +100,24 @@ function point(scene, card, text, hint) {
   say(text, hint.text(scene));
   if (!place.classList.contains(HERE)) place.classList.add(HERE);
   if (card.parentElement !== world) world.append(card);
+  settle(scene, card);
+}
+
+/** In the sky; at the foot where it would cover less of what moves. @param {Scene} scene @param {HTMLElement} card */
+function settle(scene, card) {
+  delete card.dataset.low; // no class: a change of class asks for a look at the hints
+  const sky = covered(scene, card);
+  if (sky === 0) return;
+  card.dataset.low = "";
+  if (covered(scene, card) >= sky) delete card.dataset.low;
+}
+
+/** How many carts and arrows lie under the hint. @param {Scene} scene @param {HTMLElement} card */
+function covered(scene, card) {
+  const own = card.getBoundingClientRect();
+  return [...scene.querySelectorAll(MOVING)].filter((part) => {
+    const box = part.getBoundingClientRect();
+    const beside = box.left >= own.right || box.right <= own.left;
+    return box.width > 0 && !beside && box.top < own.bottom && box.bottom > own.top;
+  }).length;
 }
