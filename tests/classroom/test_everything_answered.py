@@ -121,6 +121,33 @@ def test_a_known_wrong_number_is_counted_with_its_belief_and_talked_about_first(
     assert talk["sentence"].startswith("Question 1: 3 of 5 chose 0.6 m/s, 3 of them sure; students")
 
 
+TWO_WAYS = read_bank({"title": "Two ways", "items": [
+    {"id": name, "type": "single", "ask": "Which?", "options": [
+        {"text": "equal", "correct": True},
+        {"text": "the heavy one", "belief": "bigger-pushes-more"},
+        {"text": "the fast one", "belief": "mover-pushes-more"},
+        {"text": "the big one", "belief": "bigger-pushes-more"},
+    ]} for name in ("first", "second")
+]})  # fmt: skip
+
+
+def test_a_belief_is_talked_about_once_with_all_answers_that_go_with_it() -> None:
+    """In the first question two chose “the heavy one” and two “the big one”: together more than
+    the three of “the fast one”."""
+    chosen = [("b", "b"), ("b", "b"), ("d", "a"), ("d", "a"), ("c", "a"), ("c", "a"), ("c", "a")]
+    files = [
+        answers(TWO_WAYS, f"FOX-{k}", "pre", {"first": one, "second": other})
+        for k, (one, other) in enumerate(chosen)
+    ]
+    (form,) = report_of(files, keys(TWO_WAYS, ("pre",)))["lessons"][0]["forms"]
+    (talk,) = form["talk"]
+    assert talk["id"] == "first"
+    said = talk["sentence"]
+    assert said.startswith("Question 1: 4 of 7 chose B (“the heavy one”) or D (“the big one”)")
+    assert said.count("often think") == 1
+    assert said.endswith("Also in: Question 2.")
+
+
 def test_questions_are_called_what_students_call_them() -> None:
     source = bank(3)
     report = report_of(random_class(source, 6), keys(source))

@@ -1,19 +1,22 @@
-"""What to talk about first: where many chose one wrong answer, and above all where they were sure.
+"""What to talk about first: where many chose wrong answers of one belief, above all where sure.
 
 A wrong answer that a student is sure of is a belief; one that is guessed is a gap. So sure wrong
-answers count twice. The order is a suggestion for the next lesson, no statistic.
+answers count twice. Wrong options of a question that go with one belief are counted together where
+only one can be chosen, and a belief is named once, with the other questions that show it. The order
+is a suggestion for the next lesson, no statistic.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.report.sentences import begins
-from sim.scene.said import said
+from sim.scene.said import listed, listed_or, said
 
 FEWEST = 2
-"""Students who chose the same wrong answer, before it is worth a talk in class."""
+"""Students who chose wrong answers of one belief, before it is worth a talk in class."""
 
 MOST = 3
 
@@ -21,30 +24,69 @@ LONGEST = 80
 """Characters of an option that are said: enough to know it again."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Chosen:
+    """Wrong answers to one item that go together: one option, or all of one belief."""
+
+    item: dict[str, Any]
+    choices: tuple[dict[str, Any], ...]
+
+    @property
+    def count(self) -> int:
+        return sum(int(choice["count"]) for choice in self.choices)
+
+    @property
+    def sure(self) -> int:
+        return sum(int(choice.get("sure") or 0) for choice in self.choices)
+
+    @property
+    def weight(self) -> int:
+        return self.count + self.sure
+
+    @property
+    def belief(self) -> str:
+        return str(self.choices[0].get("belief") or "")
+
+
 def talk_rows(items: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
-    """At most three questions of a form, the most urgent first."""
-    found = []
-    for item in items:
-        wrong = [c for c in item["choices"] if not c.get("correct", False) and item["worth"]]
-        most = max(wrong, key=_weight, default=None)
-        if most is None or most["count"] < FEWEST:
+    """At most three questions of a form, the most urgent first, each for another belief."""
+    found = [max(groups, key=lambda one: one.weight) for item in items if (groups := _groups(item))]
+    urgent = sorted((one for one in found if one.count >= FEWEST), key=lambda one: -one.weight)
+    rows: dict[str, list[_Chosen]] = {}
+    for one in urgent:
+        rows.setdefault(one.belief or f"item {one.item['id']}", []).append(one)
+    first = list(rows.values())[:MOST]
+    return [{"id": one.item["id"], "sentence": _sentence(one, also)} for one, *also in first]
+
+
+def _groups(item: dict[str, Any]) -> list[_Chosen]:
+    """The wrong answers of an item by belief; one by one where several can be chosen at once."""
+    together: dict[str, list[dict[str, Any]]] = {}
+    for choice in item["choices"] if item["worth"] else ():
+        if choice.get("correct", False) or not choice["count"]:
             continue
-        found.append((_weight(most), {"id": item["id"], "sentence": _sentence(item, most)}))
-    found.sort(key=lambda one: -one[0])
-    return [row for _, row in found[:MOST]]
+        alone = item["type"] == "multiple" or not choice.get("belief")
+        name = f"option {choice['option']}" if alone else f"belief {choice['belief']}"
+        together.setdefault(name, []).append(choice)
+    return [_Chosen(item, tuple(choices)) for choices in together.values()]
 
 
-def _sentence(item: dict[str, Any], most: dict[str, Any]) -> str:
-    """How many chose what, how sure they were, and what they may think."""
-    text = said("{question}: {count} of {answered} chose {answer}", question=item["label"],
-                count=f"{most['count']}", answered=f"{item['answered']}",
-                answer=_answer(most))  # fmt: skip
-    if most.get("sure"):
-        text = said("{sentence}, {count} of them sure", sentence=text, count=f"{most['sure']}")
-    if most.get("says"):
-        return said("{sentence}; students who choose it often think: “{belief}”", sentence=text,
-                    belief=most["says"])  # fmt: skip
-    return said("{sentence}.", sentence=text)
+def _sentence(one: _Chosen, also: Sequence[_Chosen]) -> str:
+    """How many chose what, how sure they were, what they may think, and where else."""
+    text = said("{question}: {count} of {answered} chose {answer}", question=one.item["label"],
+                count=f"{one.count}", answered=f"{one.item['answered']}",
+                answer=listed_or([_answer(choice) for choice in one.choices]))  # fmt: skip
+    if one.sure:
+        text = said("{sentence}, {count} of them sure", sentence=text, count=f"{one.sure}")
+    says = one.choices[0].get("says")
+    if not says:
+        return said("{sentence}.", sentence=text)
+    text = said("{sentence}; students who choose it often think: “{belief}”", sentence=text,
+                belief=says)  # fmt: skip
+    if not also:
+        return text
+    others = listed([other.item["label"] for other in also])
+    return said("{sentence} Also in: {questions}.", sentence=text, questions=others)
 
 
 def _answer(choice: dict[str, Any]) -> str:
@@ -53,7 +95,3 @@ def _answer(choice: dict[str, Any]) -> str:
     if not words:
         return str(choice["label"])
     return said("{letter} (“{text}”)", letter=choice["label"], text=begins(words, LONGEST))
-
-
-def _weight(choice: dict[str, Any]) -> int:
-    return int(choice["count"]) + int(choice.get("sure") or 0)
