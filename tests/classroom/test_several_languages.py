@@ -56,3 +56,65 @@ def test_without_the_key_of_its_language_a_file_has_no_marks() -> None:
     report = report_of(("English",), ("English", "Malay"))
     (form,) = report["lessons"][0]["forms"]
     assert [item["right"] for item in form["items"]] == [1, 1]
+
+
+def predicted(student: str, kind: str, value: Any, said: str, sure: bool = False) -> Source:
+    """A worksheet with one prediction, in the words of the page that it was made on."""
+    made = answers(BANKS["English"], student, "worksheet", {})
+    row = {"id": "bump", "hash": "", "type": kind, "value": value, "first": "2026-01-01T08:00:00Z",
+           "last": "2026-01-01T08:00:00Z", "tries": 1, "said": said, "asked": "?"}  # fmt: skip
+    made["items"] = [row | ({"sure": "sure"} if sure else {})]
+    return Source(f"{student}.carts.json", json.dumps(made).encode())
+
+
+def answers_of(files: list[Source]) -> list[tuple[str, int, int]]:
+    reading = Reading.of(files)
+    report = class_report([(one, "class") for one in reading.files], reading.keys, [], Asked())
+    ((row,),) = [form["predictions"] for form in report["lessons"][0]["forms"]]
+    return [(one["said"], one["count"], one["sure"]) for one in row["answers"]]
+
+
+def test_a_choice_is_counted_with_the_same_one_in_another_language() -> None:
+    files = [
+        predicted("FOX-1", "choice", "0", "They stop."),
+        predicted("FOX-2", "choice", "1", "They go on.", sure=True),
+        predicted("FOX-3", "choice", "1", "They go on."),
+        predicted("FOX-4", "choice", "1", "Mereka terus bergerak.", sure=True),
+    ]
+    assert answers_of(files) == [("They go on.", 3, 2), ("They stop.", 1, 0)]
+
+
+def arrows(a: float, b: float) -> list[dict[str, Any]]:
+    return [{"pair": "A-B", "on": "A", "share": a}, {"pair": "A-B", "on": "B", "share": b}]
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "said"),
+    [
+        (0.5, 0.9, "the force on B by A is larger than the force on A by B."),
+        (0.9, 0.5, "the force on A by B is larger than the force on B by A."),
+        (0.7, 0.72, "both forces are equally large."),
+        (0, 0.4, "only the force on B by A."),
+        (0, 0, "no force on either."),
+    ],
+)
+def test_arrows_are_told_in_the_language_of_the_report(a: float, b: float, said: str) -> None:
+    files = [
+        predicted("FOX-1", "arrows", arrows(a, b), "daya pada B …"),
+        predicted("FOX-2", "arrows", arrows(a, b), said),
+    ]
+    assert answers_of(files) == [(said, 2, 0)]
+
+
+def test_arrows_that_cannot_be_told_keep_the_words_of_their_page() -> None:
+    values = [
+        [
+            {"pair": "A-right", "on": "A", "share": 0.5},
+            {"pair": "A-right", "on": "right", "share": 1},
+        ],
+        [{"pair": "A-B", "on": "A", "size": 2.5}, {"pair": "A-B", "on": "B", "size": 2.5}],
+        arrows(0.5, 0.5)[:1],
+        [1],
+    ]
+    files = [predicted(f"FOX-{k}", "arrows", one, f"as said {k}") for k, one in enumerate(values)]
+    assert answers_of(files) == [(f"as said {k}", 1, 0) for k in range(len(values))]

@@ -14,7 +14,7 @@ from sim.classroom.handouts.wording import FORMS, cut, numbers
 from sim.classroom.report.numerals import number, students
 from sim.classroom.report.sentences import left_open
 from sim.classroom.show.html_parts import Tell, table, text
-from sim.scene.said import said, template
+from sim.scene.said import Said, said, template
 
 Row = Mapping[str, Any]
 SHADES = 4
@@ -180,6 +180,11 @@ def _counted(title: str, rows: Sequence[tuple[str, list[tuple[str, int]]]], tell
     for ask, answers in rows:
         most = sorted((one for one in answers if one[1]), key=lambda one: -one[1])[:MOST_SAID]
         if most:
-            told = "; ".join(f"{text(cut(words, SHORT))} ({count})" for words, count in most)
+            told = "; ".join(f"{_words(words, tell)} ({count})" for words, count in most)
             lines.append(f"<li>{text(cut(ask, SHORT))}<br>{told}</li>")
     return f"<h3>{tell(title)}</h3><ul>{''.join(lines)}</ul>" if lines else ""
+
+
+def _words(words: str, tell: Tell) -> str:
+    """What we say in full, what a student said cut to its beginning."""
+    return tell(words) if isinstance(words, Said) else text(cut(words, SHORT))

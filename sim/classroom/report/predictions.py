@@ -7,16 +7,15 @@ other.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
 from sim.classroom.report.marked import Marked
+from sim.classroom.report.meant import told
 from sim.classroom.report.most_said import most_said
 from sim.lesson.answer_file import PREDICTIONS, Item
 from sim.lesson.mark import is_empty
-
-SEPARATOR = " · "
-"""What stands in an answer's words between the prediction and what was said besides."""
 
 
 def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
@@ -33,7 +32,11 @@ def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
 def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     items = [item for _, item in made]
     drawn = items[0].type == "curve"  # in words each one is different
-    words, more = most_said([] if drawn else map(words_of, items))
+    each = told(items)
+    words, more = most_said([] if drawn else each)
+    sure = Counter(
+        words for words, item in zip(each, items, strict=True) if item.more.get("sure") == "sure"
+    )
     curves = [[float(h) for h in item.value] for item in items if _is_curve(item)]
     return {
         "id": name,
@@ -41,28 +44,16 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
         "ask": next((item.more["asked"] for item in items if item.more.get("asked")), ""),
         "n": len(items),
         "locked": sum("locked" in item.more for item in items),
-        "answers": [
-            {"said": said, "count": count, "sure": _sure(items, said)} for said, count in words
-        ],
+        "answers": [{"said": said, "count": count, "sure": sure[said]} for said, count in words],
         "more": more,
         "curves": curves,
         "reasons": [
-            {"student": file.who, "said": words_of(item), "why": item.more["why"]}
-            for file, item in made
+            {"student": file.who, "said": words, "why": item.more["why"]}
+            for (file, item), words in zip(made, each, strict=True)
             if item.more.get("why")
         ],
         "first": min((item.first or "" for item in items), default=""),
     }
-
-
-def words_of(item: Item) -> str:
-    """The prediction in words; without them its value."""
-    said = item.more.get("said", "").split(SEPARATOR)[0].strip()
-    return said or str(item.value)
-
-
-def _sure(items: Sequence[Item], said: str) -> int:
-    return sum(item.more.get("sure") == "sure" for item in items if words_of(item) == said)
 
 
 def _is_curve(item: Item) -> bool:

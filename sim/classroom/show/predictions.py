@@ -26,7 +26,7 @@ def _prediction(row: Row, tell: Tell) -> str:
     if row["curves"]:
         parts.append(f"<figure>{curves(row['curves'], tell)}</figure>")
     cells = [
-        [text(one["said"]), str(one["count"]), str(one["sure"]) if one["sure"] else "–"]
+        [tell(one["said"]), str(one["count"]), str(one["sure"]) if one["sure"] else "–"]
         for one in row["answers"]
     ]
     if cells:
@@ -36,7 +36,7 @@ def _prediction(row: Row, tell: Tell) -> str:
         more = said("and {n} more, each in other words.", n=f"{row['more']}")
         parts.append(f"<p>{tell(more)}</p>")
     reasons = "".join(
-        f"<li>{person(one['student'], tell)} ({text(one['said'])}): {text(one['why'])}</li>"
+        f"<li>{person(one['student'], tell)} ({tell(one['said'])}): {text(one['why'])}</li>"
         for one in row["reasons"]
     )
     if reasons:
