@@ -12,6 +12,7 @@ from sim.classroom.files.records import as_record, from_record
 from sim.classroom.report.class_csv import items_csv
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.report.settings import told_settings
+from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
 from sim.lesson.bank import read_bank
@@ -146,6 +147,18 @@ def test_a_belief_is_talked_about_once_with_all_answers_that_go_with_it() -> Non
     assert said.startswith("Question 1: 4 of 7 chose B (“the heavy one”) or D (“the big one”)")
     assert said.count("often think") == 1
     assert said.endswith("Also in: Question 2.")
+
+
+def test_other_wrong_numbers_are_told_when_they_came_often() -> None:
+    values = [0.3, 0.9, 0.9, 0.6, 0.6, 1.5, 1.5, 1.5, 7]
+    files = [answers(NUMBERS, f"FOX-{k}", "pre", {"speed": v}) for k, v in enumerate(values)]
+    (form,) = report_of(files, keys(NUMBERS, ("pre",)))["lessons"][0]["forms"]
+    (item,) = form["items"]
+    assert [(one["label"], one["count"]) for one in item["typed"]] == [
+        ("1.5 m/s", 3),
+        ("0.9 m/s", 2),
+    ]
+    assert typed_sentence(item) == "Other wrong numbers: 1.5 m/s (3 times) and 0.9 m/s (2 times)."
 
 
 def test_questions_are_called_what_students_call_them() -> None:

@@ -17,7 +17,7 @@ from sim.cli import main
 from tests.country.school import KEY, lay, school_files
 
 WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
-NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered")
+NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered", "typed")
 """What is one student's, and what only reports on sums hold."""
 
 

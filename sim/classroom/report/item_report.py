@@ -12,9 +12,10 @@ from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
 from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.numerals import signed
 from sim.classroom.report.second_thoughts import changed_of, tries_of
+from sim.classroom.report.typed_numbers import known_numbers, other_numbers
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import NO_QUESTIONS
-from sim.lesson.kinds.number import NEAR, Number, Wrong
+from sim.lesson.kinds.number import Number
 from sim.lesson.mark import is_empty
 from sim.scene.said import counted, joined, said
 
@@ -74,6 +75,7 @@ def _row(
         "discrimination": None,
         "point_biserial": None,
         **NO_NUMBERS,
+        "typed": other_numbers(answers, keyed),
         "notes": [],
     }
     if keyed and totals is not None and row["worth"]:
@@ -97,7 +99,7 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
     """Each option with how many chose it, and what students who choose it often think."""
     kind = keyed.question.KIND if keyed else ""
     if keyed and isinstance(keyed.question, Number):
-        return _numbers(answers, keyed, keyed.question)
+        return known_numbers(answers, keyed, keyed.question)
     if not keyed or kind not in ("single", "multiple", "idea"):
         if keyed:
             return []
@@ -134,47 +136,9 @@ def chose_option(answer: Answer, option: str) -> bool:
     return bool(value == option or (isinstance(value, (list, tuple)) and option in value))
 
 
-def typed_wrong(answer: Answer, wrong: Wrong) -> bool:
-    """Whether this known wrong number was typed."""
-    value = answer.value
-    return (
-        isinstance(value, (int, float))
-        and not isinstance(value, bool)
-        and answer.mark is not None
-        and answer.mark.verdict == "wrong"
-        and abs(value - wrong.value) <= wrong.tolerance * NEAR
-    )
-
-
-def shown_wrong(wrong: Wrong, question: Number) -> str:
-    """A known wrong number as people read it."""
-    return f"{wrong.value:g} {question.unit}".strip()
-
-
 def letter(option: str) -> str:
     """An option as students see it: a letter."""
     return option.upper() if len(option) == 1 else option
-
-
-def _numbers(answers: Sequence[Answer], keyed: KeyedItem, question: Number) -> list[dict[str, Any]]:
-    """The wrong numbers that the author knows, with how many typed them and what they may think."""
-    rows = []
-    for wrong in question.wrong:
-        chose = [a for a in answers if typed_wrong(a, wrong)]
-        shown = shown_wrong(wrong, question)
-        rows.append(
-            {
-                "option": shown,
-                "label": shown,
-                "text": "",
-                "correct": False,
-                "count": len(chose),
-                "sure": sum(a.sure == "sure" for a in chose),
-                "belief": wrong.belief,
-                "says": keyed.beliefs.get(wrong.belief, ""),
-            }
-        )
-    return rows
 
 
 def item_sentence(row: dict[str, Any]) -> str:

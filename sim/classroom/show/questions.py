@@ -8,6 +8,7 @@ from typing import Any
 from sim.classroom.report.numerals import number, signed
 from sim.classroom.report.second_thoughts import thoughts
 from sim.classroom.report.sentences import TITLES
+from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.html_parts import Tell, listed, person, table, text
 from sim.classroom.show.own_runs import own_runs_html
 from sim.classroom.show.predictions import predictions_html
@@ -94,7 +95,7 @@ def _item(item: Row, tell: Tell) -> str:
         for choice in item["choices"]
     ]
     head = [template("letter"), template("answer"), template("chosen"), OFTEN_THINK]
-    facts = [item["sentence"], *thoughts(item), *item["notes"]]
+    facts = [item["sentence"], typed_sentence(item), *thoughts(item), *item["notes"]]
     if item["point_biserial"] is not None:
         facts.append(said("Correlation with the other questions, rough: {r}.",
                           r=signed(item["point_biserial"])))  # fmt: skip

@@ -108,7 +108,7 @@ def _item(meta: Mapping[str, Any], groups: Sequence[GroupSums], form: FormSums) 
         "worth": plain(meta["worth"]), "n": counts["n"], "answered": counts["answered"],
         "sure": {"right": counts["sure_right"], "wrong": counts["sure_wrong"]}
         if meta["sure"] else None,
-        "tries": None, "changed": None,  # nobody hands these on
+        "tries": None, "changed": None, "typed": None,  # nobody hands these on
         **{word: counts[word] for word in ("right", "partly", "wrong", "unread", "empty")},
         "choices": [
             {**choice, "count": sums.chosen.get(choice["option"], 0),

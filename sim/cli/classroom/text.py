@@ -9,6 +9,7 @@ from typing import Any
 from sim.classroom.report.numerals import number
 from sim.classroom.report.second_thoughts import thoughts
 from sim.classroom.report.sentences import left_open, of_files, unmarked
+from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
@@ -114,7 +115,8 @@ def _items(form: Mapping[str, Any], tell: Tell) -> str:
             [
                 said("{name}: {says}", name=item["label"], says=says)
                 for item in form["items"]
-                for says in thoughts(item)
+                for says in (typed_sentence(item), *thoughts(item))
+                if says
             ],
             tell,
         ),

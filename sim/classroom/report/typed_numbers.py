@@ -1,0 +1,87 @@
+"""Wrong numbers that a class typed: those that the author knows, and the others that came often."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim.classroom.files.keyed import KeyedItem
+from sim.classroom.report.marked import Answer
+from sim.lesson.kinds.number import NEAR, Number, Wrong
+from sim.scene.said import listed, said
+
+OFTEN = 2
+"""Students who typed the same number, before it is told."""
+
+MOST = 3
+"""Other numbers that are told of a question."""
+
+
+def typed_wrong(answer: Answer, wrong: Wrong) -> bool:
+    """Whether this known wrong number was typed."""
+    near = wrong.tolerance * NEAR
+    return is_wrong_number(answer) and abs(answer.value - wrong.value) <= near
+
+
+def is_wrong_number(answer: Answer) -> bool:
+    """Whether a number was typed, and the wrong one."""
+    number = isinstance(answer.value, (int, float)) and not isinstance(answer.value, bool)
+    return number and answer.mark is not None and answer.mark.verdict == "wrong"
+
+
+def shown_wrong(wrong: Wrong, question: Number) -> str:
+    """A known wrong number as people read it."""
+    return _shown(wrong.value, question)
+
+
+def known_numbers(
+    answers: Sequence[Answer], keyed: KeyedItem, question: Number
+) -> list[dict[str, Any]]:
+    """The wrong numbers that the author knows, with how many typed them and what they may think."""
+    rows = []
+    for wrong in question.wrong:
+        chose = [a for a in answers if typed_wrong(a, wrong)]
+        shown = shown_wrong(wrong, question)
+        rows.append(
+            {
+                "option": shown,
+                "label": shown,
+                "text": "",
+                "correct": False,
+                "count": len(chose),
+                "sure": sum(a.sure == "sure" for a in chose),
+                "belief": wrong.belief,
+                "says": keyed.beliefs.get(wrong.belief, ""),
+            }
+        )
+    return rows
+
+
+def other_numbers(
+    answers: Sequence[Answer], keyed: KeyedItem | None
+) -> list[dict[str, Any]] | None:
+    """The wrong numbers that came often and that the author does not know; None of other items."""
+    question = keyed.question if keyed else None
+    if not isinstance(question, Number):
+        return None
+    typed = Counter(
+        float(a.value)
+        for a in answers
+        if is_wrong_number(a) and not any(typed_wrong(a, w) for w in question.wrong)
+    )
+    often = [(value, count) for value, count in typed.most_common(MOST) if count >= OFTEN]
+    return [{"label": _shown(value, question), "count": count} for value, count in often]
+
+
+def typed_sentence(row: Mapping[str, Any]) -> str:
+    """These numbers in words; empty where there are none."""
+    if not row["typed"]:
+        return ""
+    told = [said("{number} ({n} times)", number=one["label"], n=f"{one['count']}")
+            for one in row["typed"]]  # fmt: skip
+    return said("Other wrong numbers: {numbers}.", numbers=listed(told))
+
+
+def _shown(value: float, question: Number) -> str:
+    return f"{value:g} {question.unit}".strip()
