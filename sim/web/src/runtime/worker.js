@@ -2,6 +2,7 @@
 // Files arrive in parts from the page and are gunzipped while they come; nothing is ever fetched.
 
 import { isNotAllocated, isOutOfMemory } from "./memory.js";
+import { putPicture } from "./picture.js";
 
 /** @type {any} */
 const scope = self;
@@ -130,10 +131,11 @@ async function boot({ lock, snapshot, tableAt, load, modules, entry }) {
       lockFileContents: lock,
       createPyodideModule,
       _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : undefined,
+      _putPicture: putPicture,
       args: [],
       env: { HOME: "/home/pyodide" },
     });
-    python._api.config._loadSnapshot = undefined; // 31 MB that nothing needs any more
+    python._api.config._loadSnapshot = undefined; // 11 MB that nothing needs any more
     progress("python");
     if (snapshot) reseed();
     tellOfImports();
