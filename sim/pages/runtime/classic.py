@@ -18,8 +18,9 @@ PRELUDE = 'self.importScripts = () => { throw new TypeError("no scripts from els
 
 TEMPLATE = """\
 // Pyodide {version}, MPL-2.0, https://github.com/pyodide/pyodide
-// Unchanged but for its import and export, for how the table of functions is filled and how a picture of
-// the memory is put back: see sim/pages/runtime/same_table.py and own_picture.py of Newton's Carts.
+// Unchanged but for its import and export, for how the table of functions is filled and how a
+// picture of the memory is put back: see same_table.py and own_picture.py in sim/pages/runtime of
+// Newton's Carts.
 {prelude}self.__pyodide = {{
   createPyodideModule: (() => {{
 {module}
@@ -34,7 +35,8 @@ TEMPLATE = """\
 
 def classic_script(loader: str, module: str, version: str) -> str:
     """Return pyodide.mjs and pyodide.asm.mjs as a script that sets `self.__pyodide`."""
-    module = _once(takes_our_picture(same_table(module)), r"export default _createPyodideModule;\s*$", "")
+    module = takes_our_picture(same_table(module))
+    module = _once(module, r"export default _createPyodideModule;\s*$", "")
     module = module.replace("import.meta.url", "self.location.href")
     loader = re.sub(r"//# sourceMappingURL=\S+\s*$", "", waits_later(loader))
     loader = _once(

@@ -1,8 +1,8 @@
 """Pyodide takes the picture of the memory in our form, and when it is needed, not before.
 
-As released it takes the whole memory in one piece, and waits for it before it makes the instance that
-the memory is for. Here the instance is made while the picture still comes, and the option `_putPicture`
-puts it there: a function of memory and picture (sim/web/src/runtime/picture.js).
+As released it takes the whole memory in one piece, and waits for it before it makes the instance
+that the memory is for. Here the instance is made while the picture still comes, and the option
+`_putPicture` puts it there: a function of memory and picture (sim/web/src/runtime/picture.js).
 """
 
 from __future__ import annotations
