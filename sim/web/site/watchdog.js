@@ -42,6 +42,7 @@
     if (script && ours.test(script)) failed = "missing";
   }
   // A style sheet that never comes holds back the whole page: it is asked for again, and waited for by nobody.
+  // (Firefox goes on waiting for the first, until its own clock runs out: nothing but ending the page helps.)
   function free() {
     var links = document.querySelectorAll('link[rel="stylesheet"]');
     for (var k = 0; k < links.length; k += 1) if (!links[k].sheet) replace(links[k]);
