@@ -140,7 +140,7 @@ def prepare(context: BrowserContext, fault: Fault, where: str) -> None:
     if fault.earlier:
         page.wait_for_selector(FIELD)
         page.locator(FIELD).first.fill(EARLIER)
-        page.wait_for_timeout(1000)
+        page.wait_for_function(KEPT)
     else:
         page.evaluate(_seed(page, fault.before))
     page.close()

@@ -3417,8 +3417,8 @@
     /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages: packages2, snapshot } = this;
-      const ours = !snapshot || packages2.length > 0 && index.later.length > 0;
-      return ours ? [index.package, ...packages2] : packages2;
+      if (!snapshot) return [index.package, ...packages2];
+      return packages2.length && index.later.length ? [index.rest, ...packages2] : packages2;
     }
     /** @returns {Promise<Started>} */
     async run() {

@@ -1516,8 +1516,8 @@
     /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages, snapshot } = this;
-      const ours = !snapshot || packages.length > 0 && index.later.length > 0;
-      return ours ? [index.package, ...packages] : packages;
+      if (!snapshot) return [index.package, ...packages];
+      return packages.length && index.later.length ? [index.rest, ...packages] : packages;
     }
     /** @returns {Promise<Started>} */
     async run() {
