@@ -139,8 +139,7 @@ def prepare(context: BrowserContext, fault: Fault, where: str) -> None:
     page.goto(where)
     if fault.earlier:
         page.wait_for_selector(FIELD)
-        page.locator(FIELD).first.fill(EARLIER)
-        page.wait_for_function(KEPT)
+        _answered(page, word=EARLIER)
     else:
         page.evaluate(_seed(page, fault.before))
     page.close()
