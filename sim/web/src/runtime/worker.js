@@ -3,6 +3,7 @@
 
 import { isNotAllocated, isOutOfMemory } from "./memory.js";
 import { putPicture } from "./picture.js";
+import { unpackByOurselves } from "./wheel.js";
 
 /** @type {any} */
 const scope = self;
@@ -189,6 +190,7 @@ sys.meta_path.insert(0, Alive)
 
 /** @param {string[]} names */
 async function loadPackages(names) {
+  unpackByOurselves(python);
   const alive = setInterval(() => progress("packages"), 1000);
   try {
     await python.loadPackage(names, { messageCallback: () => {} });
