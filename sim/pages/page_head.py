@@ -155,15 +155,13 @@ def finish(
     with speaking(words(needs.language)):
         watching = watchdog()
     allowed = [script for script in inline_scripts(page) if is_trusted(script, trusted)]
-    allowed.append(watching)
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
-        f'content="{policy(audience, allowed)}">\n'
+        f'content="{policy(audience, [*allowed, watching])}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
-    sheets = ["site.css", "carts.css"]
-    sheets += ["measured.css"] if needs.measured else []
+    sheets = ["site.css", "carts.css", *(["measured.css"] if needs.measured else [])]
     sheets += ["class.css"] if needs.classroom else []
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
     if needs.formulas:
