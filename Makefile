@@ -64,7 +64,7 @@ test-old: site
 test-pythons: node_modules/ready
 	@$(PY) -m tests.pythons
 
-#   make bench         ratios and sizes as a table; AREA=physics, page, runtime ... for a part
+#   make bench         ratios and sizes as a table; AREA=physics, page, start ... for a part
 bench: node_modules/ready browsers
 	@$(PY) -m tests.benchmarks $(AREA)
 

@@ -132,6 +132,7 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
 # the end of its text; without a scene, for the theme's script too, which moves lines on a phone.
 _READ = '<span id="carts-read" hidden></span>\n'
 _WHEN_READ = '<link rel="expect" href="#carts-read" blocking="render">'
+_SHEET = '<link rel="stylesheet"'
 _THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
 
 
@@ -154,18 +155,15 @@ def finish(
     with speaking(words(needs.language)):
         watching = watchdog()
     allowed = [script for script in inline_scripts(page) if is_trusted(script, trusted)]
-    allowed.append(watching)
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
-        f'content="{policy(audience, allowed)}">\n'
+        f'content="{policy(audience, [*allowed, watching])}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
-    last = [f"<script>{watching}</script>"]
-    sheets = ["site.css", "carts.css"]
-    sheets += ["measured.css"] if needs.measured else []
+    sheets = ["site.css", "carts.css", *(["measured.css"] if needs.measured else [])]
     sheets += ["class.css"] if needs.classroom else []
-    last += [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
+    last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
     if needs.formulas:
         last += [
             _WHEN_READ,
@@ -185,6 +183,8 @@ def finish(
     if needs.language != ENGLISH:
         page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{needs.language}"', page, count=1)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
+    # Before all sheets: a script behind one waits for it, for ever if that never comes.
+    page = page.replace(_SHEET, f"<script>{watching}</script>\n{_SHEET}", 1)
     page = _KINDS.sub(lambda html: " ".join([html[0], *kinds_of(needs)]), page, count=1)
     # The theme's search dialog has no name for screen readers.
     return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from playwright.sync_api import BrowserContext, Error, Page
 
-from .table import Fault
+from .table import WORD, Fault
 
 SETTLED = 30.0  # s in which Python starts or fails, on a machine that others use too
 SOON = 5.0  # s within which something must be said
 STEP = 0.1  # s between two looks
 PICTURE = "/assets/images/favicon.png"
-WORD = "an answer"
 EARLIER = "an earlier answer"
 
 STATE = "document.documentElement?.dataset.python ?? ''"
@@ -55,7 +54,6 @@ class Seen:
 
 def look(context: BrowserContext, fault: Fault, where: str, usual: frozenset[str]) -> Seen:
     """Open the page and use it. `usual`: what it says when nothing is wrong."""
-    _prepared(context, fault, where)
     page = context.new_page()
     if fault.without:
         page.add_init_script(fault.without)
@@ -67,7 +65,7 @@ def look(context: BrowserContext, fault: Fault, where: str, usual: frozenset[str
     after = _settled(page, usual, lambda: (time.monotonic() - began) / slow)
     live = page.evaluate(STATE) == "ready"
     again = EARLIER in page.evaluate(BOX)
-    kept = _answered(page, slow)
+    kept = _answered(page, slow, fault.word)
     told = _new(page, usual)
     while not told and not (live and kept) and time.monotonic() - began < SOON * slow:
         page.wait_for_timeout(1000 * STEP)
@@ -76,7 +74,18 @@ def look(context: BrowserContext, fault: Fault, where: str, usual: frozenset[str
         after = 0.0  # said at the key, within `_answered`
     found = Seen(live, kept, page.evaluate(FIELDS), told, after, tuple(page.evaluate(DEAD)), again)
     page.close()
-    return found
+    return replace(found, again=_still(context, where)) if fault.again else found
+
+
+def _still(context: BrowserContext, where: str) -> bool:
+    """Whether the earlier answer is there at one more visit."""
+    page = context.new_page()
+    page.goto(where)
+    page.wait_for_selector(FIELD)
+    page.wait_for_timeout(1000)
+    found = EARLIER in page.evaluate(BOX)
+    page.close()
+    return bool(found)
 
 
 def said(page: Page) -> frozenset[str]:
@@ -106,13 +115,13 @@ def _settled(page: Page, usual: frozenset[str], clock: Callable[[], float]) -> f
     return after
 
 
-def _answered(page: Page, slow: float = 1.0) -> bool:
+def _answered(page: Page, slow: float = 1.0, word: str = WORD) -> bool:
     """Types one answer; whether the page says within `SOON` that it is kept."""
     box = page.locator(FIELD).first
     if not page.locator(FIELD).count():
         return False
     try:
-        box.fill(WORD, timeout=1000 * SOON * slow)
+        box.fill(word, timeout=1000 * SOON * slow)
     except Error:
         return False
     for _ in range(int(SOON * slow / STEP)):
@@ -122,16 +131,15 @@ def _answered(page: Page, slow: float = 1.0) -> bool:
     return False
 
 
-def _prepared(context: BrowserContext, fault: Fault, where: str) -> None:
-    """What was there before this visit."""
+def prepare(context: BrowserContext, fault: Fault, where: str) -> None:
+    """Make what was there before this visit."""
     if not (fault.before or fault.earlier):
         return
     page = context.new_page()
     page.goto(where)
     if fault.earlier:
         page.wait_for_selector(FIELD)
-        page.locator(FIELD).first.fill(EARLIER)
-        page.wait_for_timeout(1000)
+        _answered(page, word=EARLIER)
     else:
         page.evaluate(_seed(page, fault.before))
     page.close()

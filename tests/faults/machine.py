@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from .table import Browser, Fault, Machine, Must
+from .table import WORD, Browser, Fault, Machine, Must
 
 NOBODY = "setpriv --reuid=65534 --regid=65534 --clear-groups"
 
@@ -43,7 +43,7 @@ def _mounted(what: list[str], at: Path) -> Iterator[None]:
 
 @contextmanager
 def full_disk(_: Path, folder: Path) -> Iterator[Browser]:
-    """The disk of the profile is filled to its last byte when the browser runs: `Browser.full`."""
+    """The disk of the profile is filled to its last byte when the visit begins: `Browser.full`."""
     with _mounted(["-t", "tmpfs", "-o", "size=64m", "none"], folder):
         yield Browser(folder, full=True)
 
@@ -98,3 +98,6 @@ MACHINES: dict[str, tuple[Must, Machine]] = {
 def of_machines() -> Iterator[Fault]:
     for name, (must, machine) in MACHINES.items():
         yield Fault(name, must, machine=machine)
+    # What is short still finds place in a file that the browser has begun.
+    name = "a full disk, a long answer in the place of a short one"
+    yield Fault(name, "says", machine=full_disk, earlier=True, again=True, word=WORD * 100_000)

@@ -132,7 +132,8 @@ def of_servers() -> Iterator[Fault]:
         own = only("answers.js", answer)
         yield Fault(f"http, answers.js: {name}", "closed", mode="http", answer=own)
     yield Fault("http, carts.js: no answer", "says", mode="http", answer=only("carts.js", hangs))
-    yield Fault("http, a style: no answer", "blank", mode="http", answer=only("carts.css", hangs))
+    for name in ("carts.css", "stylesheets/main"):  # ours and the theme's
+        yield Fault(f"http, a style, {name}: no answer", mode="http", answer=only(name, hangs))
     for kind in ("text/plain", "application/octet-stream"):
         yield Fault(f"http, scripts: {kind}", mode="http", answer=only(JS, as_type(kind)))
     latin = as_type("text/javascript; charset=iso-8859-1")

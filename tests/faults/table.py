@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal
 
 LESSON = "worksheets/newtons-third-law.html"
+WORD = "an answer"
 PACKAGES = "gallery/balls.html"  # scenes that call for numpy and scipy
 
 Mode = Literal["disk", "http"]
@@ -19,7 +20,7 @@ Must = Literal["lives", "says", "closed", "either", "blank"]
 """What must be seen.
 
 lives: Python answers and an answer is kept, whatever is said beside it.
-says: a message within `SOON`; what still works may work.
+says: a message within `SOON`; what still works may work. What was answered before is still there.
 closed: a message within `SOON`, and no field takes a key.
 either: it lives or it says; where chance decides what a damage hits.
 blank: nothing of the lesson is there, so there is no field that could take a key.
@@ -33,7 +34,7 @@ Answer = Callable[[SimpleHTTPRequestHandler, str], bool]
 @dataclass(frozen=True)
 class Browser:
     """How a browser of its own is started: its profile's folder, what stands in front
-    of its program (`before`), and whether its disk is `full` once it has opened.
+    of its program (`before`), and whether its disk is `full` when the visit begins.
     """
 
     profile: Path
@@ -52,7 +53,8 @@ class Fault:
     `without`: a script that runs before the page's own. `before`: one that another page of the
     site runs to its end first. `slow`: how many times slower this machine is; its clock goes so
     much slower too. `earlier`: a healthy visit has answered before, and that is seen
-    again or its loss is said. `answer`: the server's. `folder`: the name of the site's folder.
+    again or its loss is said; `again`: it is seen at a visit after this one too. `word`: what is
+    typed. `answer`: the server's. `folder`: the name of the site's folder.
     """
 
     name: str
@@ -61,6 +63,8 @@ class Fault:
     without: str = ""
     before: str = ""
     earlier: bool = False
+    again: bool = False
+    word: str = WORD
     mode: Mode = "disk"
     folder: str = "site"
     answer: Answer | None = None

@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,7 +18,7 @@ from playwright.sync_api import Browser, BrowserContext, Error, Playwright
 
 from tests.web.conftest import LAUNCH
 
-from .look import SETTLED, SOON, Seen, look
+from .look import SETTLED, SOON, Seen, look, prepare
 from .machine import NotHereError
 from .table import PACKAGES, Fault
 from .table import Browser as Own
@@ -40,6 +40,10 @@ class Row:
 
     def __str__(self) -> str:
         return f"{self.name:48} {self.verdict:8} {self.live:22} {self.told[:100]}"
+
+
+Opened = tuple[BrowserContext, Callable[[], None]]
+"""A browser, and what happens to its machine when the visits of before are over."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +99,7 @@ def address(fault: Fault, top: Path) -> Iterator[str]:
 
 
 @contextmanager
-def _own(bench: Bench, own: Own, folder: Path) -> Iterator[BrowserContext]:
+def _own(bench: Bench, own: Own, folder: Path) -> Iterator[Opened]:
     """A browser of its own on a changed machine."""
     program = folder / "browser"
     real = LAUNCH["chromium"]["executable_path"]
@@ -107,14 +111,16 @@ def _own(bench: Bench, own: Own, folder: Path) -> Iterator[BrowserContext]:
     )
     context.set_default_timeout(90_000)
     filler = own.profile / "filler"
-    if own.full:
-        _fill(filler)
     try:
-        yield context
+        yield context, functools.partial(_fill, filler) if own.full else _nothing
     finally:
         filler.unlink(missing_ok=True)
         with suppress(Exception):  # a browser without memory may be gone
             context.close()
+
+
+def _nothing() -> None:
+    pass
 
 
 def _fill(filler: Path) -> None:
@@ -128,17 +134,17 @@ def _fill(filler: Path) -> None:
 
 
 @contextmanager
-def context_of(fault: Fault, bench: Bench, site: Path, folder: Path) -> Iterator[BrowserContext]:
+def context_of(fault: Fault, bench: Bench, site: Path, folder: Path) -> Iterator[Opened]:
     if fault.machine is None:
         context = bench.browser.new_context()
         context.set_default_timeout(1000 * SETTLED)
-        yield context
+        yield context, _nothing
         context.close()
         return
     profile = folder / "profile"
     profile.mkdir()
-    with fault.machine(site, profile) as own, _own(bench, own, folder) as context:
-        yield context
+    with fault.machine(site, profile) as own, _own(bench, own, folder) as opened:
+        yield opened
 
 
 def tried(bench: Bench, fault: Fault, usual: frozenset[str]) -> Row:
@@ -150,7 +156,10 @@ def tried(bench: Bench, fault: Fault, usual: frozenset[str]) -> Row:
         shutil.copytree(bench.whole, site, copy_function=os.link)
         fault.harm(site)
         try:
-            with address(fault, folder) as where, context_of(fault, bench, site, folder) as context:
+            with address(fault, folder) as where, context_of(fault, bench, site, folder) as opened:
+                context, worsen = opened
+                prepare(context, fault, where)
+                worsen()
                 return _row(fault, look(context, fault, where, usual))
         except NotHereError as lack:
             return Row(fault.name, UNTRIED, "", str(lack))
@@ -166,7 +175,7 @@ def _row(fault: Fault, seen: Seen) -> Row:
     closed = seen.said and not seen.fields
     right = {
         "lives": lives,
-        "says": seen.said,
+        "says": seen.said and (seen.again or not fault.earlier),
         "closed": closed,
         "either": lives or seen.said,
         "blank": not seen.fields and not seen.live,

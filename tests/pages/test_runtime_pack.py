@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import base64
 import gzip
+import io
 import json
 import os
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -88,6 +90,21 @@ def test_the_page_gets_bytecode_and_no_sources(packed: RuntimeFacts) -> None:
         with zipfile.ZipFile(io.BytesIO(payload(packed.folder, name))) as archive:
             assert not [n for n in archive.namelist() if n.endswith(".py")]
             assert [n for n in archive.namelist() if n.endswith(".pyc")]
+
+
+def test_modules_that_are_not_in_the_picture_have_a_wheel_of_their_own(
+    packed: RuntimeFacts,
+) -> None:
+    index = read_index(packed.folder)
+    with zipfile.ZipFile(
+        io.BytesIO(payload(packed.folder, index["wheels"][index["rest"]]))
+    ) as rest:
+        modules = {name for name in rest.namelist() if name.endswith(".pyc")}
+    named = {name.replace(".", "/") for name in index["later"]}
+    assert modules == {
+        f"{name}/__init__.pyc" if f"{name}/__init__.pyc" in modules else f"{name}.pyc"
+        for name in named
+    }
 
 
 def test_the_lock_has_the_hash_of_our_wheel(packed: RuntimeFacts) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 
 from .node import RuntimePackError
+from .own_picture import takes_our_picture, waits_later
 from .same_table import same_table
 
 # Pyodide recognises a classic worker by an importScripts that works. Nothing here may load scripts.
@@ -17,8 +18,9 @@ PRELUDE = 'self.importScripts = () => { throw new TypeError("no scripts from els
 
 TEMPLATE = """\
 // Pyodide {version}, MPL-2.0, https://github.com/pyodide/pyodide
-// Unchanged but for its import and export, and for how the table of functions is filled:
-// see sim/pages/runtime/same_table.py of Newton's Carts.
+// Unchanged but for its import and export, for how the table of functions is filled and how a
+// picture of the memory is put back: see same_table.py and own_picture.py in sim/pages/runtime of
+// Newton's Carts.
 {prelude}self.__pyodide = {{
   createPyodideModule: (() => {{
 {module}
@@ -33,9 +35,10 @@ TEMPLATE = """\
 
 def classic_script(loader: str, module: str, version: str) -> str:
     """Return pyodide.mjs and pyodide.asm.mjs as a script that sets `self.__pyodide`."""
-    module = _once(same_table(module), r"export default _createPyodideModule;\s*$", "")
+    module = takes_our_picture(same_table(module))
+    module = _once(module, r"export default _createPyodideModule;\s*$", "")
     module = module.replace("import.meta.url", "self.location.href")
-    loader = re.sub(r"//# sourceMappingURL=\S+\s*$", "", loader)
+    loader = re.sub(r"//# sourceMappingURL=\S+\s*$", "", waits_later(loader))
     loader = _once(
         loader,
         r"export\{(\w+) as loadPyodide,(\w+) as version\};\s*$",

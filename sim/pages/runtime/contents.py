@@ -16,6 +16,7 @@ from .node import code_key, node_version
 from .ours import ENTRY, NAME, Ours
 from .packages import MORE, make_packages, more_of_stdlib
 from .payload import Payload, payload_from_json, write_payload
+from .rest_wheel import REST, make_rest_wheel
 from .snapshot import make_start
 from .stdlib import compiled_stdlib
 
@@ -57,12 +58,14 @@ def make_contents(
         STDLIB: start.stdlib.read_bytes(),
     }
     wheels = {NAME: start.wheel}
+    if start.used.later:
+        wheels[REST] = make_rest_wheel(start.wheel, start.used.later, ours, cache)
     more: list[str] = []
     if originals:
         packages = make_packages(originals, core, stdlib, cache, report)
         wheels |= packages.wheels
         more += packages.used
-    ours_too = {NAME}
+    ours_too = {NAME, REST}
     for extra in extras:
         ours_too.add(extra.name)
         made = make_extra_wheel(core, stdlib, start.wheel, extra, cache)
@@ -81,6 +84,7 @@ def make_contents(
         **versions,
         "entry": ENTRY,
         "package": NAME,
+        "rest": REST,
         "later": list(start.used.later),
         "tableAt": table_at,
         "files": {payload.name: payload.as_json() for _, payload in payloads},

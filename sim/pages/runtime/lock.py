@@ -21,6 +21,7 @@ Lock = dict[str, object]  # pyodide-lock.json, as plain values
 # What a wheel offers for import. The tool looks for .py files, and there are none left.
 IMPORTS = {
     "newtons-carts": ["sim"],
+    "newtons-carts-rest": ["sim"],
     "newtons-carts-class": ["sim.classroom"],
     "newtons-carts-teacher": ["sim.pages"],
     "newtons-carts-measured": ["sim.measured"],

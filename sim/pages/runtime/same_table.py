@@ -46,19 +46,20 @@ def same_table(module: str) -> str:
 
     Raises RuntimePackError where the text is not that of the release which this was written for.
     """
-    module = _once(module, _STARTS, f"{_STARTS};{_BY_NAME}")
-    module = _once(
+    module = once(module, _STARTS, f"{_STARTS};{_BY_NAME}")
+    module = once(
         module, _WAY, "return functionsInTableMap.get(func)||own?.[func.name]||0};var own;"
     )
-    module = _once(module, _DONE, f"{_DONE}own=undefined;")  # other modules number theirs anew
-    module = _once(module, _FAILS, _FAILS.replace("return 0", "return inJS()"))
+    module = once(module, _DONE, f"{_DONE}own=undefined;")  # other modules number theirs anew
+    module = once(module, _FAILS, _FAILS.replace("return 0", "return inJS()"))
     found = re.findall(_POSES, module)
     if len(found) != 1:
         raise RuntimePackError(f"Pyodide's text asks {len(found)} times for iOS, once was expected")
     return module.replace(found[0], _IN_JS)
 
 
-def _once(text: str, old: str, new: str) -> str:
+def once(text: str, old: str, new: str) -> str:
+    """Return `text` with `new` for `old`. Raises RuntimePackError if `old` is not there once."""
     if (count := text.count(old)) != 1:
         raise RuntimePackError(f"Pyodide's text has {count} times {old!r}, once was expected")
     return text.replace(old, new)

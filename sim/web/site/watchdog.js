@@ -41,12 +41,27 @@
     var script = event.target && event.target.src;
     if (script && ours.test(script)) failed = "missing";
   }
+  // A style sheet that never comes holds back the whole page: it is asked for again, and waited for by nobody.
+  // (Firefox goes on waiting for the first, until its own clock runs out: nothing but ending the page helps.)
+  function free() {
+    var links = document.querySelectorAll('link[rel="stylesheet"]');
+    for (var k = 0; k < links.length; k += 1) if (!links[k].sheet) replace(links[k]);
+  }
+  function replace(link) {
+    var again = link.cloneNode(false);
+    again.media = "print";
+    again.onload = function () {
+      again.media = link.media || "all";
+    };
+    link.parentNode.replaceChild(again, link);
+  }
   window.addEventListener("error", hear, true);
   document.addEventListener("DOMContentLoaded", function () {
     loaded = true;
     look();
   });
   setTimeout(function () {
+    free();
     if (!loaded && document.body) look();
   }, 3000);
 })();

@@ -1,6 +1,8 @@
 // Takes a picture of Python's memory with our package imported and used once.
 import { boot, helpers, job, read, write } from "./boot.mjs";
+import { catchFresh, sparse } from "./sparse.mjs";
 
+const fresh = catchFresh();
 const pyodide = await boot(job, { _makeSnapshot: true });
 const heap = pyodide._module.HEAP8.length;
 // Where `loadPackage` puts what a page loads later: those modules are then found beside these.
@@ -36,4 +38,4 @@ if (module.HEAP8.length !== heap) {
   // A snapshot larger than the memory Pyodide starts with can't be restored.
   throw new Error(`our package needs ${module.HEAP8.length} bytes of memory to start, more than ${heap}`);
 }
-write(job.out, pyodide.makeMemorySnapshot());
+write(job.out, sparse(pyodide.makeMemorySnapshot(), fresh.memory));

@@ -13,7 +13,8 @@ import { PATIENCE, watch } from "./watch.js";
  * @property {object} lock
  * @property {string} entry
  * @property {string} package
- * @property {string[]} later modules of ours that need numpy or scipy
+ * @property {string} rest the package of `later`
+ * @property {string[]} later modules of ours that need numpy or scipy: they are not in the snapshot
  * @property {number} tableAt where python-more.zip goes on from python.zip
  * @property {string} missing
  */

@@ -1,6 +1,7 @@
 // One attempt at starting Python: loads the files, starts the worker, gives it all it needs.
 import { RuntimeFailure } from "./failure.js";
 import { gunzip, loadPart } from "./payload.js";
+import { Unpacker, workerOf } from "./unpack.js";
 import { compile, compileFailure } from "./wasm.js";
 import { LOST, SLOW_AFTER, watch } from "./watch.js";
 // @ts-expect-error: the bundler puts the worker's text here
@@ -37,6 +38,8 @@ export class Start {
     this.snapshot = snapshot;
     /** @type {Worker | null} */
     this.worker = null;
+    /** @type {Unpacker | null} */
+    this.unpacker = null;
     this.over = false;
     this.done = 0;
     /** @type {string[]} */
@@ -61,8 +64,8 @@ export class Start {
   /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
   toLoad() {
     const { index, packages, snapshot } = this;
-    const ours = !snapshot || (packages.length > 0 && index.later.length > 0);
-    return ours ? [index.package, ...packages] : packages;
+    if (!snapshot) return [index.package, ...packages];
+    return packages.length && index.later.length ? [index.rest, ...packages] : packages;
   }
 
   /** @returns {Promise<Started>} */
@@ -75,8 +78,9 @@ export class Start {
     this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
     this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
     try {
-      const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
-      return await Promise.race([failed, this.boot(parts, reject)]);
+      const unpacker = new Unpacker(reject);
+      this.unpacker = unpacker;
+      return await Promise.race([failed, this.boot(unpacker, reject)]);
     } catch (error) {
       this.worker?.terminate();
       throw error;
@@ -84,6 +88,7 @@ export class Start {
       this.over = true;
       this.slow.stop();
       this.watch.stop();
+      this.unpacker?.stop();
     }
   }
 
@@ -120,16 +125,21 @@ export class Start {
   }
 
   /**
-   * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+   * @param {Unpacker} unpacker
    * @param {(error: RuntimeFailure) => void} reject
    * @returns {Promise<any>}
    */
-  async boot(parts, reject) {
-    const compiling = this.module(parts.get(WASM) ?? []);
+  async boot(unpacker, reject) {
+    const load = (/** @type {string} */ name) => this.load(name, reject);
+    const loading = load(LOADER);
+    await Promise.all(loading); // before all else: a worker takes its time to start
+    const compiling = this.module(this.names.includes(WASM) ? load(WASM) : []);
     compiling.catch((error) => reject(compileFailure(error)));
-    const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+    const rest = this.names.filter((name) => name !== LOADER && name !== WASM);
+    const files = rest.map((name) => ({ name, unpacked: unpacker.unpack(name, load(name)) }));
+    const loader = await gunzip(await Promise.all(loading));
     if (this.over) return null;
-    const { worker, address } = startWorker(loader);
+    const { worker, address } = workerOf([loader, workerText]);
     this.worker = worker;
     const ready = new Promise((resolve) => {
       worker.onmessage = ({ data }) => {
@@ -155,7 +165,9 @@ export class Start {
       load: this.toLoad(),
       modules: packages.length ? [...packages, ...index.later] : [],
     });
-    for (const [name, its] of parts) if (name !== LOADER && name !== WASM) this.send(name, its);
+    for (const { name, unpacked } of files) {
+      unpacked.then((bytes) => worker.postMessage({ do: "file", name, bytes }, [bytes]));
+    }
     worker.postMessage({ do: "wasm", module: await compiling });
     this.progress(WASM);
     const { start } = await ready;
@@ -168,28 +180,5 @@ export class Start {
     const module = modules.get(this.folder) ?? (await compile(parts));
     modules.set(this.folder, module);
     return module;
-  }
-
-  /**
-   * @param {string} name
-   * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
-   */
-  async send(name, parts) {
-    for (const [number, part] of parts.entries()) {
-      const bytes = await part;
-      if (this.over) return;
-      const last = number === parts.length - 1;
-      this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
-    }
-  }
-}
-
-/** @param {ArrayBuffer} loader */
-function startWorker(loader) {
-  const address = URL.createObjectURL(new Blob([loader, workerText], { type: "text/javascript" }));
-  try {
-    return { worker: new Worker(address), address };
-  } catch (error) {
-    throw new RuntimeFailure("worker-refused", String(error));
   }
 }

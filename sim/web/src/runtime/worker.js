@@ -1,7 +1,9 @@
 // Python's side of the page: runs in a classic worker made of a Blob, right after Pyodide's own script.
-// Files arrive in parts from the page and are gunzipped while they come; nothing is ever fetched.
+// Files arrive from the page, unpacked; nothing is ever fetched.
 
 import { isNotAllocated, isOutOfMemory } from "./memory.js";
+import { putPicture } from "./picture.js";
+import { unpackByOurselves } from "./wheel.js";
 
 /** @type {any} */
 const scope = self;
@@ -13,7 +15,7 @@ const MORE = "python-more.zip";
 
 /** @type {Promise<Response>} */
 let stdlib;
-/** @type {Map<string, {writer: WritableStreamDefaultWriter, response: Response}>} */
+/** @type {Map<string, {come: Promise<Uint8Array<ArrayBuffer>>, take: (bytes: Uint8Array<ArrayBuffer>) => void}>} */
 const files = new Map();
 
 /** @type {any} */
@@ -35,34 +37,29 @@ const fail = (reason, error, name = "") =>
 /** @param {string} stage */
 const progress = (stage) => tell({ tell: "progress", stage });
 
-/** The file as it will be once all of it has come. @param {string} name */
-function file(name) {
-  let found = files.get(name);
-  if (!found) {
-    const zip = new DecompressionStream("gzip");
-    found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };
-    files.set(name, found);
-  }
-  return found;
-}
-
-/** @param {{name: string, bytes: Uint8Array, last: boolean}} part */
-function take({ name, bytes, last }) {
-  const { writer } = file(name);
-  const damaged = (/** @type {unknown} */ error) => fail("payload-damaged", error, name);
-  writer.write(bytes).catch(damaged);
-  if (last) writer.close().catch(damaged);
-}
-
 /** @param {string} name */
-const bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());
+function file(name) {
+  const known = files.get(name);
+  if (known) return known;
+  let take = (/** @type {Uint8Array<ArrayBuffer>} */ _) => {};
+  /** @type {Promise<Uint8Array<ArrayBuffer>>} */
+  const come = new Promise((resolve) => {
+    take = resolve;
+  });
+  const made = { come, take };
+  files.set(name, made);
+  return made;
+}
+
+/** The file, once all of it has come. @param {string} name */
+const bytesOf = (name) => file(name).come;
 
 /** Pyodide asks for its files here. @param {string | URL | Request} address */
 scope.fetch = async (address) => {
   const name = String(address).split("/").pop() ?? "";
   if (name === WASM) return new Response(); // see useCompiledWasm
   if (name === STDLIB) return stdlib;
-  return file(name).response;
+  return new Response(await bytesOf(name)); // of a Blob WebKit makes none on a disk
 };
 
 /**
@@ -72,12 +69,12 @@ scope.fetch = async (address) => {
  * @param {number} tableAt where the table of contents starts, or 0 for the first part alone
  */
 async function wholeStdlib(tableAt) {
-  if (!tableAt) return file(STDLIB).response;
+  if (!tableAt) return new Response(await bytesOf(STDLIB));
   const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);
   const whole = new Uint8Array(tableAt + more.length);
   whole.set(first.subarray(0, tableAt));
   whole.set(more, tableAt);
-  return new Response(whole); // of a Blob WebKit makes none on a disk
+  return new Response(whole);
 }
 
 /** @type {(module: WebAssembly.Module) => void} */
@@ -130,10 +127,11 @@ async function boot({ lock, snapshot, tableAt, load, modules, entry }) {
       lockFileContents: lock,
       createPyodideModule,
       _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : undefined,
+      _putPicture: putPicture,
       args: [],
       env: { HOME: "/home/pyodide" },
     });
-    python._api.config._loadSnapshot = undefined; // 31 MB that nothing needs any more
+    python._api.config._loadSnapshot = undefined; // 11 MB that nothing needs any more
     progress("python");
     if (snapshot) reseed();
     tellOfImports();
@@ -192,6 +190,7 @@ sys.meta_path.insert(0, Alive)
 
 /** @param {string[]} names */
 async function loadPackages(names) {
+  unpackByOurselves(python);
   const alive = setInterval(() => progress("packages"), 1000);
   try {
     await python.loadPackage(names, { messageCallback: () => {} });
@@ -233,7 +232,7 @@ function isDead() {
 
 scope.onmessage = (/** @type {MessageEvent} */ { data }) => {
   if (data.do === "boot") boot(data);
-  else if (data.do === "part") take(data);
+  else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));
   else if (data.do === "wasm") giveWasm(data.module);
   else if (data.do === "request") respond(data);
 };
