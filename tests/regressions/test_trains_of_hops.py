@@ -13,21 +13,22 @@ from sim.scene import read_scene
 from tests.fuzz.kinds import scene_of
 
 SERIES = {
-    ("collisions", 42, 0.5): (1050, (-0.0977580093663780, -0.0956334093382269)),
-    ("overlaps", 71, 2.0): (1220, (-0.2851721435351572, -0.0861597388961339)),
-    ("dead bumpers", 65, 0.3): (1500, (0.2657718610418871, 0.4631545489703450)),
+    ("collisions", 42, 0.5): (1050, 110, (-0.0977580093663780, -0.0956334093382269)),
+    ("overlaps", 71, 2.0): (1220, 330, (-0.2851721435351572, -0.0861597388961339)),
+    ("dead bumpers", 65, 0.3): (1500, 220, (0.2657718610418871, 0.4631545489703450)),
 }
-"""Kind, number, end [s]: the most solvers (the series took up to twice as many), places [m]."""
+"""Kind, number, end [s]: the most solvers (the series took up to twice as many), the most of them
+steps of the series (one that rests while the other hops is one of them), places [m]."""
 
 
 @pytest.mark.parametrize("kind, seed, until", SERIES)
 def test_a_train_of_hops_takes_one_phase_from_change_to_change(
     kind: str, seed: int, until: float
 ) -> None:
-    most, places = SERIES[kind, seed, until]
+    most, steps, places = SERIES[kind, seed, until]
     done = run(read_scene(scene_of(kind, seed) | {"until": until}))
     assert sum(done.solvers.values()) <= most
-    assert done.solvers["power-series"] <= 110
+    assert done.solvers["power-series"] <= steps
     assert done.x == pytest.approx(places, rel=1e-11)
     assert done.ledger.imbalance() < 1e-12
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     pass
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class CoupledGroup:
     """One step of a row of bodies from `begun`, for `duration` s.
 
