@@ -34,11 +34,13 @@ CLEARLY = 1e4
 """Times that. From so much room on the search for the next touch is not led astray by rounding."""
 
 
-def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
-    """Seconds from `now` to the touch of two free neighbours; inf if there is none in sight."""
+def next_touch(gap: Gap, own_separation: bool = False) -> float:
+    """Seconds from now to the touch of two free neighbours; inf if there is none in sight."""
     law = gap.law
     if gap.rate < 0.0:
-        room = gap.room + resting(gap)
+        room = gap.room
+        if room < 0.0:
+            room += resting(gap)
         if room <= 0.0 and law is not None and not law.recontacts and _is_last_bit(gap):
             return math.inf
         return max(0.0, room / -gap.rate)
