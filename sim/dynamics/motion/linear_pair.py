@@ -22,7 +22,7 @@ from sim.dynamics.motion.oscillation import Oscillation, rate_of
 from sim.dynamics.motion.series import REACH, is_rounding
 from sim.dynamics.motion.step_ends import FINAL
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.flips import NO_MOTION, margin
 from sim.dynamics.state.loads import Load
@@ -134,15 +134,19 @@ class LinearPair:
         summed = between.sum(t) if gap.loose else 0.0
         if gap.touching is None:
             return [Part(over, rate, summed=summed)]
-        seen = []
-        for when in between.greatest(branch.kappa, branch.gamma, t) if peaks else ():
-            a, b = (self.state(self.side(body), when)[1] for body in self.bodies)
-            seen.append((when, branch.force(*between.over(when)), self._impulse(when), (a, b)))
+        seen: tuple[PeakSoFar, ...] = ()
+        if peaks:
+            times = between.greatest(branch.kappa, branch.gamma, t)
+            forces = ((when, branch.force(*between.over(when))) for when in times)
+            if (found := gap.touching.greatest(forces)) is not None:
+                when, force = found
+                a, b = (self.state(self.side(body), when)[1] for body in self.bodies)
+                seen = ((when, force, self._impulse(when), (a, b)),)
         loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
         if gap.law is not None:
             loss += gap.law.kept(branch, between.o0, over)
         pushed, deepest = self._impulse(t), between.deepest(t)
-        return [Part(over, rate, pushed, loss, deepest, tuple(seen), summed)]
+        return [Part(over, rate, pushed, loss, deepest, seen, summed)]
 
     def book(self, accounts: Accounts, t: float) -> None:
         """Impulses from outside and work, by name."""
