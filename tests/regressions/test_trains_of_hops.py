@@ -6,6 +6,9 @@ the end is where the power series, step by step, had it.
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 import pytest
 
 from sim.dynamics.loop.run import run
@@ -48,3 +51,41 @@ def test_the_last_bit_of_a_velocity_is_not_handed_to_and_fro_between_dead_bumper
     done = run(read_scene(scene), max_events=5000)
     assert done.stopped is None
     assert done.x == pytest.approx(LAST_BIT_PLACES, rel=1e-9)
+
+
+HOP = 1e-9
+"""Relative. A hop is a millionth of the run; its two ends are known to 1e-16 of the run."""
+
+
+def test_a_cart_that_hops_on_one_at_rest_flies_a_parabola_and_the_other_stands() -> None:
+    scene = read_scene(
+        {
+            "carts": {
+                "A": {"mass": 2.2, "position": 0.1, "velocity": 1},
+                "B": {"mass": 1, "position": 0.3, "velocity": 0.5},
+            },
+            "track": {"left": "open", "right": "wall", "length": 0.5479},
+            "contact": {
+                "law": "bumper",
+                "pairs": {
+                    "A-B": {"restitution": 0.01, "stiffness": 5800},
+                    "B-right": {"restitution": 0, "stiffness": 12700},
+                },
+            },
+            "effects": [{"incline": {"angle": "5 deg"}}],
+            "until": 2,
+        }
+    )
+    done = run(scene)
+    downhill = 9.81 * math.sin(math.radians(5))
+    told = [
+        e for e in done.record.events if e.bodies == ("A", "B") and e.kind not in ("peak", "end")
+    ]
+    hops = [(a, b) for a, b in pairwise(told[-40:]) if a.kind == "separate"]
+    assert len(hops) >= 19
+    for parted, touched in hops:
+        speed = -parted.after["A"]  # uphill
+        assert touched.t - parted.t == pytest.approx(2.0 * speed / downhill, rel=HOP)
+        assert touched.before["A"] == pytest.approx(speed, rel=HOP)
+        assert parted.after["B"] == pytest.approx(0.0, abs=1e-12)
+    assert done.v[1] == 0.0  # not what rounding left of it when it was caught

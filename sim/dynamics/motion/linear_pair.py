@@ -30,7 +30,7 @@ from sim.laws.branch import Branch, Guard
 from sim.laws.damped_oscillation import Rate
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class LinearPair:
     """One branch of a pair's motion from `begun`, for `duration` s."""
 

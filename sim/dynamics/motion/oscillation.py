@@ -27,7 +27,7 @@ def rate_of(stiff: float, damp: float, mu: float) -> Rate:
     return Rate(w0, beta, w, "under" if beta < w0 else "over")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Oscillation:
     """o'' + 2 beta o' + w0² (o − centre) = 0 from o0 [m] and u [m/s]."""
 

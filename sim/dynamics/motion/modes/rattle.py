@@ -88,8 +88,8 @@ def _amplitudes(row: Row, found: Swings, begun: Begun) -> Swinging | None:
 def _well_told(begun: Begun, found: Swings, modes: Swinging) -> float:
     """s. How long the overlaps are told well."""
     longest = math.inf
-    for o, shape in zip(begun.over, found.over, strict=True):
-        fast = sum(map(mul, modes.sizes, map(abs, shape.in_rate)))
+    for o, shape, ways in zip(begun.over, found.over, found.ways, strict=True):
+        fast = sum(map(mul, modes.sizes, ways))
         if fast > 0.0:
             swing = sum(map(mul, modes.sizes, shape.size_in_value))
             longest = min(longest, LONGEST * (abs(o[0]) + swing) / fast)

@@ -62,6 +62,7 @@ class Swings:
     push: tuple[Shape, ...]
     growth: tuple[Shape, ...]
     speed: tuple[Shape, ...]
+    ways: tuple[tuple[float, ...], ...]  # of each overlap, |b/z|
     stiffest: tuple[int, ...]  # gaps, the stiffest first
     fastest: float  # 1/s, of what rings; 0 where nothing does
     pace: float  # 1/s, of all; 1 where there is none
@@ -146,6 +147,7 @@ def _told(
         tuple(shape_of(own, rates) for own in bent),
         tuple(shape_of(tuple(map(mul, own, rates)), rates) for own in bent),
         tuple(shape_of(own, rates) for own in speeds),
+        tuple(tuple([abs(y / z) for y, z in zip(own, rates, strict=True)]) for own in over),
         tuple(sorted(range(count), key=lambda k: -kappa[k])),
         max((abs(z) for z in rates if z.imag), default=0.0),
         max(map(abs, rates), default=1.0),
