@@ -174,9 +174,12 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     """
     a, b = bodies
     branch, mu = branch_of(gap), gap.mu
-    bounds = [link.bounds(gap.room) for link in gap.links]
-    stiff = branch.kappa + math.fsum(k for k, _ in bounds)
-    damp = branch.gamma + math.fsum(c for _, c in bounds)
+    stiff, damp, free = branch.kappa, branch.gamma, 0.0
+    if gap.links:
+        bounds = [link.bounds(gap.room) for link in gap.links]
+        stiff += math.fsum([k for k, _ in bounds])
+        damp += math.fsum([c for _, c in bounds])
+        free = math.fsum([link.force(0.0, 0.0) for link in gap.links])
     drag = a.load.linear + b.load.linear  # one of them is a wall, or there is none
     rate = rate_of(stiff, damp + drag, mu)
     if rate.w0 * limit <= REACH:
@@ -185,7 +188,7 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     pull = own - b.load.steady / b.mass
     if is_rounding(pull, own):
         pull = 0.0
-    free = math.fsum(link.force(0.0, 0.0) for link in gap.links) - branch.kappa * branch.rest
+    free -= branch.kappa * branch.rest
     between = Oscillation(rate, (mu * pull - free) / stiff, -gap.room, -gap.rate)
     total = a.mass + b.mass
     drift = (0.0, 0.0)
