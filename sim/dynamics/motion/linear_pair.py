@@ -135,13 +135,11 @@ class LinearPair:
         if gap.touching is None:
             return [Part(over, rate, summed=summed)]
         seen: tuple[PeakSoFar, ...] = ()
-        if peaks:
-            times = between.greatest(branch.kappa, branch.gamma, t)
-            forces = ((when, branch.force(*between.over(when))) for when in times)
-            if (found := gap.touching.greatest(forces)) is not None:
-                when, force = found
-                a, b = (self.state(self.side(body), when)[1] for body in self.bodies)
-                seen = ((when, force, self._impulse(when), (a, b)),)
+        times = between.greatest(branch.kappa, branch.gamma, t) if peaks else ()
+        forces = ((when, branch.force(*between.over(when))) for when in times)
+        if (found := gap.touching.greatest(forces)) is not None:
+            a, b = (self.state(self.side(body), found[0])[1] for body in self.bodies)
+            seen = ((*found, self._impulse(found[0]), (a, b)),)
         loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
         if gap.law is not None:
             loss += gap.law.kept(branch, between.o0, over)

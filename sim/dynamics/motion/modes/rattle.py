@@ -28,6 +28,10 @@ LONGEST = 32.0
 """Radians of the fastest swing; and of an overlap, the way at its rates up to the end of a phase:
 q1 t and the sum of modes cancel to what is left of both, five bits then."""
 
+TOGETHER = 4e-16
+"""Relative. Two ends nearer in time than the search tells come at once, as where gaps on both sides
+of a cart part: taken one after the other the second would cost a step without motion."""
+
 WHOLE = 1e-13
 """Of all second derivatives, weighed as energies: so well do modes give what they are made of."""
 
@@ -146,12 +150,13 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
             if guard.of == "push":
                 return None
             sign = -1.0 if guard.rises else 1.0
-            t = first_fall(_guarded(told, k, guard), modes, duration, sign, guard.level)
+            here = _guarded(told, k, guard)
+            t = first_fall(here, modes, duration * (1.0 + TOGETHER), sign, guard.level)
             if t is not None:
-                if t < duration:
+                if t < duration * (1.0 - TOGETHER):
                     ends.clear()
                 ends.append(End(guard.cause, k))
-                duration = t
+                duration = min(t, duration)
     for i, body in enumerate(told.bodies):
         if body.sliding and body.load.static:
             if body.v == 0.0:
