@@ -143,8 +143,7 @@ class LinearPair:
         loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
         if gap.law is not None:
             loss += gap.law.kept(branch, between.o0, over)
-        pushed, deepest = self._impulse(t), between.deepest(t)
-        return [Part(over, rate, pushed, loss, deepest, seen, summed)]
+        return [Part(over, rate, self._impulse(t), loss, between.deepest(t), seen, summed)]
 
     def book(self, accounts: Accounts, t: float) -> None:
         """Impulses from outside and work, by name."""
