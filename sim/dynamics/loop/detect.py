@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.loop import recontact
+from sim.dynamics.loop import parabolas, recontact
 from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
-from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
@@ -35,11 +34,13 @@ CLEARLY = 1e4
 """Times that. From so much room on the search for the next touch is not led astray by rounding."""
 
 
-def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
-    """Seconds from `now` to the touch of two free neighbours; inf if there is none in sight."""
+def next_touch(gap: Gap, own_separation: bool = False) -> float:
+    """Seconds from now to the touch of two free neighbours; inf if there is none in sight."""
     law = gap.law
     if gap.rate < 0.0:
-        room = gap.room + resting(gap)
+        room = gap.room
+        if room < 0.0:
+            room += resting(gap)
         if room <= 0.0 and law is not None and not law.recontacts and _is_last_bit(gap):
             return math.inf
         return max(0.0, room / -gap.rate)
@@ -70,12 +71,12 @@ def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False
     if gap.room < 0.0 and gap.law is not None and gap.law.recontacts:
         return _pushed_again(gap, gap.law, now, horizon, own_separation)
     rest = resting(gap)
-    if rest == 0.0 and _is_parabola(gap.left) and _is_parabola(gap.right):
-        own = _steady(gap.right)
-        relative = own - _steady(gap.left)
-        if is_rounding(relative, own):
-            relative = 0.0
-        found = first_fall_of_parabola(max(gap.room, 0.0), gap.rate, relative)
+    both = parabolas.is_parabola(gap.left) and parabolas.is_parabola(gap.right)
+    relative = parabolas.relative(gap) if both else 0.0
+    if both and rest > 0.0 and not no_approach(gap, now):
+        return parabolas.with_memory(gap, now, rest, relative, horizon)
+    if both and rest == 0.0:
+        found = parabolas.first_fall(max(gap.room, 0.0), gap.rate, relative)
         return found if found <= horizon else math.inf
     fastest = _speeds(gap.left, now, horizon)[1]
     slowest = _speeds(gap.right, now, horizon)[0]
@@ -134,31 +135,6 @@ def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> floa
     gap.clear_at = later(now, clear)
     found = _first_fall(gap, now, clear, horizon, 0.0, +1.0)
     return math.inf if found is None else found
-
-
-def first_fall_of_parabola(room: float, rate: float, a: float) -> float:
-    """First t > 0 (or 0) at which room + rate t + a t²/2, room >= 0, falls to zero; inf if never.
-
-    The form of the root is chosen so that nothing cancels: 4e-17 relative at a = 1e-12.
-    """
-    if room == 0.0 and (rate < 0.0 or (rate == 0.0 and a < 0.0)):
-        return 0.0
-    square = rate * rate - 2.0 * a * room
-    if square < 0.0:
-        return math.inf
-    root = math.sqrt(square)
-    if rate < 0.0:
-        return 2.0 * room / (root - rate)
-    return (rate + root) / -a if a < 0.0 else math.inf
-
-
-def _is_parabola(body: Body) -> bool:
-    motion = body.motion
-    return motion is None or motion.parabolic
-
-
-def _steady(body: Body) -> float:
-    return 0.0 if body.motion is None else body.motion.state(0.0, 0.0)[2]
 
 
 def _speeds(body: Body, now: Time, horizon: float) -> tuple[float, float]:

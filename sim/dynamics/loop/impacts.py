@@ -73,9 +73,10 @@ def instant(
     record.event("contact", gap, now, before, (left.v, right.v), impulse, None)
     if stays:
         gap.touching = Touching(now, before)
-    for body in (left, right):
-        if body.carts:
-            record.piece(body)
+    if record.keep_motion:
+        for body in (left, right):
+            if body.carts:
+                record.piece(body)
 
 
 def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:

@@ -22,7 +22,7 @@ class Predictions:
     def gap(self, gap: Gap, now: Time, own_separation: bool = False) -> None:
         """When does this gap close? The gap is up to date."""
         if gap.left.motion is None and gap.right.motion is None:
-            self.calendar.gap(gap, now, next_touch(gap, now, own_separation))
+            self.calendar.gap(gap, now, next_touch(gap, own_separation))
         else:
             self.calendar.gap(gap, now, touch_in_motion(gap, now, self.end, own_separation))
 
@@ -35,8 +35,14 @@ class Predictions:
     def around(self, gap: Gap, now: Time) -> None:
         """The bodies of `gap` have changed: their other neighbours may touch at another time."""
         for other in self.chain.neighbours(gap):
-            if other is not None and other.solver is None:
-                other.rate = velocity(other.right, now) - velocity(other.left, now)
+            if other is None or other.solver is not None:
+                continue
+            left, right = other.left, other.right
+            if left.motion is None and right.motion is None:
+                other.rate = right.v - left.v
+                self.calendar.gap(other, now, next_touch(other))
+            else:
+                other.rate = velocity(right, now) - velocity(left, now)
                 self.gap(other, now)
 
     def members(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:

@@ -133,5 +133,7 @@ def _group(row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Force
 def _count(row: list[Body], gaps: list[Gap], forces: Forces | None, times: int) -> None:
     if forces is not None:
         for body in row:
-            forces.count(body.load, (), times)
-        forces.count(NO_LOAD, tuple(link for gap in gaps for link in gap.links), times)
+            if body.load is not NO_LOAD:
+                forces.count(body.load, (), times)
+        if links := tuple(link for gap in gaps for link in gap.links):
+            forces.count(NO_LOAD, links, times)

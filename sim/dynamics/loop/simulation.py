@@ -20,7 +20,7 @@ from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.chain import Chain, component, length_of, moved, velocity
+from sim.dynamics.state.chain import Chain, component, place, velocity
 from sim.dynamics.state.clock import ZERO, Time, elapsed
 from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
@@ -44,7 +44,6 @@ class Simulation:
         self.fastest = 0.0  # m/s, greatest approach so far
         self.instant = flips.AT_ONE_INSTANT * scene.until
         self.hits = collapse.Hits()
-        self.missed = MISSED * length_of(scene)  # m
         self.happened = self.steps = 0
 
     def at_gap(self, gap: Gap, now: Time) -> None:
@@ -52,7 +51,8 @@ class Simulation:
         if gap.solver is None:
             moving = gap.left.motion is not None or gap.right.motion is not None
             self.chain.advance(gap, now)
-            if moving and gap.room + resting(gap) > self.missed and not transitions.is_push(gap):
+            missed = moving and gap.room + resting(gap) > MISSED * self.chain.length
+            if missed and not transitions.is_push(gap):
                 gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
                 self.predictions.gap(gap, now)  # the search came this far: they do not touch yet
                 return
@@ -62,12 +62,6 @@ class Simulation:
         else:
             self.motion_ends(gap.left if gap.left.carts else gap.right, now)
 
-    def place(self, body: Body, now: Time) -> None:
-        """Bring a free body's position to `now`."""
-        if body.carts:
-            body.x += moved(body, body.time, now)
-            body.time = now
-
     def begin(self, gap: Gap, now: Time) -> None:
         """Two bodies touch."""
         self.happened += 1 if gap.law is None else 2
@@ -75,25 +69,12 @@ class Simulation:
         if self.forces is not None or not free or (gap.law is not None and not gap.law.linear):
             self.join(gap, now)
             return
-        run = collapse.run_of(self.chain, gap, now, self.instant, self.hits)
-        if any(body.motion is not None for one in run for body in (one.left, one.right)):
-            self.join(gap, now)
-            return
-        for one in run or [gap]:
-            self.predictions.bring_around(one, now)
-            self.place(one.left, now)
-            self.place(one.right, now)
         if gap.law is None:
-            self.at_once(gap, now, stays=False)
-            if run:
-                collapse.together(run, now, self.ledger)
-                for body in dict.fromkeys(b for one in run for b in (one.left, one.right)):
-                    if body.carts:
-                        self.record.piece(body)
-            for one in run or [gap]:
-                self.predictions.gap(one, now)
-                self.predictions.around(one, now)
+            self.strike_free(gap, now)
             return
+        self.predictions.bring_around(gap, now)
+        place(gap.left, now)
+        place(gap.right, now)
         contacts.touch(gap, now, self.record, self.ledger)
         self.solvers["pair-contact"] += 1
         contact = gap.solver = contacts.pair_contact(gap, now)
@@ -109,6 +90,27 @@ class Simulation:
                     other.rate = velocity(other.right, now) - velocity(other.left, now)
                 self.predictions.gap(other, now)
 
+    def strike_free(self, gap: Gap, now: Time) -> None:
+        """An impact without duration between two that are free, or several at once."""
+        run = collapse.run_of(self.chain, gap, now, self.instant, self.hits)
+        if run and any(body.motion is not None for one in run for body in (one.left, one.right)):
+            self.join(gap, now)
+            return
+        struck = run or (gap,)
+        for one in struck:
+            self.predictions.bring_around(one, now)
+            place(one.left, now)
+            place(one.right, now)
+        self.at_once(gap, now, stays=False)
+        if run:
+            collapse.together(run, now, self.ledger)
+            for body in dict.fromkeys(b for one in run for b in (one.left, one.right)):
+                if body.carts:
+                    self.record.piece(body)
+        for one in struck:
+            self.predictions.gap(one, now)
+            self.predictions.around(one, now)
+
     def at_once(self, gap: Gap, now: Time, *, stays: bool) -> None:
         """A contact without duration between two bodies that are free, or settled."""
         self.solvers[gap.contact.law] += 1
@@ -118,9 +120,7 @@ class Simulation:
             impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
             return
         impacts.join(self.chain, gap, now, self.record, self.ledger)
-        for other in self.chain.neighbours(gap):
-            if other is not None and other.solver is None:
-                self.chain.advance(other, now)
+        self.predictions.bring_around(gap, now)
 
     def separate(self, gap: Gap, contact: PairContact, now: Time) -> None:
         """The force of a contact that is alone has become zero."""

@@ -27,13 +27,18 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
     for body in bodies:
         if body.motion is not None and body.motion.tier > TIER_OF_SERIES:
             _cut(body.motion, now)
-    motions = {id(m): m for m in (*(b.motion for b in bodies), *(g.solver for g in gaps)) if m}
-    moved = [
-        (body, body.motion.shift(body, body.time, now), body.motion.velocity(body, now))
-        if body.motion is not None
-        else (body, body.v * elapsed(body.time, now), body.v)
-        for body in bodies
-    ]
+    motions: dict[int, Motion] = {}
+    moved = []
+    for body in bodies:
+        motion = body.motion
+        if motion is None:
+            moved.append((body, body.v * elapsed(body.time, now), body.v))
+        else:
+            motions[id(motion)] = motion
+            moved.append((body, motion.shift(body, body.time, now), motion.velocity(body, now)))
+    for gap in gaps:
+        if gap.solver is not None:
+            motions[id(gap.solver)] = gap.solver
     for motion in motions.values():
         t = elapsed(motion.begun, now)
         motion.book(ledger, t)

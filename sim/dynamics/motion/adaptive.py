@@ -42,7 +42,7 @@ SLOWEST = 1e-6
 """m/s. Stands for the greatest speed where nothing moves."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class IntegratedStep(Step):
     """Impulses and losses are integrated with the motion; forces follow from the law itself."""
 

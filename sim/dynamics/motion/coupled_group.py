@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.work_accounting import book_step
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.damped_oscillation import Rate
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     pass
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class CoupledGroup:
     """One step of a row of bodies from `begun`, for `duration` s.
 
@@ -123,15 +123,13 @@ class CoupledGroup:
             if gap.touching is None:
                 found.append(Part(over, rate, summed=summed))
                 continue
-            seen = tuple(
-                (
-                    when,
-                    step.contact_force(k, when),
-                    step.impulse(k, when),
-                    (step.velocity(k, when), step.velocity(k + 1, when)),
-                )
-                for when in (step.greatest(k, t) if peaks and step.may_peak(k, t) else ())
-            )
+            seen: tuple[PeakSoFar, ...] = ()
+            if peaks and step.may_peak(k, t):
+                forces = ((when, step.contact_force(k, when)) for when in step.greatest(k, t))
+                if (best := gap.touching.greatest(forces)) is not None:
+                    when, force = best
+                    speeds = (step.velocity(k, when), step.velocity(k + 1, when))
+                    seen = ((when, force, step.impulse(k, when), speeds),)
             kept, deepest = step.dissipated(k, t, over), step.deepest(k, t, over, rate)
             found.append(Part(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
         return found

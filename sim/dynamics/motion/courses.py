@@ -38,7 +38,7 @@ class Course(Protocol):
         """s. Times between which the curve is equally easy to draw."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Parabola:
     """Constant acceleration."""
 

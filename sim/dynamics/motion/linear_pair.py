@@ -22,7 +22,7 @@ from sim.dynamics.motion.oscillation import Oscillation, rate_of
 from sim.dynamics.motion.series import REACH, is_rounding
 from sim.dynamics.motion.step_ends import FINAL
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.flips import NO_MOTION, margin
 from sim.dynamics.state.loads import Load
@@ -30,7 +30,7 @@ from sim.laws.branch import Branch, Guard
 from sim.laws.damped_oscillation import Rate
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class LinearPair:
     """One branch of a pair's motion from `begun`, for `duration` s."""
 
@@ -134,15 +134,16 @@ class LinearPair:
         summed = between.sum(t) if gap.loose else 0.0
         if gap.touching is None:
             return [Part(over, rate, summed=summed)]
-        seen = []
-        for when in between.greatest(branch.kappa, branch.gamma, t) if peaks else ():
-            a, b = (self.state(self.side(body), when)[1] for body in self.bodies)
-            seen.append((when, branch.force(*between.over(when)), self._impulse(when), (a, b)))
+        seen: tuple[PeakSoFar, ...] = ()
+        times = between.greatest(branch.kappa, branch.gamma, t) if peaks else ()
+        forces = ((when, branch.force(*between.over(when))) for when in times)
+        if (found := gap.touching.greatest(forces)) is not None:
+            a, b = (self.state(self.side(body), found[0])[1] for body in self.bodies)
+            seen = ((*found, self._impulse(found[0]), (a, b)),)
         loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
         if gap.law is not None:
             loss += gap.law.kept(branch, between.o0, over)
-        pushed, deepest = self._impulse(t), between.deepest(t)
-        return [Part(over, rate, pushed, loss, deepest, tuple(seen), summed)]
+        return [Part(over, rate, self._impulse(t), loss, between.deepest(t), seen, summed)]
 
     def book(self, accounts: Accounts, t: float) -> None:
         """Impulses from outside and work, by name."""
@@ -170,9 +171,12 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     """
     a, b = bodies
     branch, mu = branch_of(gap), gap.mu
-    bounds = [link.bounds(gap.room) for link in gap.links]
-    stiff = branch.kappa + math.fsum(k for k, _ in bounds)
-    damp = branch.gamma + math.fsum(c for _, c in bounds)
+    stiff, damp, free = branch.kappa, branch.gamma, 0.0
+    if gap.links:
+        bounds = [link.bounds(gap.room) for link in gap.links]
+        stiff += math.fsum([k for k, _ in bounds])
+        damp += math.fsum([c for _, c in bounds])
+        free = math.fsum([link.force(0.0, 0.0) for link in gap.links])
     drag = a.load.linear + b.load.linear  # one of them is a wall, or there is none
     rate = rate_of(stiff, damp + drag, mu)
     if rate.w0 * limit <= REACH:
@@ -181,7 +185,7 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     pull = own - b.load.steady / b.mass
     if is_rounding(pull, own):
         pull = 0.0
-    free = math.fsum(link.force(0.0, 0.0) for link in gap.links) - branch.kappa * branch.rest
+    free -= branch.kappa * branch.rest
     between = Oscillation(rate, (mu * pull - free) / stiff, -gap.room, -gap.rate)
     total = a.mass + b.mass
     drift = (0.0, 0.0)

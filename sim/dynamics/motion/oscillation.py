@@ -11,6 +11,9 @@ from sim.laws.damped_oscillation import Rate, first_turn, solve
 FADED = 1e-4
 """Of the first swing. Fainter ones are not drawn one by one."""
 
+KEPT = 4
+"""Instants: the end of a phase, and where overlap and force are greatest."""
+
 MOST_MARKS = 2000
 """Quarter swings drawn one by one."""
 
@@ -24,7 +27,7 @@ def rate_of(stiff: float, damp: float, mu: float) -> Rate:
     return Rate(w0, beta, w, "under" if beta < w0 else "over")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Oscillation:
     """o'' + 2 beta o' + w0² (o − centre) = 0 from o0 [m] and u [m/s]."""
 
@@ -35,7 +38,7 @@ class Oscillation:
     _last: dict[float, tuple[float, float, float, float]] = field(
         init=False, repr=False, compare=False, default_factory=dict
     )
-    """The last value: overlap, force, impulse and both bodies ask for one instant in turn."""
+    """The last values: overlap, force, impulse and both bodies ask for one instant in turn."""
 
     def at(self, t: float) -> tuple[float, float, float, float]:
         """o, o', o'', o''' at t."""
@@ -45,7 +48,8 @@ class Oscillation:
         twice, square = 2.0 * self.rate.beta, self.rate.w0 * self.rate.w0
         a = -twice * v - square * y
         found = y + self.centre, v, a, -twice * a - square * v
-        self._last.clear()
+        if len(self._last) >= KEPT:
+            self._last.clear()
         self._last[t] = found
         return found
 

@@ -30,7 +30,7 @@ REACH = 2.0
 """REACH^ORDER / ORDER! is 2e-19: a thousandth of the rounding of the sum itself."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Row:
     """Bodies in a row with all that acts on them, at the beginning of a step.
 
@@ -53,7 +53,7 @@ class Row:
         return any(self.quadratic) or any(not link.linear for links in self.links for link in links)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Expansion:
     """Series of one step: overlaps, contact forces, link forces, accelerations of the bodies."""
 

@@ -20,7 +20,7 @@ from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch, Guard
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Step:
     """Polynomials in s since the step began, of `gaps` and `bodies` from left to right.
 
@@ -39,6 +39,11 @@ class Step:
     path: list[Poly]  # m, from where each was
     steady: list[float]  # N on each body
     short: bool
+
+    @property
+    def rests(self) -> bool:
+        """Does everything stay, or go on with one constant acceleration? Paths are parabolas."""
+        return bool(self.speed) and len(self.speed[0]) == 2 and not any(map(_moves, self.over))
 
     @property
     def span(self) -> float:
@@ -176,6 +181,10 @@ class Step:
         growth = slope(self.contact[k])
         turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
         return [0.0, t] if turn is None else [0.0, turn, t]
+
+
+def _moves(over: Poly) -> bool:
+    return len(over) > 2 or over[1] != 0.0
 
 
 def slope_of(p: Poly) -> Poly:

@@ -152,16 +152,11 @@ class Record:
         self.counts[kind] += 1
         if not self.keep_events:
             return
-        names = self.scene.names_at(gap.index)
-        bodies = (gap.left, gap.right)
-        self.events.append(
-            Event(
-                now[0],
-                kind,
-                names,
-                {n: v for n, v, b in zip(names, before, bodies, strict=True) if b.carts},
-                {n: v for n, v, b in zip(names, after, bodies, strict=True) if b.carts},
-                impulse,
-                force,
-            )
-        )
+        names = left, right = self.scene.names_at(gap.index)
+        earlier: dict[str, float] = {}
+        later: dict[str, float] = {}
+        if gap.left.carts:
+            earlier[left], later[left] = before[0], after[0]
+        if gap.right.carts:
+            earlier[right], later[right] = before[1], after[1]
+        self.events.append(Event(now[0], kind, names, earlier, later, impulse, force))

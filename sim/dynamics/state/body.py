@@ -41,7 +41,7 @@ PeakSoFar = tuple[float, float, float, tuple[float, float]]
 """s since the beginning, N, N s until then, m/s of the left and right body then."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Part:
     """What a motion did in one of its gaps; all but overlap and rate are of the contact there."""
 

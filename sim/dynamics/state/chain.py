@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cached_property
 
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed
@@ -16,12 +17,12 @@ class Chain:
     """Bodies and gaps of one run."""
 
     def __init__(self, scene: Scene, forces: Forces | None) -> None:
-        count = len(scene.carts)
+        self.scene, count = scene, len(scene.carts)
         self.bodies = [
             Body((k,), cart.mass, cart.position, cart.velocity, k, k + 1)
             for k, cart in enumerate(scene.carts)
         ]
-        row = [_wall(scene, 0), *self.bodies, _wall(scene, count)]
+        row = [None, *self.bodies, None]
         self.gaps: list[Gap | None] = []
         known: Contact | None = None
         law: ContactLaw | None = None
@@ -31,11 +32,17 @@ class Chain:
                 continue
             if contact is not known:
                 known, law = contact, contact_law(contact)
-            left, right = row[k], row[k + 1]
+            left, right = row[k] or _wall(scene, 0), row[k + 1] or _wall(scene, count)
             gap = Gap(k, left, right, scene.gaps[k], scene.approaches[k], contact, law)
             if forces is not None:
                 gap.links = forces.links[k]
             self.gaps.append(gap)
+
+    @cached_property
+    def length(self) -> float:
+        """m. Of the longest cart; of carts without one the least room, 0.2 m where all touch."""
+        rooms = [room for room in self.scene.gaps if 0.0 < room < math.inf]
+        return max(cart.length for cart in self.scene.carts) or min(rooms, default=0.2)
 
     def neighbours(self, gap: Gap) -> tuple[Gap | None, Gap | None]:
         """The gaps beyond the two bodies of `gap`; None beyond a wall or on an open side."""
@@ -56,7 +63,7 @@ class Chain:
 
 
 def _wall(scene: Scene, gap: int) -> Body:
-    """What stands at one end; on an open side nobody asks."""
+    """What stands at one end, where it is not open."""
     if gap == 0:
         return Body((), math.inf, 0.0, 0.0, -1, 0)
     return Body((), math.inf, scene.track.length or 0.0, 0.0, gap, -1)
@@ -89,12 +96,13 @@ def moved(body: Body, start: Time, end: Time) -> float:
     return body.motion.shift(body, start, end)
 
 
+def place(body: Body, now: Time) -> None:
+    """Bring a body's position to `now`; walls stay."""
+    if body.carts:
+        body.x += moved(body, body.time, now)
+        body.time = now
+
+
 def velocity(body: Body, now: Time) -> float:
     """m/s at `now`."""
     return body.v if body.motion is None else body.motion.velocity(body, now)
-
-
-def length_of(scene: Scene) -> float:
-    """m. Of the longest cart; of carts without a length the least room, 0.2 m where all touch."""
-    rooms = [room for room in scene.gaps if 0.0 < room < math.inf]
-    return max(cart.length for cart in scene.carts) or min(rooms, default=0.2)

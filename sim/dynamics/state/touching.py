@@ -8,6 +8,7 @@ far, and its greatest force.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from sim.dynamics.state.clock import Time
@@ -38,6 +39,14 @@ class Touching:
         """Keep the greater force; of equal ones the first."""
         if self.peak is None or peak.force > self.peak.force * (1.0 + HANDED_OVER):
             self.peak = peak
+
+    def greatest(self, forces: Iterable[tuple[float, float]]) -> tuple[float, float] | None:
+        """Of times and forces the pair whose force `see` would keep; None: that of before."""
+        best, found = -math.inf if self.peak is None else self.peak.force, None
+        for when, force in forces:
+            if best == -math.inf or force > best * (1.0 + HANDED_OVER):
+                best, found = force, (when, force)
+        return found
 
 
 @dataclass(slots=True)

@@ -25,7 +25,7 @@ NEAR_TOUCH = (1 / 32, 1 / 8)
 """Of a step in s, where a curve is drawn in parts: d grows as s⁴ there."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class CurvedStep(Step):
     """`over` of the gap that keeps the clock is its z [m^(1/4)]."""
 

@@ -13,7 +13,7 @@ from sim.dynamics.motion.modes.shares import Swings
 from sim.dynamics.motion.series import Row, is_rounding
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Begun:
     """Derivatives just now: four of each overlap, from o on; three of each N; two of each v, a on.
 

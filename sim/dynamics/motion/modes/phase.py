@@ -8,36 +8,43 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from operator import mul
 
+from sim.dynamics.motion.modes.falls import first_fall
 from sim.dynamics.motion.modes.modal_sum import ModalSum
-from sim.dynamics.motion.modes.started import Grown, Started, first_fall, grown
+from sim.dynamics.motion.modes.shares import Swings
+from sim.dynamics.motion.modes.started import Grown, Started, Swinging
 from sim.dynamics.motion.step import Step
 
+KEPT = 4
+"""Times: the end of the phase, and where its forces are greatest."""
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(slots=True)
 class Phase(Step):
     """Overlaps, forces and velocities as quantities told from their beginning; no polynomials."""
 
-    rates: tuple[complex, ...]
+    found: Swings
+    modes: Swinging
     overlaps: list[Started]  # m
     pushes: list[Started]  # N, of the contacts
     speeds_of: list[Started]  # m/s
-    third: list[float]  # m/s³, of each overlap at the beginning
-    seen: list[tuple[float, Grown]] = field(default_factory=list)
-    """The last time asked for: all quantities are asked for at the end of the phase."""
+    seen: dict[float, Grown] = field(default_factory=dict)
+    """The last times asked for: all quantities are asked for at the end of the phase."""
 
     def at(self, t: float) -> Grown:
         """What the modes have grown to at t s."""
-        seen = self.seen
-        if not seen or seen[0][0] != t:
-            seen[:] = [(t, grown(self.rates, t))]
-        return seen[0][1]
+        found = self.seen.get(t)
+        if found is None:
+            if len(self.seen) >= KEPT:
+                self.seen.clear()
+            found = self.seen[t] = self.modes.at(t)
+        return found
 
     def closing(self, k: int) -> Started:
         """m/s. The rate of the overlap of gap k."""
-        q = self.overlaps[k]
-        shares = tuple([z * y for z, y in zip(self.rates, q.shares, strict=True)])
-        return Started(q.slope, q.bend, self.third[k], shares)
+        o = self.over[k]
+        return Started(o[1], o[2], o[3], self.found.closing[k])
 
     def way(self, i: int, t: float) -> float:
         """m that body i has gone."""
@@ -45,7 +52,8 @@ class Phase(Step):
 
     def velocity(self, i: int, t: float) -> float:
         """m/s of body i."""
-        return self.speeds_of[i].value(t, self.at(t))
+        v = self.speeds_of[i]
+        return v.value(t, self.at(t)) if t else v.first
 
     def motion(self, i: int, t: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of body i."""
@@ -54,26 +62,36 @@ class Phase(Step):
 
     def excess(self, i: int, a: float, dt: float) -> float:
         """m. Displacement of body i from a s on, beyond that at the velocity there."""
+        if a == 0.0:
+            v = self.speeds_of[i]
+            return Started(0.0, v.slope, v.bend, v.shape).integral(dt, self.at(dt))
         before = self.way(i, a) if a else 0.0
         return self.way(i, a + dt) - before - self.velocity(i, a) * dt
 
     def speeds(self, i: int, t: float) -> tuple[float, float]:
         """m/s. Least and greatest velocity of body i up to t."""
         v = self.speeds_of[i]
-        reach = Started(0.0, v.slope, v.bend, v.shares).size(self.rates, t)
+        reach = Started(0.0, v.slope, v.bend, v.shape).size(self.modes, t)
         return v.first - reach, v.first + reach
 
     def acceleration(self, i: int, t: float) -> float:
         """m/s². Bound for body i up to t."""
         v = self.speeds_of[i]
+        modes = self.modes
         swing = sum(
-            abs(b) * min(t, 2.0 / abs(z)) for b, z in zip(v.shares, self.rates, strict=True)
+            [
+                a * b * min(t, 2.0 / abs(z))
+                for a, b, z in zip(modes.sizes, v.shape.size, modes.rates, strict=True)
+            ]
         )
         return abs(v.slope) + swing
 
     def overlap(self, k: int, t: float) -> tuple[float, float]:
         """m and m/s: overlap of gap k and its rate."""
-        q, at = self.overlaps[k], self.at(t)
+        q = self.overlaps[k]
+        if self.branches[k].locked:
+            return q.first + q.slope * t, q.slope
+        at = self.at(t)
         return q.value(t, at), q.rate(at)
 
     def contact_force(self, k: int, t: float) -> float:
@@ -95,8 +113,10 @@ class Phase(Step):
 
     def rate_square(self, k: int, t: float) -> float:
         """m²/s. Integral of o'² dt in gap k: o' is a sum of modes, and of nothing else."""
-        shares = zip(self.rates, self.overlaps[k].shares, strict=True)
-        return ModalSum(0.0, tuple((z, y / z) for z, y in shares if y)).square_integral(t)
+        modes = self.modes
+        shares = map(mul, modes.amplitudes, self.overlaps[k].shape.in_rate)
+        terms = tuple([(z, y) for z, y in zip(modes.rates, shares, strict=True) if y])
+        return ModalSum(0.0, terms).square_integral(t)
 
     def marks(self, end: float) -> list[float]:
         """Every quarter swing of the fastest mode."""
@@ -106,35 +126,31 @@ class Phase(Step):
     @property
     def swing(self) -> float:
         """s. Of the fastest mode, over 2 pi; 0 where nothing swings."""
-        fastest = max(map(abs, self.rates), default=0.0)
-        return 1.0 / fastest if fastest else 0.0
+        return 1.0 / self.found.pace if self.found.rates else 0.0
 
     def deepest(self, k: int, t: float, over: float, rate: float) -> float:
         """m. Greatest overlap up to t; `over` and `rate` are those at t."""
         q = self.overlaps[k]
         best = max(q.first, over)
         if q.slope > 0.0 and rate < 0.0:
-            turn = first_fall(self.closing(k), self.rates, t)
+            turn = first_fall(self.closing(k), self.modes, t)
             if turn is not None:
-                best = max(best, q.value(turn, grown(self.rates, turn)))
+                best = max(best, q.value(turn, self.at(turn)))
         return best
 
     def strongest(self, k: int, t: float) -> float:
         """N. A bound on the contact's force up to t."""
         q = self.pushes[k]
-        return abs(q.first) + (abs(q.slope) + 0.5 * sum(map(abs, q.shares)) * t) * t
+        bent: float = sum(map(mul, self.modes.sizes, q.shape.size))
+        return abs(q.first) + (abs(q.slope) + 0.5 * bent * t) * t
 
     def greatest(self, k: int, t: float) -> list[float]:
         """When a contact's force is greatest: at an end, or where it turns."""
         q, at = self.pushes[k], self.at(t)
         if q.slope > 0.0 and q.rate(at) < 0.0:
-            turn = first_fall(slope_of(q, self.rates), self.rates, t)
+            growth = self.found.growth[k]
+            bend = sum(map(mul, self.modes.amplitudes, growth.of)).real
+            turn = first_fall(Started(q.slope, q.bend, bend, growth), self.modes, t)
             if turn is not None:
                 return [turn]
         return [t] if q.value(t, at) > q.first else [0.0]
-
-
-def slope_of(q: Started, rates: tuple[complex, ...]) -> Started:
-    """q'."""
-    shares = tuple(b * z for b, z in zip(q.shares, rates, strict=True))
-    return Started(q.slope, q.bend, sum(b.real for b in shares), shares)

@@ -10,12 +10,14 @@ that nobody presses, a sign that three coefficients do not tell) the series deci
 from __future__ import annotations
 
 import math
+from operator import mul
 
 from sim.dynamics.motion.guards import guards_of
 from sim.dynamics.motion.modes.begun import Begun, begun_of
+from sim.dynamics.motion.modes.falls import UndecidedError, first_fall
 from sim.dynamics.motion.modes.phase import Phase
 from sim.dynamics.motion.modes.shares import Block, Swings, swings
-from sim.dynamics.motion.modes.started import Started, UndecidedError, first_fall
+from sim.dynamics.motion.modes.started import Started, Swinging, swinging
 from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step_ends import NEGLIGIBLE, ONSET
 from sim.dynamics.state.body import Body, End, Gap
@@ -25,6 +27,10 @@ from sim.laws.branch import Guard
 LONGEST = 32.0
 """Radians of the fastest swing; and of an overlap, the way at its rates up to the end of a phase:
 q1 t and the sum of modes cancel to what is left of both, five bits then."""
+
+TOGETHER = 4e-16
+"""Relative. Two ends nearer in time than the search tells come at once, as where gaps on both sides
+of a cart part: taken one after the other the second would cost a step without motion."""
 
 WHOLE = 1e-13
 """Of all second derivatives, weighed as energies: so well do modes give what they are made of."""
@@ -46,14 +52,13 @@ def phase(
     if found is None:
         return None
     begun = begun_of(row, found)
-    shares = _shares(row, found, begun)
-    if shares is None:
+    modes = _amplitudes(row, found, begun)
+    if modes is None:
         return None
-    swings_on = max((abs(z) for z in found.rates if z.imag), default=0.0)
-    length = min(limit, _well_told(begun, found, shares))
-    if swings_on > 0.0:
-        length = min(length, LONGEST / swings_on)
-    told = _told(bodies, gaps, row, found, begun, shares, length)
+    length = min(limit, _well_told(begun, found, modes))
+    if found.fastest > 0.0:
+        length = min(length, LONGEST / found.fastest)
+    told = _told(bodies, gaps, row, found, begun, modes, length)
     try:
         ends = _first_ends(told)
     except UndecidedError:
@@ -63,34 +68,34 @@ def phase(
     return told, *ends
 
 
-def _shares(row: Row, found: Swings, begun: Begun) -> list[tuple[complex, ...]] | None:
-    """Of o'' of each gap, mode by mode; None where they do not give it."""
+def _amplitudes(row: Row, found: Swings, begun: Begun) -> Swinging | None:
+    """Of all modes, from two derivatives of each overlap; None where they do not give those."""
     second = [o[2] for o in begun.over]
     third = [o[3] for o in begun.over]
-    shares = [[0j] * len(found.rates) for _ in second]
-    for j, parts in enumerate(found.parts):
+    amplitudes = []
+    for parts in found.parts:
         a = 0j
         for one in parts:
             a += one.of_strain * second[one.gap] + one.of_rate * third[one.gap]
-        for one in parts:
-            shares[one.gap][j] = a * one.strain
-    whole, off, pace = 0.0, 0.0, max(map(abs, found.rates), default=1.0)
+        amplitudes.append(a)
+    whole, off, pace = 0.0, 0.0, found.pace
     for k, branch in enumerate(row.branches):
-        here = second[k] - sum(y.real for y in shares[k])
-        turned = sum((z * y).real for z, y in zip(found.rates, shares[k], strict=True))
-        off = max(off, branch.kappa * (here**2 + ((third[k] - turned) / pace) ** 2))
-        whole += branch.kappa * (second[k] ** 2 + (third[k] / pace) ** 2)
-    return [tuple(own) for own in shares] if off <= WHOLE**2 * whole else None
+        if kappa := branch.kappa:
+            two, three = second[k], third[k]
+            here = two - sum(map(mul, amplitudes, found.over[k].of)).real
+            turned = three - sum(map(mul, amplitudes, found.closing[k].of)).real
+            off = max(off, kappa * (here**2 + (turned / pace) ** 2))
+            whole += kappa * (two**2 + (three / pace) ** 2)
+    return swinging(found.rates, tuple(amplitudes)) if off <= WHOLE**2 * whole else None
 
 
-def _well_told(begun: Begun, found: Swings, shares: list[tuple[complex, ...]]) -> float:
+def _well_told(begun: Begun, found: Swings, modes: Swinging) -> float:
     """s. How long the overlaps are told well."""
     longest = math.inf
-    for o, own in zip(begun.over, shares, strict=True):
-        ways = [abs(y / z) for y, z in zip(own, found.rates, strict=True)]
-        fast = sum(ways)
+    for o, shape, ways in zip(begun.over, found.over, found.ways, strict=True):
+        fast = sum(map(mul, modes.sizes, ways))
         if fast > 0.0:
-            swing = sum(w / abs(z) for w, z in zip(ways, found.rates, strict=True))
+            swing = sum(map(mul, modes.sizes, shape.size_in_value))
             longest = min(longest, LONGEST * (abs(o[0]) + swing) / fast)
     return longest
 
@@ -101,42 +106,23 @@ def _told(
     row: Row,
     found: Swings,
     begun: Begun,
-    shares: list[tuple[complex, ...]],
+    modes: Swinging,
     length: float,
 ) -> Phase:
     """All quantities of the phase."""
-    rates = found.rates
-    overlaps = [Started(o[0], o[1], o[2], own) for o, own in zip(begun.over, shares, strict=True)]
-    nothing = (0j,) * len(rates)
-    bent: list[tuple[complex, ...]] = []  # N''
-    for branch, own in zip(row.branches, shares, strict=True):
-        kappa, gamma = branch.kappa, branch.gamma
-        bent.append(
-            tuple((kappa + gamma * z) * y for z, y in zip(rates, own, strict=True))
-            if gamma
-            else tuple(kappa * y for y in own)
-        )
-    for k, branch in enumerate(row.branches):
-        if branch.locked:
-            block, f = found.block[k], found.left_mass[k]
-            left = bent[block.left] if block.left is not None else nothing
-            right = bent[block.right] if block.right is not None else nothing
-            bent[k] = tuple((1.0 - f) * a + f * b for a, b in zip(left, right, strict=True))
-    pushes = [Started(n[0], n[1], n[2], own) for n, own in zip(begun.force, bent, strict=True)]
-    speeds = []
-    for body, block, a in zip(bodies, found.block, begun.bodies, strict=True):
-        left = bent[block.left] if block.left is not None else nothing
-        right = bent[block.right] if block.right is not None else nothing
-        part = block.inverse
-        own = (
-            tuple([(x - y) * part / z for x, y, z in zip(left, right, rates, strict=True)])
-            if part
-            else nothing
-        )
-        speeds.append(Started(_common(bodies, block) or body.v, a[0], a[1], own))
+    overlaps = [
+        Started(o[0], o[1], o[2], own) for o, own in zip(begun.over, found.over, strict=True)
+    ]
+    pushes = [
+        Started(n[0], n[1], n[2], own) for n, own in zip(begun.force, found.push, strict=True)
+    ]
+    speeds = [
+        Started(_common(bodies, block) or body.v, a[0], a[1], own)
+        for body, block, a, own in zip(bodies, found.block, begun.bodies, found.speed, strict=True)
+    ]
     return Phase(
         bodies, gaps, row.branches, length, begun.over, [], [], [], [], row.steady,
-        False, rates, overlaps, pushes, speeds, [o[3] for o in begun.over],
+        False, found, modes, overlaps, pushes, speeds,
     )  # fmt: skip
 
 
@@ -149,15 +135,14 @@ def _common(bodies: list[Body], block: Block) -> float:
 
 def _first_ends(told: Phase) -> tuple[list[End], float] | None:
     """As `step_ends.first_ends`; None where the series is to decide."""
-    rates, duration = told.rates, told.length
+    modes, duration = told.modes, told.length
     soon = told.swing or duration
     sizes = [
         abs(push.first) + (abs(push.slope) + abs(push.bend) * soon) * soon for push in told.pushes
     ]
     noise = NEGLIGIBLE * max(sizes)
     ends: list[End] = []
-    stiffest = sorted(range(len(sizes)), key=lambda k: -told.branches[k].kappa)
-    for k in stiffest:  # what comes first is found first: less is left to search
+    for k in told.found.stiffest:  # what comes first is found first: less is left to search
         gap, branch = told.gaps[k], told.branches[k]
         if sizes[k] <= noise or (branch.locked and gap.rate > 0.0) or gap.touching is None:
             return None
@@ -165,17 +150,18 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
             if guard.of == "push":
                 return None
             sign = -1.0 if guard.rises else 1.0
-            t = first_fall(_guarded(told, k, guard), rates, duration, sign, guard.level)
+            here = _guarded(told, k, guard)
+            t = first_fall(here, modes, duration * (1.0 + TOGETHER), sign, guard.level)
             if t is not None:
-                if t < duration:
+                if t < duration * (1.0 - TOGETHER):
                     ends.clear()
                 ends.append(End(guard.cause, k))
-                duration = t
+                duration = min(t, duration)
     for i, body in enumerate(told.bodies):
         if body.sliding and body.load.static:
             if body.v == 0.0:
                 return None
-            t = first_fall(told.speeds_of[i], rates, duration, float(body.sliding))
+            t = first_fall(told.speeds_of[i], modes, duration, float(body.sliding))
             if t is not None:
                 if t < duration:
                     ends.clear()
@@ -192,6 +178,6 @@ def _guarded(told: Phase, k: int, guard: Guard) -> Started:
     if guard.of == "overlap":
         return told.overlaps[k]
     q, swing = told.closing(k), told.swing
-    if q.first == 0.0 and abs(q.slope) * swing <= ONSET * q.size(told.rates, swing):
-        return Started(0.0, 0.0, q.bend, q.shares)  # as the series does it
+    if q.first == 0.0 and abs(q.slope) * swing <= ONSET * q.size(told.modes, swing):
+        return Started(0.0, 0.0, q.bend, q.shape)  # as the series does it
     return q

@@ -15,8 +15,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from operator import mul
 
 from sim.dynamics.motion.modes.normal_modes import Mode, Segment, modes
+from sim.dynamics.motion.modes.started import Shape, shape_of
 from sim.dynamics.motion.rest import Balance, blocks, segments
 
 
@@ -46,12 +48,24 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Swings:
-    """All modes of a row: rates [1/s], parts by mode; the block of each body, f of each gap."""
+    """All modes of a row: rates [1/s], parts by mode; the block of each body, f of each gap.
+
+    And what each overlap and its rate, each force and its growth, each velocity has of them.
+    """
 
     rates: tuple[complex, ...]
     parts: tuple[tuple[Part, ...], ...]
     block: tuple[Block, ...]
     left_mass: tuple[float, ...]
+    over: tuple[Shape, ...]
+    closing: tuple[Shape, ...]
+    push: tuple[Shape, ...]
+    growth: tuple[Shape, ...]
+    speed: tuple[Shape, ...]
+    ways: tuple[tuple[float, ...], ...]  # of each overlap, |b/z|
+    stiffest: tuple[int, ...]  # gaps, the stiffest first
+    fastest: float  # 1/s, of what rings; 0 where nothing does
+    pace: float  # 1/s, of all; 1 where there is none
 
 
 @lru_cache(maxsize=512)
@@ -84,7 +98,60 @@ def swings(
             return None
         rates += [mode.rate for mode in told]
         parts += [_parts(mode, segment, near) for mode in told]
-    return Swings(tuple(rates), tuple(parts), block, left_mass)
+    return _told(tuple(rates), tuple(parts), block, left_mass, kappa, gamma, locked)
+
+
+def _told(
+    rates: tuple[complex, ...],
+    parts: tuple[tuple[Part, ...], ...],
+    block: tuple[Block, ...],
+    left_mass: tuple[float, ...],
+    kappa: tuple[float, ...],
+    gamma: tuple[float, ...],
+    locked: tuple[bool, ...],
+) -> Swings:
+    """With what every quantity has of the modes."""
+    count = len(kappa)
+    over = [[0j] * len(rates) for _ in range(count)]
+    for j, own in enumerate(parts):
+        for one in own:
+            over[one.gap][j] = one.strain
+    bent = [  # N''
+        tuple([(k + c * z) * y if c else k * y for z, y in zip(rates, own, strict=True)])
+        for k, c, own in zip(kappa, gamma, over, strict=True)
+    ]
+    nothing = (0j,) * len(rates)
+
+    def beside(gap: int | None) -> tuple[complex, ...]:
+        return nothing if gap is None else bent[gap]
+
+    for k in range(count):
+        if locked[k]:
+            held, f = block[k], left_mass[k]
+            two = zip(beside(held.left), beside(held.right), strict=True)
+            bent[k] = tuple([(1.0 - f) * a + f * b for a, b in two])
+    speeds = [
+        tuple(
+            [
+                (x - y) * own.inverse / z
+                for x, y, z in zip(beside(own.left), beside(own.right), rates, strict=True)
+            ]
+        )
+        for own in block
+    ]
+    closing = [tuple([z * y for z, y in zip(rates, own, strict=True)]) for own in over]
+    return Swings(
+        rates, parts, block, left_mass,
+        tuple(shape_of(tuple(own), rates) for own in over),
+        tuple(shape_of(own, rates) for own in closing),
+        tuple(shape_of(own, rates) for own in bent),
+        tuple(shape_of(tuple(map(mul, own, rates)), rates) for own in bent),
+        tuple(shape_of(own, rates) for own in speeds),
+        tuple(tuple([abs(y / z) for y, z in zip(own, rates, strict=True)]) for own in over),
+        tuple(sorted(range(count), key=lambda k: -kappa[k])),
+        max((abs(z) for z in rates if z.imag), default=0.0),
+        max(map(abs, rates), default=1.0),
+    )  # fmt: skip
 
 
 def _parts(mode: Mode, segment: Segment, near: list[int | None]) -> tuple[Part, ...]:

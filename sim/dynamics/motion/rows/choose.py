@@ -36,7 +36,8 @@ def coupled_group(
     """The group of these bodies, settled at `now`, for at most `limit` s."""
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
-    stick_slip.decide(bodies, gaps, branches)
+    if any(body.load.grips or body.load.quadratic for body in bodies):
+        stick_slip.decide(bodies, gaps, branches)
     row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
     if (rest := _at_rest(bodies, gaps, branches, row, limit)) is not None:
         return group_of(rest, [], limit, now)
@@ -55,7 +56,8 @@ def _at_rest(
     if not gaps or not _slow(gaps):
         return None
     plain = replace(row, quadratic=[0.0] * len(bodies)) if any(row.quadratic) else row
-    fastest = REACH / step_length(plain)
+    locked = all(branch.locked for branch in branches)
+    fastest = _rate(gaps) if locked else REACH / step_length(plain)
     return at_rest(bodies, gaps, branches, fastest, limit)
 
 
@@ -130,10 +132,15 @@ def _slow(gaps: list[Gap]) -> bool:
     """Do all overlaps change so little that it pays to ask whether the row is at rest?"""
     if any(gap.touching is None for gap in gaps):
         return False
-    stiff = max((gap.law.steepest / gap.mu for gap in gaps if gap.law is not None), default=0.0)
     deepest = max(abs(gap.room) for gap in gaps)
-    swing = LOOK_CLOSER * math.sqrt(stiff) * deepest
+    swing = LOOK_CLOSER * _rate(gaps) * deepest
     return all(abs(gap.rate) <= swing for gap in gaps)
+
+
+def _rate(gaps: list[Gap]) -> float:
+    """1/s. Of the fastest pair by itself, on its steepest line."""
+    stiff = [gap.law.steepest / gap.mu for gap in gaps if gap.law is not None]
+    return math.sqrt(max(stiff, default=0.0))
 
 
 LOOK_CLOSER = 1e-9
