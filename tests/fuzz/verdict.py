@@ -158,8 +158,8 @@ def conditioning(plain: Plain, done: Any) -> float:
     for sign in (1.0, -1.0):
         moved = deepcopy(plain)
         for k, cart in enumerate(moved["carts"].values()):
-            cart["velocity"] = cart.get("velocity", 0.0) * (1.0 + sign * (k + 1) * MOVED)
-            cart["mass"] *= 1.0 - sign * (k + 1) * MOVED
+            cart["velocity"] = float(cart.get("velocity", 0.0)) * (1.0 + sign * (k + 1) * MOVED)
+            cart["mass"] = float(cart["mass"]) * (1.0 - sign * (k + 1) * MOVED)
         try:
             with budget(BUDGET):
                 other = run(read_scene(moved))

@@ -16,11 +16,13 @@ from .table import SEEN, table
 
 def main() -> None:
     """Look, keep what was seen and print the table."""
-    lesson = ROOT / "site" / "worksheets" / "newtons-third-law.html"
+    lesson, free = (
+        ROOT / "site" / "worksheets" / f"newtons-{law}-law.html" for law in ("third", "first")
+    )
     seen: dict[str, dict[str, bool]] = {}
     for version in PACKAGES:
         try:
-            seen[str(version)] = look(program(version), lesson)
+            seen[str(version)] = look(program(version), lesson, free)
         except (RuntimeError, TimeoutError) as error:
             sys.exit(f"Chromium {version}: {error}")
         print(version, seen[str(version)], flush=True)

@@ -18,6 +18,7 @@ TELLS = """[...document.querySelectorAll("[role=alert], .carts-note")].some((not
   note.textContent.trim() && note.offsetHeight)"""
 READABLE = 'document.body.innerText.length > 2000 && document.querySelector("svg") !== null'
 STATE = 'document.documentElement.dataset.python || ""'
+CAN_PLAY = 'document.querySelector("carts-scene .carts-play:enabled") !== null'
 PLAYS = """(async () => {
   const button = document.querySelector("carts-scene .carts-play:enabled");
   if (!button) return false;
@@ -38,21 +39,26 @@ THERE = f"""[...document.querySelectorAll("carts-question textarea")].some((box)
   box.value === "{TYPED}")"""
 
 
-def look(program: Path, lesson: Path) -> dict[str, bool]:
-    """What works: readable, told (if Python is not live), live, plays, kept."""
+def look(program: Path, lesson: Path, free: Path) -> dict[str, bool]:
+    """What works: readable, told (if Python is not live), live, plays, kept.
+
+    `free`: a lesson with a scene that plays at once, without a prediction before it.
+    """
     with tempfile.TemporaryDirectory() as profile, browser(program, Path(profile)) as page:
         page.ask("Page.navigate", url=lesson.as_uri())
         _until(page, "document.readyState === 'complete'", SOON)
         told = _until(page, TELLS, SOON)
         _until(page, f"['ready', 'failed'].includes({STATE})", SETTLED if not told else SOON)
         live = page.run(STATE) == "ready"
-        plays = bool(page.run(PLAYS))
         kept = bool(page.run(WRITE)) and _until(page, SAVED, SOON)
         if kept:
             page.ask("Page.navigate", url=lesson.as_uri())
             kept = _until(page, THERE, SOON)
+        readable = bool(page.run(READABLE))
+        page.ask("Page.navigate", url=free.as_uri())
+        plays = bool(_until(page, CAN_PLAY, SETTLED) and page.run(PLAYS))
         return {
-            "readable": bool(page.run(READABLE)), "told": bool(told), "live": live,
+            "readable": readable, "told": bool(told), "live": live,
             "plays": plays, "kept": bool(kept),
         }  # fmt: skip
 
