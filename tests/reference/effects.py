@@ -105,6 +105,8 @@ def _segment(row: Row, y: Any, end: float, budget: list[int]) -> Any:
             t = run.t if look == LOOKS else t_old + (run.t - t_old) * look / LOOKS
             state = run.y if look == LOOKS else dense(t)
             fallen = [what for value, what in row.watches(state) if value < -NOTHING]
+            if not fallen and (grazed := _grazed(row, dense, low, t)):
+                t, fallen = grazed
             if fallen:
                 when, what = min(
                     ((_root(row, dense, low, t, what), what) for what in fallen),
@@ -140,6 +142,41 @@ def _root(row: Row, dense: Any, low: float, high: float, what: Any) -> float:
             break
         low, high = (middle, high) if value(middle) >= 0 else (low, middle)
     return high
+
+
+def _grazed(row: Row, dense: Any, low: float, high: float) -> tuple[float, list[Any]] | None:
+    """A watch that is positive at both looks and negative between them: a touch that is soon over.
+
+    Told by slopes that point down at the first look and up at the second, steep enough to get there.
+    """
+    aside = 1e-4 * (high - low)
+    here, after, before, there = (
+        row.watches(dense(t)) for t in (low, low + aside, high - aside, high)
+    )
+    if not len(here) == len(after) == len(before) == len(there):
+        return None
+    for (v0, what), (v1, _), (v2, _), (v3, _) in zip(here, after, before, there, strict=True):
+        down, up = (v1 - v0) / aside, (v3 - v2) / aside
+        if down < 0 < up and min(v0, v3) > 0 and v0 + down * (high - low) < 0:
+            deepest = _lowest(row, dense, low, high, what)
+            if any(value < -NOTHING for value, its in row.watches(dense(deepest)) if its == what):
+                return deepest, [what]
+    return None
+
+
+def _lowest(row: Row, dense: Any, low: float, high: float, what: Any) -> float:
+    """Where this watch is lowest, by thirds."""
+
+    def value(t: float) -> float:
+        return next(v for v, w in row.watches(dense(t)) if w == what)
+
+    for _ in range(60):
+        third = (high - low) / 3.0
+        if value(low + third) < value(high - third):
+            high -= third
+        else:
+            low += third
+    return 0.5 * (low + high)
 
 
 def _quickest(row: Row) -> float:
