@@ -147,7 +147,7 @@ def _root(row: Row, dense: Any, low: float, high: float, what: Any) -> float:
 def _grazed(row: Row, dense: Any, low: float, high: float) -> tuple[float, list[Any]] | None:
     """A watch that is positive at both looks and negative between them: a touch that is soon over.
 
-    Told by slopes that point down at the first look and up at the second, steep enough to get there.
+    Told by slopes: down at the first look, up at the second, and steep enough to get there.
     """
     aside = 1e-4 * (high - low)
     here, after, before, there = (
