@@ -206,3 +206,12 @@ def test_no_module_holds_two_ideas() -> None:
         if (count := len(path.read_text(encoding="utf-8").splitlines())) > 300
     }
     assert not long, f"above 300 lines: {long}"
+
+
+def test_no_test_module_is_imported_by_another_module() -> None:
+    """What two of them need has a module of its own, named by what it holds."""
+    for path in (ROOT / "tests").rglob("*.py"):
+        for name in imported(path):
+            room, *parts = name.split(".")
+            ours = room == "tests" and any(part.startswith("test_") for part in parts)
+            assert not ours, f"{path.relative_to(ROOT)} imports {name}"

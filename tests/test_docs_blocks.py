@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import json
 import re
-import shlex
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,10 +15,10 @@ import yaml
 
 from sim.cli import COMMANDS, main
 from sim.pages.runtime.node import node_program
+from tests.shell_lines import called, options_exist
 
 ROOT = Path(__file__).parents[1]
 TEXTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("worksheets/*.md")])
-MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
 OURS = {
     "scene",
     "question",
@@ -34,7 +33,6 @@ OURS = {
     "picture",
 }
 SHOWN_AS_IT_IS = {"text", "markdown", "csv", "html"}  # output, lessons (their blocks are found too)
-PROGRAMS = re.compile(r"^(?:\.venv/bin/)?(carts|make|pip|cd|python|mkdocs) ?(.*)$")
 
 
 def blocks() -> Iterator[tuple[str, str, str]]:
@@ -63,30 +61,6 @@ def of(*languages: str) -> list[tuple[str, str]]:
 def test_every_block_says_what_it_is() -> None:
     known = OURS | SHOWN_AS_IT_IS | {"sh", "yaml", "json", "python", "js"}
     assert [(place, language) for place, language, _ in ALL if language not in known] == []
-
-
-def called(line: str) -> None:
-    """What a line of a shell calls must exist."""
-    match = PROGRAMS.match(line)
-    assert match, f"an unknown program: {line}"
-    program, words = match[1], shlex.split(match[2], comments=True)
-    if program == "make":
-        for word in words:
-            assert "=" in word or re.search(rf"^{word}:", MAKEFILE, re.M), line
-    elif program == "carts":
-        options_exist(words)
-
-
-def options_exist(words: list[str]) -> None:
-    if words[0].startswith("-"):
-        return
-    assert words[0] in COMMANDS, words
-    command = main.get_command(click.Context(main), words[0])
-    assert command is not None
-    known = {name for parameter in command.params for name in parameter.opts} | {"--help"}
-    known |= {name for parameter in command.params for name in parameter.secondary_opts}
-    given = {word.partition("=")[0] for word in words[1:] if word.startswith("--")}
-    assert given <= known, words
 
 
 @pytest.mark.parametrize(("place", "text"), of("sh"), ids=lambda one: one[:40])

@@ -16,8 +16,8 @@ from typing import Any
 from playwright.sync_api import Browser, Playwright, sync_playwright
 
 from tests.web.conftest import CONTEXT, launch
+from tests.web.question.killed_browser import lost_answers
 from tests.web.question.question_site import ALL_KINDS, prepare, ready, write_page
-from tests.web.question.test_crash import lost_answers
 
 KEYS = 120
 OPENINGS = 7

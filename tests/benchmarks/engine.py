@@ -17,9 +17,9 @@ from sim.dynamics.loop.run import run
 from sim.dynamics.motion import series
 from sim.scene import effects, read_scene
 from tests.benchmarks.physics import row
-from tests.dynamics.test_coupled_contacts import row as carts_in_a_row
-from tests.dynamics.test_coupled_contacts import scenes as tier_two_scenes
-from tests.dynamics.test_hard_cases import pi_billiard
+from tests.dynamics.given.pi_billiard import pi_billiard
+from tests.dynamics.given.rows_of_carts import row as carts_in_a_row
+from tests.dynamics.given.rows_of_carts import scenes as tier_two_scenes
 from tests.reference import many_contacts
 
 BARE = {"keep_events": False, "keep_motion": False}

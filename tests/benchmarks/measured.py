@@ -17,8 +17,8 @@ from typing import Any
 from playwright.sync_api import expect, sync_playwright
 
 from sim.measured.model.fit import Fit, fit
+from tests.measured.cramer_rao import bound
 from tests.measured.makers import TOLD, as_text, film, random_truth, truth
-from tests.measured.test_fit import bound
 from tests.web.conftest import CONTEXT, launch
 from tests.web.figures.measured_site import build_measured
 

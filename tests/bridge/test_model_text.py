@@ -13,18 +13,13 @@ from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests import registry
+from tests.bridge.plain_program import played
 
 NEAR = 0.02
 """Of the fastest cart: first order, a hundred steps in a quarter swing."""
 
 LONG = 400_000
 """Steps; scenes with more are compiled, and not run."""
-
-
-def played(text: str) -> dict[str, object]:
-    names: dict[str, object] = {"print": lambda *_, **__: None}
-    exec(compile(text, "model", "exec"), names)
-    return names
 
 
 @pytest.mark.parametrize("name", registry.NAMES)

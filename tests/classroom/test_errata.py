@@ -13,7 +13,7 @@ from sim.classroom.paper import largest_deviation, whole_total
 from sim.classroom.statistics.tails import normal_inside, normal_two_sided
 from sim.dynamics.loop.run import run
 from sim.scene import SceneError, read_scene
-from tests.classroom.test_paper import TABLE_2, TABLE_3, text
+from tests.classroom.given.paper_tables import TABLE_2, TABLE_3, text
 
 K, M1, M2, LENGTH = 500.0, 0.5, 1.0, 0.2
 

@@ -8,7 +8,6 @@ import json
 from typing import Any
 
 from sim.classroom.files.reading import Reading, Source
-from sim.classroom.files.records import as_record, from_record
 from sim.classroom.report.class_csv import items_csv
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.report.settings import told_settings
@@ -16,6 +15,7 @@ from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
 from sim.lesson.bank import read_bank
+from tests.classroom.given.page_report import report_of
 from tests.classroom.makers import answers, bank, keys, random_class, sources
 
 TIME = "2026-09-01T08:00:00.000Z"
@@ -28,15 +28,6 @@ def prediction(kind: str, value: Any, said: str, **more: str) -> dict[str, Any]:
 
 def worksheet(student: str, items: list[dict[str, Any]]) -> dict[str, Any]:
     return answers(bank(1), student, "worksheet", {}) | {"items": items}
-
-
-def report_of(files: list[dict[str, Any]], key: str = "") -> dict[str, Any]:
-    extra = [Source("key.json", key.encode())] if key else []
-    reading = Reading.of([*sources(files), *extra])
-    assert not reading.refused
-    # As the page does: rows go out and come back.
-    read = [from_record(json.loads(json.dumps(as_record(one)))) for one in reading.files]
-    return class_report([(one, "class") for one in read], reading.keys, [], Asked())
 
 
 CLASS = [

@@ -17,7 +17,7 @@ from sim.classroom.statistics.item_numbers import (
 )
 from sim.classroom.statistics.ranks import wilcoxon
 from sim.classroom.statistics.spread import Spread
-from tests.classroom.test_statistics import RANDOM, same
+from tests.classroom.given.random_marks import RANDOM, same
 
 
 def test_the_point_biserial_is_the_correlation_with_the_other_items() -> None:

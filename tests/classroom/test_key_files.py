@@ -10,7 +10,7 @@ from sim.classroom.files.keyed import KeyFileError, keyed_item, read_key_file
 from sim.lesson import read_question
 from sim.lesson.key_file import item_key, key_file
 from sim.lesson.read import KINDS
-from tests.lesson.test_marking import SETS
+from tests.lesson.marking_vectors import SETS
 
 
 @pytest.mark.parametrize("name", SETS)

@@ -6,19 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from sim.classroom.paper import later, laws, same_sums, sizes, whole_total
+from sim.classroom.paper import same_sums, sizes, whole_total
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.scene_block import Lesson
-
-EVIDENCE = Path(__file__).parents[2] / "docs" / "evidence"
-
-
-def text(name: str) -> str:
-    return (EVIDENCE / name).read_text(encoding="utf-8")
-
-
-TABLE_2 = laws(text("table-2.csv"), text("table-2-printed.csv"))
-TABLE_3 = later(text("table-3.csv"))
+from tests.classroom.given.paper_tables import EVIDENCE, TABLE_2, TABLE_3, text
 
 
 def test_the_columns_of_table_i_add_up_to_what_is_printed() -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 from markdown import Markdown
 
@@ -14,6 +12,7 @@ from sim.pages.classroom.practice_keys import keys_script, practice_key
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.language import LANGUAGES
 from sim.pages.scene_block import Lesson
+from tests.classroom.given.site_keys import brought, keys_of
 
 BANKS = Path(__file__).parents[2] / "worksheets" / "banks"
 QUESTION = """
@@ -52,18 +51,6 @@ def made(text: str) -> str:
         set_page(None)
     key = practice_key("tests", "lesson", page)
     return keys_script([key] if key else []).decode()
-
-
-def keys_of(site: Path) -> list[dict[str, Any]]:
-    """The keys that a built site brings along."""
-    script = (site / "assets" / "carts" / "class-keys.js").read_text(encoding="utf-8")
-    return [json.loads(text) for text in brought(script)["__cartsKeys"]]
-
-
-def brought(script: str) -> dict[str, Any]:
-    """What the script gives to its page, by name."""
-    lines = (line.removeprefix("self.").rstrip(";").split(" = ", 1) for line in script.splitlines())
-    return {name: json.loads(value) for name, value in lines}
 
 
 def test_worksheet_and_practice_are_marked_and_nothing_is_told_to_students() -> None:

@@ -18,29 +18,7 @@ from sim.classroom.statistics.compare import cohen_d, cohen_d_within, paired_t, 
 from sim.classroom.statistics.gain import hake_gain
 from sim.classroom.statistics.ranks import wilcoxon
 from sim.classroom.statistics.spread import Spread, spread
-
-CLASSES = 1_000
-NEAR = 1e-12
-
-
-def classes() -> list[tuple[list[float], list[float]]]:
-    """Marks before and after of random classes; some easy, some hard, many ties."""
-    dice = random.Random(7)
-    made = []
-    for _ in range(CLASSES):
-        of, n = dice.randint(2, 15), dice.randint(5, 60)
-        before = [float(sum(dice.random() < 0.4 for _ in range(of))) for _ in range(n)]
-        after = [float(min(of, max(0, b + dice.randint(-2, 3)))) for b in before]
-        made.append((before, after))
-    return made
-
-
-RANDOM = classes()
-
-
-def same(mine: float, theirs: float) -> bool:
-    """Equal to 1e-12 of the number, or of 1 where it is smaller."""
-    return abs(mine - theirs) <= NEAR * max(1.0, abs(theirs))
+from tests.classroom.given.random_marks import RANDOM, same
 
 
 def test_mean_and_deviation_are_those_of_the_standard_library() -> None:

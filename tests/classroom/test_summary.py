@@ -18,44 +18,24 @@ from sim.classroom.summary.merge import merged
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
 from sim.cli.classroom.summary import lessons_of_answers
+from tests.classroom.given.school_summaries import (
+    HEAD,
+    MOST,
+    bits,
+    of_table,
+    school,
+    through_a_file,
+)
 from tests.classroom.makers import bank, keys, random_class, sources
 from tests.classroom.tables import csv, judged, reported
 
 NAMES = ("files", "flags", "students", "sentences", "notes")
-ITEMS = ("Q1", "Q2", "Q3")
-HEAD = ("student", "group", "class", *(f"{form}_{i}" for form in ("pre", "post") for i in ITEMS))
-MOST = ["MAX", "", "", 1, 1, 2, 1, 1, 2]
-
-
-def school(number: int, dice: random.Random, counts: Sequence[int]) -> list[list[object]]:
-    """Students of two groups, a class each, with decimal marks; nobody is there twice."""
-    return [
-        [f"{number}-{group}-{k}", group, f"{number}{group}",
-         *(dice.choice(["0", "0.1", "0.7", "1"]) for _ in range(6))]
-        for group, count in zip("ab", counts, strict=True)
-        for k in range(count)
-    ]  # fmt: skip
-
-
-def through_a_file(summary: Summary) -> Summary:
-    """What is left after writing and reading."""
-    return read_summary(json.dumps(summary_file(summary)).encode())
-
-
-def of_table(rows: Sequence[Sequence[object]], *, by_total: bool = True) -> Summary:
-    found = judged(csv(HEAD, [MOST, *rows]))
-    return through_a_file(handed_on([found.lesson], found.groups, by_total=by_total))
 
 
 def report_of(summaries: Sequence[Summary]) -> dict[str, Any]:
     whole, refused = merged([(f"{k}.json", summary) for k, summary in enumerate(summaries)])
     assert refused == []
     return document(whole.lessons, whole.groups, Read(unit="summaries", read=0, counted=0))
-
-
-def bits(report: dict[str, Any]) -> str:
-    """Every number of a report; JSON writes floats so that no bit is lost."""
-    return json.dumps(report, allow_nan=False)
 
 
 @settings(max_examples=25)

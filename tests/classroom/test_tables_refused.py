@@ -11,8 +11,15 @@ from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.show.report_page import report_html
 from sim.classroom.tables.cells import TableError
 from sim.classroom.tables.read import read_table
+from tests.classroom.given.exported_tables import (
+    GOOGLE,
+    GOOGLE_ITEMS,
+    MICROSOFT,
+    MOODLE,
+    MOODLE_GERMAN,
+    WIDE,
+)
 from tests.classroom.tables import csv, reported
-from tests.classroom.test_tables import GOOGLE, GOOGLE_ITEMS, MICROSOFT, MOODLE, MOODLE_GERMAN, WIDE
 
 
 @pytest.mark.parametrize(

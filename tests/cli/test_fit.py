@@ -12,8 +12,8 @@ from click.testing import CliRunner, Result
 
 from sim.cli import main
 from tests.measured.devices import Motion, motion_capture, phone, tracker_project
+from tests.measured.force_sensors import sensors
 from tests.measured.makers import as_text, film, truth
-from tests.measured.test_third_law import sensors
 
 MADE = truth()
 

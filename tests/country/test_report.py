@@ -11,18 +11,13 @@ from typing import Any
 
 import pyarrow.parquet as pq
 import pytest
-from click.testing import CliRunner, Result
 
-from sim.cli import main
+from tests.country.class_command import carts, table
 from tests.country.school import KEY, lay, school_files
 
 WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
 NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered", "typed")
 """What is one student's, and what only reports on sums hold."""
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
 
 
 def reported(*words: object) -> dict[str, Any]:
@@ -52,12 +47,6 @@ def numbers(report: dict[str, Any]) -> Any:
 
 
 GROUPS = ("--group", "usual=b*/*", "--group", "new=a*/*")
-
-
-def table(school: Path, *words: object) -> Path:
-    target = school.parent / f"table-{len(list(school.parent.iterdir()))}"
-    assert carts(school, "--parquet", target, *words).exit_code == 0
-    return target
 
 
 @pytest.mark.slow

@@ -14,8 +14,8 @@ import pytest
 from sim.country.backend import DUCKDB, answers_in, connect
 from sim.country.refusal import CountryError
 from sim.country.report import read_table
+from tests.country.class_command import carts, table
 from tests.country.school import KEY, lay, school_files
-from tests.country.test_report import carts, table
 
 
 @pytest.mark.parametrize(

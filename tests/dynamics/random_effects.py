@@ -8,7 +8,7 @@ from typing import Any
 from hypothesis import assume
 from hypothesis import strategies as st
 
-from tests.dynamics.test_properties import decimals, scenes
+from tests.dynamics.given.random_rows import decimals, scenes
 
 KINDS = ("friction", "incline", "drag", "push", "spring", "magnets", "release")
 ELASTIC = st.fixed_dictionaries(

@@ -13,7 +13,7 @@ from sim.dynamics.loop.run import run
 from sim.laws.many import outcome_known
 from sim.scene import apply_changes, read_scene
 from sim.scene.laws import laws
-from tests.dynamics.test_batches import FINITE, by_engine, spread
+from tests.dynamics.given.batch_points import FINITE, by_engine, spread
 
 
 @st.composite

@@ -4,49 +4,24 @@ from __future__ import annotations
 
 import math
 import random
-from typing import Any
 
 import numpy as np
 import pytest
 
 from sim.dynamics.batch.grid import MOST_RUNS, MOST_WITH_EFFECTS, changes_at, run_points, solve
 from sim.dynamics.batch.impacts import impacts
-from sim.dynamics.loop.run import run
 from sim.dynamics.motion.impact import outgoing
 from sim.laws.lookup import contact_law
-from sim.laws.many import outcome_known
-from sim.scene import apply_changes, read_scene
-from sim.scene.laws import laws
 from sim.scene.model import Contact
 from tests import registry
+from tests.dynamics.given.batch_points import FINITE, by_engine, spread
 
 ULPS = 16
 """Units in the last place: numpy's logarithm, sine and exponential differ from Python's there."""
 
-LAWS = [law for law in laws() if outcome_known(law)]
-FINITE = [law for law in LAWS if law not in ("instant", "velcro")]
-
 
 def close(value: float, expected: float, scale: float = 0.0) -> bool:
     return abs(value - expected) <= ULPS * 2.3e-16 * max(abs(expected), scale)
-
-
-def spread(low: float, high: float, count: int) -> tuple[float, ...]:
-    return tuple(low + (high - low) * k / (count - 1) for k in range(count))
-
-
-def by_engine(plain: dict[str, Any], changes: dict[str, float], show: tuple[str, str]) -> float:
-    done = run(read_scene(apply_changes(plain, changes)))
-    if show[0] == "v":
-        return done.v[[cart.name for cart in done.scene.carts].index(show[1])]
-    if show[0] == "warmed":
-        return done.ledger.warmed
-    peaks = [
-        e.force
-        for e in done.record.events
-        if e.kind == "peak" and list(e.bodies) == show[1].split("-")
-    ]
-    return max([force or 0.0 for force in peaks], default=0.0)
 
 
 def test_velocities_are_those_of_the_scalar_formula_to_the_last_bit() -> None:

@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 import math
-import random
 
 import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample, trajectory
 from sim.scene import read_scene
+from tests.dynamics.given.rows_of_carts import row, scenes
 from tests.reference import many_contacts
 
 TABLE = 1e-9
 """m/s. The tables are printed to nine decimals."""
-
-
-def row(velocities, *, gap=0.0, masses=None, law="paper", e=1, k=500, until=5, **track):
-    """Plain values of carts in a row, the first one at 0.5 m."""
-    masses = masses or [1] * len(velocities)
-    carts = {
-        f"C{n}": {"mass": m, "position": f"{0.5 + n * (0.2 + gap):.12g}", "velocity": v}
-        for n, (m, v) in enumerate(zip(masses, velocities, strict=True))
-    }
-    contact = {"law": law, "restitution": e, "stiffness": k}
-    return {"carts": carts, "contact": contact, "until": until, "track": track}
 
 
 # Carts on linear springs, touching, the first one with 1 m/s.
@@ -63,23 +52,6 @@ def test_carts_far_enough_apart_hand_the_motion_on_as_instant_impacts_do():
     )  # gap sqrt(k/m)/u >= pi / (2 sqrt 2) = 1.1107: contacts never meet
     finished = run(read_scene(row([1, 0, 0, 0], gap=apart, k=k)))
     assert list(finished.v) == pytest.approx([0, 0, 0, 1], abs=1e-15)
-
-
-def scenes(count, seed):
-    dice = random.Random(seed)
-    for _ in range(count):
-        n = dice.choice([3, 4])
-        yield row(
-            [f"{dice.uniform(-1.5, 1.5):.3f}" for _ in range(n)],
-            gap=round(dice.uniform(0.005, 0.05), 3),
-            masses=[f"{dice.uniform(0.2, 3):.2f}" for _ in range(n)],
-            e=f"{dice.uniform(0.3, 1):.2f}",
-            k=dice.choice([50, 300, 2000]),
-            until=0.6,
-            left="wall",
-            right="wall",
-            length=f"{0.5 + n * 0.25 + 0.05:.3f}",
-        )
 
 
 @pytest.mark.parametrize("plain", list(scenes(12, 5)))

@@ -15,7 +15,7 @@ from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene.effects import kinds
 from tests import registry
-from tests.bridge.test_model_text import played
+from tests.bridge.plain_program import played
 
 FILES = ("__init__.py", "force.py", "model.py", "page.md", "proof.py", "scenes")
 

@@ -6,9 +6,6 @@ import json
 import math
 import pkgutil
 import re
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 
@@ -21,8 +18,8 @@ from sim.pages.bake import bake
 from sim.scene import apply_changes, read_scene
 from sim.scene.effects import kinds
 from tests import registry
+from tests.dynamics.given.imports_of_a_run import imported_by
 
-ROOT = Path(__file__).parents[2]
 G = 9.81
 
 TIERS = {
@@ -95,24 +92,6 @@ def test_an_effect_on_another_cart_is_not_evaluated_for_this_one():
     both = run(read_scene(plain)).effects["friction"]
     one = run(read_scene(plain | {"effects": plain["effects"][:1]})).effects["friction"]
     assert 0 < one < both
-
-
-def imported_by(plain: dict) -> set[str]:
-    """The modules that a process has after it has run this scene and nothing else."""
-    script = (
-        "import json, sys; from sim.scene import read_scene; from sim.dynamics.loop.run import run;"
-        "from sim.dynamics.report.document import report;"
-        "report(run(read_scene(json.load(sys.stdin)))); print(json.dumps(list(sys.modules)))"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", script],
-        input=json.dumps(plain),
-        capture_output=True,
-        text=True,
-        check=True,
-        cwd=ROOT,
-    )
-    return set(json.loads(done.stdout))
 
 
 ALONE = ["friction-stop", "incline-bounce", "drag-quadratic", "push-then-coast"]

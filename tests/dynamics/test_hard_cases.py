@@ -10,23 +10,10 @@ import pytest
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests import registry
-from tests.dynamics.test_coupled_contacts import row
+from tests.dynamics.given.pi_billiard import pi_billiard
+from tests.dynamics.given.rows_of_carts import row
 
 COUNTED = {"keep_events": False, "keep_motion": False}
-
-
-def pi_billiard(digits, stiffness=None):
-    """A light cart at rest between a wall and a cart 100^digits times as heavy that comes in."""
-    contact = {"law": "instant"} if stiffness is None else {"stiffness": stiffness}
-    return {
-        "carts": {
-            "light": {"mass": 1, "position": 1, "velocity": 0, "length": 0},
-            "heavy": {"mass": 100**digits, "position": 2, "velocity": -1, "length": 0},
-        },
-        "track": {"left": "wall"},
-        "contact": contact,
-        "until": 1e6,
-    }
 
 
 @pytest.mark.parametrize(("digits", "count"), [(0, 3), (1, 31), (2, 314), (3, 3141), (4, 31415)])

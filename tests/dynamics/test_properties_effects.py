@@ -7,34 +7,14 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.dynamics.loop.run import run
-from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import trajectory
-from sim.scene import read_scene
+from tests.dynamics.given.random_runs import FEW, FEWER, HALF, finished
 from tests.dynamics.random_effects import acted_on
 from tests.reference.contact_branches import UnsupportedError
 from tests.reference.effects import integrate
-
-MOST = 300
-"""Events. Impacts that crowd at one instant under forces are costly; the laws hold at any time."""
-
-SETTINGS = settings()
-FEWER = settings(
-    max_examples=max(1, SETTINGS.max_examples // 3), suppress_health_check=list(HealthCheck)
-)
-"""Integration takes a hundred times as long as the run; and where a law needs two long runs."""
-HALF = settings(max_examples=max(1, SETTINGS.max_examples // 2))
-
-
-def finished(plain: dict[str, Any], **kept: bool) -> Any:
-    """The run; None where it is refused in words, as magnets too weak to part their carts are."""
-    try:
-        return run(read_scene(plain), max_events=MOST, **kept)
-    except UnsolvedError:
-        return None
 
 
 def energy_scale(ledger: Any) -> float:
@@ -80,9 +60,6 @@ FLASH = 1e-12
 
 AGREE = 1e-7
 """m and m/s, of 1. The integration is good to 1e-11; a contact or two later that has grown."""
-
-FEW = 12
-"""Changes of formula. After more of them rounding may decide what comes first."""
 
 
 @FEWER

@@ -10,13 +10,11 @@ from typing import Any
 
 import pytest
 
-from sim.dynamics.loop.run import run
 from sim.dynamics.result.energy_parts import energy_parts
-from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import stepped
-from sim.scene import read_scene
+from tests.dynamics.given.spring_release import done, pair
 from tests.reference.let_go import Bodies, followed
 
 ROUNDING = 1e-14
@@ -24,21 +22,6 @@ ROUNDING = 1e-14
 
 INTEGRATED = 2e-10
 """m, m/s, s. What the second opinion is good to."""
-
-
-def pair(**changes: Any) -> dict[str, Any]:
-    """0.06 J in 20 N/m between 0.5 kg and 1 kg, let go at 0.25 s."""
-    release = {"between": ["A", "B"], "energy": 0.06, "at": 0.25, "stiffness": 20}
-    plain: dict[str, Any] = {
-        "carts": {"A": {"mass": 0.5, "position": 1.1}, "B": {"mass": 1, "position": 1.3}},
-        "effects": [{"release": release | changes.pop("release", {})}],
-        "until": 1,
-    }
-    return plain | changes
-
-
-def done(plain: dict[str, Any]) -> Run:
-    return run(read_scene(plain))
 
 
 @pytest.mark.parametrize("k", [0.5, 20.0, 3e3, 1e7])

@@ -11,7 +11,7 @@ from sim.dynamics.report.document import report
 from sim.dynamics.report.plan import plan
 from sim.scene import read_scene
 from sim.scene.problem import SceneError
-from tests.dynamics.test_release_by_a_spring import done, pair
+from tests.dynamics.given.spring_release import done, pair
 
 
 def test_a_run_that_ends_on_the_way_still_has_energy_in_the_spring() -> None:

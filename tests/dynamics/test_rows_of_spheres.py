@@ -12,7 +12,7 @@ from sim.dynamics.motion.curved.own_time import OwnTime
 from sim.dynamics.result.trajectory import sample, trajectory
 from sim.laws.hertz.law import Hertz
 from sim.scene import read_scene
-from tests.dynamics.test_effects import imported_by
+from tests.dynamics.given.imports_of_a_run import imported_by
 from tests.reference.effects import integrate
 
 MOST_STEPS = 30

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from playwright.sync_api import sync_playwright
 
+from tests.web.question.killed_browser import lost_answers
 from tests.web.question.question_site import ALL_KINDS, prepare, write_page
-from tests.web.question.test_crash import lost_answers
 
 from .tried import RIGHT, SILENT, Row
 

@@ -9,8 +9,8 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.film.collision import QUICK, Filmed, filmed
+from tests.film.film_bench import MADE, STARTS, benches, choose, film, set_up
 from tests.film.maker import Stage
-from tests.film.test_film_page import MADE, STARTS, benches, choose, film, set_up
 from tests.web.conftest import OpenPage
 from tests.web.site.pages_of import listen
 

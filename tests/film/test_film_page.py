@@ -9,22 +9,19 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.measured.tracks import read_measured
-from tests.film.collision import QUICK, Filmed, filmed
+from tests.film.collision import Filmed, filmed
+from tests.film.film_bench import AIMS, MADE, STARTS, benches, choose, click, film, set_up
 from tests.film.maker import Stage, encoded, frames
-from tests.measured.makers import truth
 from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
-from tests.web.figures.measured_site import build_measured
 from tests.web.runtime.boot_site import ROOT
+from tests.web.site.accessibility import PALE, RUN_AXE
 from tests.web.site.pages_of import listen
-from tests.web.site.test_every_page import PALE, RUN_AXE
+
+__all__ = ["benches", "film"]  # fixtures
 
 pytestmark = pytest.mark.browser
 
-MADE = truth()
-STAGE = Stage(noise=3, tilt=0.02)
-STARTS = 60_000  # ms; Python with scipy on a loaded computer
-AIMS = ("A", "B", "one", "other")
 DROP = """([text, name]) => {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const dataTransfer = new DataTransfer();
@@ -32,16 +29,6 @@ DROP = """([text, name]) => {
   const event = new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true });
   document.querySelector("carts-measured").dispatchEvent(event);
 }"""
-
-
-@pytest.fixture(scope="module")
-def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_measured(tmp_path_factory.mktemp("films"))
-
-
-@pytest.fixture(scope="module")
-def film() -> Filmed:
-    return filmed(MADE, STAGE, 60, codec="libx264", kind="mp4", options={**QUICK, "crf": "8"})
 
 
 @pytest.fixture(scope="module")
@@ -53,31 +40,6 @@ def broken_off() -> Filmed:
     for picture in pictures[8:11]:
         picture[:, : stage.width // 2] = 128
     return Filmed(encoded(iter(pictures), made.times, stage), made.times, made.places, stage)
-
-
-def choose(page: Page, name: str, content: bytes) -> None:
-    payload = {"name": name, "mimeType": "video/webm", "buffer": content}
-    page.locator(".carts-measured-film-file").set_input_files([payload])  # type: ignore[list-item]
-
-
-def click(page: Page, x: float, y: float) -> None:
-    """On the middle of a pixel of the frame."""
-    view = page.locator(".carts-film-view")
-    view.scroll_into_view_if_needed()
-    box = view.bounding_box()
-    assert box is not None
-    ratio = box["width"] / float(view.evaluate("canvas => canvas.width"))
-    page.mouse.click(box["x"] + (x + 0.5) * ratio, box["y"] + (y + 0.5) * ratio)
-
-
-def set_up(page: Page, film: Filmed) -> None:
-    """Marks, ruler and its length."""
-    for aim, place in zip(AIMS, film.clicks(), strict=True):
-        expect(page.locator(f"[data-aim={aim}]")).to_have_attribute("aria-pressed", "true")
-        click(page, *place)
-    expect(page.locator(".carts-film-say")).to_contain_text("Type how long the ruler is")
-    page.locator(".carts-film-unit").select_option("cm")
-    page.locator(".carts-film-length").fill("50")
 
 
 def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(

@@ -11,7 +11,7 @@ import yaml
 
 from sim.cli.starter_files import site_files
 from tests.hosting.conftest import ROOT
-from tests.test_docs_blocks import called
+from tests.shell_lines import called
 
 OF_A_FORK = (ROOT / ".github" / "workflows" / "lessons.yml").read_text(encoding="utf-8")
 OF_A_SITE = site_files("Mine", "mine")[".github/workflows/lessons.yml"]

@@ -14,17 +14,10 @@ from hypothesis import strategies as st
 from sim.lesson.answer_file import PREDICTIONS, AnswerFileError, read_answer_file
 from sim.lesson.csv_text import csv_cell
 from sim.lesson.read import KINDS
+from tests.lesson.good_answers import GOOD, ITEM
 from tests.web.scene.widget_site import in_node
 
 CELLS = json.loads((Path(__file__).parent / "csv_cells.json").read_text(encoding="utf-8"))
-TIME = "2026-11-21T08:00:00.000Z"
-ITEM = {"id": "why", "hash": "0123456789ab", "type": "long", "value": "because", "first": TIME,
-        "last": TIME, "tries": 1}  # fmt: skip
-GOOD: dict[str, Any] = {
-    "format": 1, "kind": "newtons-carts-answers", "site": "tests", "lesson": "kinds",
-    "lessonHash": "0123456789ab", "student": "BLUE-FOX-27", "form": "worksheet", "created": TIME,
-    "saved": TIME, "page": "worksheets/kinds", "items": [ITEM],
-}  # fmt: skip
 
 
 def deep(levels: int) -> str:

@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sim.lesson.handin import ALPHABET, HandInError, decode, encode, fits
-from tests.lesson.test_forms import HASH
 from tests.web.scene.widget_site import in_node
+
+HASH = "pre:0123456789ab"
 
 SHEETS = st.lists(st.integers(2, 6), min_size=1, max_size=15).flatmap(
     lambda options: st.tuples(st.just(options), st.tuples(*(st.integers(0, n) for n in options)))

@@ -20,7 +20,6 @@ from tests.web.question.question_site import BANK
 from tests.web.scene.widget_site import in_node
 
 ROOT = Path(__file__).parents[2]
-HASH = "pre:0123456789ab"
 FORM = {"id": "f", "form": "pre", "mode": "exam", "bank": "x.yml"}
 
 

@@ -6,7 +6,6 @@ The vectors in tests/marking were written by hand; both programs must give exact
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -18,15 +17,10 @@ from sim.lesson.mark import is_empty
 from sim.lesson.problems import LessonError
 from sim.lesson.read import KINDS
 from sim.scene.notation import same_unit
+from tests.lesson.marking_vectors import SETS, VECTORS
 from tests.web.scene.widget_site import in_node
 
-VECTORS = Path(__file__).parents[1] / "marking"
 NUMBERS = json.loads((VECTORS / "typed-numbers.json").read_text(encoding="utf-8"))
-SETS = {
-    path.stem: json.loads(path.read_text(encoding="utf-8"))
-    for path in sorted(VECTORS.glob("*.json"))
-    if path.stem != "typed-numbers"
-}
 
 
 @pytest.mark.parametrize("name", SETS)

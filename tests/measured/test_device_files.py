@@ -12,8 +12,9 @@ from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
+from tests.measured.device_reports import LOGGED, known, report
 from tests.measured.devices import Motion, phone, sensor_carts, tracker_project
-from tests.measured.test_devices import LOGGED, known, report
+from tests.measured.several_runs import below, beside
 
 
 def test_a_tracker_project_holds_places_times_and_scale() -> None:
@@ -92,21 +93,6 @@ def test_a_lost_cart_leaves_a_gap_that_is_named() -> None:
     found = read_measured(["\n".join(lines)])
     assert any("6 rows without a reading" in note for note in found.notes)
     assert any("no reading from" in note for note in found.notes)
-
-
-def beside(texts: Sequence[str]) -> str:
-    """Logs of equal length as runs side by side, as loggers export them."""
-    lines = [text.removeprefix("\ufeff").splitlines() for text in texts]
-    heads = [",".join(f"{name.strip(chr(34))} Run #{k}" for name in rows[0].split(","))
-             for k, rows in enumerate(lines, 1)]  # fmt: skip
-    rows = [",".join(parts) for parts in zip(*(one[1:] for one in lines), strict=True)]
-    return "\n".join([",".join(heads), *rows]) + "\n"
-
-
-def below(texts: Sequence[str]) -> str:
-    """Logs one under the other: the time starts anew."""
-    first, *others = [text.splitlines() for text in texts]
-    return "\n".join([*first, *(line for one in others for line in one[1:])]) + "\n"
 
 
 @pytest.mark.parametrize("together", [beside, below], ids=["side by side", "below each other"])

@@ -9,9 +9,10 @@ from typing import Any
 
 import pytest
 
-from sim.measured.analysis import Analysis, Wanted, analysed
+from sim.measured.analysis import Analysis, analysed
 from sim.measured.events.story import Hints, story_of
 from sim.measured.tracks import read_measured
+from tests.measured.device_reports import LOGGED, known, report
 from tests.measured.devices import Motion, motion_capture, sensor_carts, tracker_project
 
 FILMED = 2e-4
@@ -19,18 +20,6 @@ FILMED = 2e-4
 
 EXPLOSION = Motion(v=(0.0, 0.0), apart=0.6, ratio=1.5, touch=0.8, until=1.8, brake=0.0)
 STICK = Motion(e=0.0, v=(0.2, 0.0))
-LOGGED = Motion(v=(0.5, 0.0), ratio=1.6, e=0.9, push=0.6, touch=1.3, lasts=0.2, until=3.0)
-
-
-def report(text: str, **masses: float) -> dict[str, Any]:
-    measured = read_measured([text])
-    names = dict(zip("AB", measured.names, strict=True))
-    found = analysed(measured, Wanted(masses={names[k]: m for k, m in masses.items()}))
-    return found.report
-
-
-def known(told: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    return {one["key"]: one for one in told["known"]}
 
 
 def random_motion(seed: int) -> Motion:

@@ -14,8 +14,8 @@ from sim.measured import lesson_set
 from sim.measured.model.fit import fit
 from sim.measured.model.motion import Motion
 from sim.measured.overlay import by_hand, first_try, frequency, overlay
+from tests.measured.force_sensors import sensors
 from tests.measured.makers import as_text, film, truth
-from tests.measured.test_third_law import sensors
 
 MADE = truth()
 TEXT = as_text(film(MADE))

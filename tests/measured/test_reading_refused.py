@@ -11,7 +11,7 @@ from sim.measured.cells import decoded
 from sim.measured.model.fit import fit
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.tracks import Measured, read_measured
-from tests.measured.test_reading import PLAIN, VARIANTS, A, T, rows, with_y
+from tests.measured.written_films import PLAIN, VARIANTS, A, T, rows, with_y
 
 HEAD = "t\tx_A\tx_B\n"
 

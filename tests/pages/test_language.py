@@ -22,13 +22,11 @@ from sim.pages.language.catalogue import (
 from sim.pages.language.extract import ROOT, SOURCES, counted_sentences, names_in, sentences
 from sim.pages.language.plurals import forms_of, key_of
 from sim.scene.effects import kinds
-from sim.scene.said import RULE, Said, listed, said
+from sim.scene.said import RULE, listed, said
 from tests import registry
+from tests.pages.given.interface_words import BRACKETS, SCRIPTS, sent_of_runs
 
 OTHERS = sorted(set(LANGUAGES) - {ENGLISH})
-# Each sentence told in a language that a test can see: [its English text].
-BRACKETS = {sentence: f"[{sentence}]" for sentence in sentences()}
-SCRIPTS = {"zh-Hans": r"[\u4e00-\u9fff]", "ta": r"[\u0b80-\u0bff]", "ms": r"[a-z]"}
 # Values that do not work, for sliders and for links.
 WRONG = [0, -1, "abc", "5 kg", "1 furlong", "1e999", "nan", "2,5 kg", True]
 
@@ -114,27 +112,12 @@ def test_what_a_script_says_is_among_the_words_that_its_page_gets(language: str)
             assert f"{key}:" in given, f"{path.name}: put {key} on a line of its own"
 
 
-def rebuilt(sent: Any) -> str:
-    """What came over the wire as the inner layers had it."""
-    if isinstance(sent, str):
-        return sent
-    values = {name: rebuilt(value) for name, value in sent["values"].items()}
-    return Said(sent["code"], values, sent.get("one", ""))
-
-
 def codes(sent: Any) -> Iterator[str]:
     """The templates of a sentence and of all that stands in it."""
     if not isinstance(sent, str):
         yield sent["code"]
         for value in sent["values"].values():
             yield from codes(value)
-
-
-def sent_of_runs() -> Iterator[Any]:
-    for name in registry.NAMES:
-        header, _ = answer({"id": 1, "kind": "run", "scene": registry.plain(name), "samples": 1})
-        yield from (phase["why"] for phase in header["plan"])
-        yield from (warning["message"] for warning in header["warnings"])
 
 
 def test_what_is_said_of_a_run_goes_to_the_page_as_templates_of_the_catalogues() -> None:

@@ -13,7 +13,7 @@ from sim.pages.translate.po_file import read_words, updated
 from sim.pages.translate.put_in import units_of
 from sim.pages.translate.translation import part_of, translations_of
 from sim.pages.translate.unit import changed_marks
-from tests.pages.test_language import SCRIPTS
+from tests.pages.given.interface_words import SCRIPTS
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "worksheets"

@@ -14,40 +14,11 @@ from sim.cli.site.build import build_site
 from sim.pages import bake as baking
 from sim.pages.check import check_paths
 from sim.pages.prepared import pack
-from sim.pages.translate.catalogues import source_of
-from sim.pages.translate.po_file import DRAFT, updated
-from sim.pages.translate.put_in import bank_units, lesson_units
+from tests.pages.given.translated_site import SAID, TEXT, three, write_words
 from tests.pages.small_site import MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture
-TEXT = lesson().replace(
-    "Words to search: galumphing.",
-    "# A lesson\n\nWords to search: galumphing.\n\nA [friend](second.md), a [stranger](third.md).",
-)
 SLIDER = "until: 2 s\ncontrols: [{set: A.mass, from: 1 kg, to: 3 kg, step: 1 kg}]"
-SAID = {
-    "A lesson": "Satu pelajaran",
-    "Words to search: galumphing.": "Kata untuk dicari: brillig.",
-    "A [friend](second.md), a [stranger](third.md).": "[Kawan](second.md), [orang](third.md).",
-}
-
-
-def write_words(
-    root: Path, name: str, said: dict[str, str], *, language: str = "ms", draft: bool = True
-) -> Path:
-    """The catalogue of `worksheets/NAME` as `carts words` writes it, with some of it translated."""
-    folder = root / "worksheets"
-    path = folder / name
-    text = path.read_text(encoding="utf-8")
-    units = bank_units(text) if path.suffix == ".yml" else lesson_units(text)
-    target = source_of(path, folder, language).catalogue
-    made = updated(target, "", units, language, name)
-    for one, ours in said.items():
-        assert f'msgid "{one}"\nmsgstr ""\n' in made, one
-        made = made.replace(f'msgid "{one}"\nmsgstr ""', f'msgid "{one}"\nmsgstr "{ours}"')
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(made if draft else made.replace(DRAFT, ""), encoding="utf-8")
-    return target
 
 
 def built(root: Path) -> dict[str, str]:
@@ -62,11 +33,6 @@ def others(page: str) -> list[str]:
     """The addresses in the line of languages, "" for the page itself."""
     found = re.search(r'<p class="carts-languages".*?</p>', page, re.DOTALL)
     return re.findall(r'<a href="([^"]*)"|aria-current', found[0]) if found else []
-
-
-def three(make_site: MakeSite, first: str = TEXT) -> Path:
-    second, third = (lesson(identity=name) for name in ("two", "three"))
-    return make_site(first=first, second=second, third=third)
 
 
 def test_a_lesson_with_a_catalogue_has_a_page_that_speaks_its_language(make_site: MakeSite) -> None:

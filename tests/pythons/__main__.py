@@ -15,8 +15,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.pythons.found import other_pythons
-from tests.pythons.test_other_pythons import SAME_SUMS
+from tests.pythons.found import SAME_SUMS, other_pythons
 
 ROOT = Path(__file__).parents[2]
 INSTALL = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps")

@@ -11,13 +11,10 @@ from pathlib import Path
 import pytest
 
 from tests import registry
-from tests.pythons.found import other_pythons
+from tests.pythons.found import SAME_SUMS, other_pythons
 
 ROOT = Path(__file__).parents[2]
 OTHERS = other_pythons()
-SAME_SUMS = (3, 12)
-"""Since this version `sum` of floats carries its rounding errors along (Neumaier): before, the last
-digits of a run may be others."""
 
 IMPORT_ALL = """
 import importlib, sys

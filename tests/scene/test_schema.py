@@ -13,7 +13,7 @@ from sim.scene.effects import kinds
 from sim.scene.laws import laws
 from sim.scene.schema import scene_schema
 from tests import registry
-from tests.lesson.test_published import faults
+from tests.lesson.json_schema import faults
 
 CART = {"mass": 1, "position": "0.4 m"}
 GOOD = {"carts": {"A": CART}}

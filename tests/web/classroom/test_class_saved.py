@@ -77,7 +77,7 @@ def test_it_prints_without_its_controls_and_fits_a_phone(page: Page) -> None:
 def test_on_the_real_page_a_worksheet_needs_no_key_and_the_report_is_what_prints(
     site: Path, open_page: OpenPage
 ) -> None:
-    from tests.classroom.test_practice_keys import keys_of
+    from tests.classroom.given.site_keys import keys_of
 
     key = [k for k in keys_of(site) if k["lesson"] == "newtons-third-law"][-1]  # the original
     item = next(i for i in key["forms"][0]["items"] if i["type"] == "single")

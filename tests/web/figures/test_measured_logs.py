@@ -10,9 +10,9 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.measured.devices import Motion, phone, sensor_carts
-from tests.measured.test_device_files import below
+from tests.measured.several_runs import below
 from tests.web.conftest import OpenPage
-from tests.web.figures.test_measured_page import LIVE, STARTS, benches, choose, opened
+from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
 
 __all__ = ["benches"]  # a fixture
 

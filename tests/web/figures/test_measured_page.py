@@ -12,30 +12,14 @@ from sim.measured.tracks import read_measured
 from tests.measured.makers import as_text, film, truth
 from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
-from tests.web.figures.measured_site import build_measured
+from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
+
+__all__ = ["benches"]  # a fixture
 
 pytestmark = pytest.mark.browser
 
 MADE = truth(e=0.7, ratio=1.5)
 TRACKER = as_text(film(MADE)).replace(".", ",").replace("-", "\u2212").replace("\n", "\r\n")
-LIVE = "carts-measured[data-state=live]"
-STARTS = 60_000  # ms; Python with scipy on a loaded computer
-
-
-@pytest.fixture(scope="module")
-def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_measured(tmp_path_factory.mktemp("measured"))
-
-
-def opened(open_page: OpenPage, place: Path) -> Page:
-    page = open_page(place)
-    page.on("pageerror", lambda error: pytest.fail(str(error)))
-    return page
-
-
-def choose(page: Page, name: str, text: str) -> None:
-    payload = {"name": name, "mimeType": "text/plain", "buffer": text.encode("utf-8-sig")}
-    page.locator(".carts-measured-file").set_input_files([payload])  # type: ignore[list-item]
 
 
 def units(page: Page, length: str = "m", time: str = "s") -> None:

@@ -9,8 +9,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.figures.measured_bench import LIVE, STARTS
 from tests.web.figures.measured_site import build_measured
-from tests.web.figures.test_measured_page import LIVE, STARTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 

@@ -8,6 +8,7 @@ from typing import Any
 from playwright.sync_api import Page, expect
 
 from sim.lesson.answer_file import read_answer_file
+from tests.web.question.question_site import ready
 
 KEEP_FILES = """() => {
   const make = URL.createObjectURL;
@@ -49,3 +50,21 @@ def saved_file(page: Page, k: int = 0) -> dict[str, Any]:
     page.locator(".carts-answers-close").click()
     read_answer_file(text)
     return dict(json.loads(text))
+
+
+def continue_as(page: Page, code: str, button: str | None = None) -> None:
+    page.locator(".carts-bar-open").click()
+    page.locator(".carts-answers-code").fill(code)
+    with page.expect_navigation():
+        page.locator(".carts-answers-go").click()
+        if button:
+            page.get_by_role("button", name=button).click()
+    ready(page)
+    expect(page.locator(".carts-bar-who")).to_have_text(code)
+
+
+def guess(page: Page, on: str, value: float) -> None:
+    box = page.locator(f'.carts-guess[data-on="{on}"] [type=text]')
+    box.press("ControlOrMeta+a")  # keys, as a reader's: Firefox tells no change of a set value
+    box.press_sequentially(str(value))
+    box.press("Tab")

@@ -9,7 +9,13 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.question.answering import KEEP_FILES, answer_everything, saved, saved_file
+from tests.web.question.answering import (
+    KEEP_FILES,
+    answer_everything,
+    continue_as,
+    saved,
+    saved_file,
+)
 from tests.web.question.question_site import question_site, ready
 
 pytestmark = pytest.mark.browser
@@ -28,17 +34,6 @@ IN_READINGS = """(act) => new Promise((resolve, reject) => {
 })"""
 KEEP_READINGS = f"() => ({IN_READINGS})((kept) => kept.put({{ text: '0 0.1' }}, 'page/film'))"
 COUNT_READINGS = f"() => ({IN_READINGS})((kept) => kept.count())"
-
-
-def continue_as(page: Page, code: str, button: str | None = None) -> None:
-    page.locator(".carts-bar-open").click()
-    page.locator(".carts-answers-code").fill(code)
-    with page.expect_navigation():
-        page.locator(".carts-answers-go").click()
-        if button:
-            page.get_by_role("button", name=button).click()
-    ready(page)
-    expect(page.locator(".carts-bar-who")).to_have_text(code)
 
 
 @pytest.mark.one_browser

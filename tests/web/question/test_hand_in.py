@@ -12,9 +12,8 @@ from sim.lesson.form import Form
 from sim.lesson.handin import decode
 from sim.pages.extension import Page as MadePage
 from tests.web.conftest import OpenPage
-from tests.web.question.answering import saved_file
+from tests.web.question.answering import continue_as, saved_file
 from tests.web.question.question_site import BANK, question_site, questions_page, ready
-from tests.web.question.test_answers_panel import continue_as
 
 __all__ = ["question_site"]  # a fixture
 

@@ -9,8 +9,8 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import saved_file
+from tests.web.question.broken_stores import NO_DATABASE, NO_TEXT_STORE, REFUSING, again_with
 from tests.web.question.question_site import question_site, ready
-from tests.web.question.test_questions_kept import NO_DATABASE, NO_TEXT_STORE, REFUSING, again_with
 
 __all__ = ["question_site"]  # a fixture
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import saved, saved_file
+from tests.web.question.broken_stores import NO_DATABASE, NO_TEXT_STORE, REFUSING, again_with
 from tests.web.question.question_site import question_site, ready
 
 pytestmark = pytest.mark.browser
@@ -69,21 +70,6 @@ def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
     saved(page, "why")
     page.reload()
     expect(page.locator("#why textarea")).to_have_value("written yesterday!")
-
-
-NO_DATABASE = "Object.defineProperty(window, 'indexedDB', { get() { throw new Error('no'); } });"
-NO_TEXT_STORE = (
-    "Object.defineProperty(window, 'localStorage', { get() { throw new Error('no'); } });"
-)
-REFUSING = """IDBObjectStore.prototype.put = () => {
-  throw new DOMException("full", "QuotaExceededError");
-};"""
-
-
-def again_with(page: Page, script: str) -> Page:
-    page.add_init_script(script)
-    page.reload()
-    return ready(page)
 
 
 UNLISTED = (

@@ -5,21 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
+from tests.web.question.answering import guess
 from tests.web.scene.widget_site import live, lock, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 
 __all__ = ["widget_site"]  # a fixture
-
-
-def guess(page: Page, on: str, value: float) -> None:
-    box = page.locator(f'.carts-guess[data-on="{on}"] [type=text]')
-    box.press("ControlOrMeta+a")  # keys, as a reader's: Firefox tells no change of a set value
-    box.press_sequentially(str(value))
-    box.press("Tab")
 
 
 def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path) -> None:

@@ -13,6 +13,7 @@ from sim.bridge.protocol import answer
 from sim.scene import read_fence
 from sim.scene.said import said
 from tests.web.conftest import OpenPage
+from tests.web.scene.given.counted_requests import COUNT, asked
 from tests.web.scene.widget_site import (
     FENCES,
     LIVE,
@@ -27,22 +28,9 @@ pytestmark = pytest.mark.browser
 
 __all__ = ["widget_site"]  # a fixture
 
-COUNT = """() => {
-    window.asked = [];
-    const post = Worker.prototype.postMessage;
-    Worker.prototype.postMessage = function (message, ...rest) {
-        if (message.do === "request") window.asked.push(JSON.parse(message.text).kind);
-        return post.call(this, message, ...rest);
-    };
-}"""
-"""Every request to Python from now on, by its kind."""
 
 FINAL = """const { x, v } = el.trajectory;
     return Object.keys(v).map((name) => [x[name].at(-1), v[name].at(-1)]);"""
-
-
-def asked(page: Page) -> list[str]:
-    return list(page.evaluate("window.asked"))
 
 
 def natively(name: str = "meeting", **more: Any) -> dict[str, Any]:

@@ -14,6 +14,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.web.runtime.boot_site import ROOT
+from tests.web.site.accessibility import PALE, RUN_AXE
 from tests.web.site.pages_of import (
     COUNT_SHIFTS,
     MOST_SHIFT,
@@ -25,18 +26,12 @@ from tests.web.site.pages_of import (
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser, pytest.mark.slow]
 
-PALE = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 OPEN_ALL = "for (const part of document.querySelectorAll('details')) part.open = true"
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 # The theme makes code that is wider than its place focusable a moment after it is laid out.
 WIDE_CODE = """() => [...document.querySelectorAll("pre > code")].every((code) =>
   code.scrollWidth <= code.clientWidth || code.tabIndex === 0)"""
-# Contrast is ours to find, in all views (`contrast.js`); axe looks for it on one page of each kind.
-RUN_AXE = """(contrast) => axe.run(document, { resultTypes: ["violations"],
-    rules: { "color-contrast": { enabled: contrast } } })
-  .then(({ violations }) => violations.map(({ id, nodes }) =>
-    [id, ...nodes.slice(0, 3).map(({ target }) => target.join(" "))]))"""
 
 # Width of the window, colours that the reader prefers, and what the page is made for. The first is
 # that in which a page is read in: on a phone there is least room.

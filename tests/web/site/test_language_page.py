@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 from sim.pages import makers
 from sim.pages.language import speaking, told
 from sim.pages.language.extract import sentences
-from tests.pages.test_language import BRACKETS, rebuilt, sent_of_runs
+from tests.pages.given.interface_words import BRACKETS, rebuilt, sent_of_runs
 from tests.web.conftest import OpenPage
 from tests.web.question import question_site as question_pages
 from tests.web.question.question_site import question_site

@@ -7,20 +7,15 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page
 
-from sim.pages.text.lesson_list import lessons_in
-from tests.conftest import ROOT
 from tests.web.conftest import OpenPage
 from tests.web.scene.widget_site import LIVE
+from tests.web.site.lessons_with_scenes import LESSONS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 HEAD, BAR = 48, 39  # px of the theme's head and of “My answers”, which stay on screen
 LAPTOP, PHONE, PROJECTOR = (1366, 768), (360, 740), (1280, 720)
 
-LESSONS = [
-    path.stem for path in lessons_in(ROOT / "worksheets")
-    if path.parent.name == "worksheets" and "```scene" in path.read_text(encoding="utf-8")
-]  # fmt: skip
 
 BOTTOMS = """(parts) => [...document.querySelectorAll("carts-scene")].flatMap((scene) => {
     const { top } = scene.getBoundingClientRect();

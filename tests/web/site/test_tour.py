@@ -9,7 +9,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from tests.web.conftest import OpenPage
 from tests.web.scene.widget_site import LIVE
-from tests.web.site.test_one_screen import LESSONS
+from tests.web.site.lessons_with_scenes import LESSONS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

@@ -1,0 +1,79 @@
+"""A browser that is killed while a reader types, and what it has lost."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from playwright.sync_api import BrowserContext, Page, Playwright, expect
+
+from tests.web.conftest import CONTEXT, LAUNCH
+from tests.web.question.question_site import ready
+
+
+def started(driver: Playwright, name: str, profile: Path) -> BrowserContext:
+    launcher = getattr(driver, name)
+    return launcher.launch_persistent_context(str(profile), **LAUNCH[name], **CONTEXT[name])
+
+
+def processes(profile: Path) -> Iterator[int]:
+    """The browser that was started with this profile, and nobody else's."""
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            try:
+                command = (entry / "cmdline").read_bytes()
+            except OSError:
+                continue
+            if os.fsencode(profile) in command:
+                yield int(entry.name)
+
+
+def kill(profile: Path) -> None:
+    for process in processes(profile):
+        try:
+            os.kill(process, signal.SIGKILL)
+        except ProcessLookupError:
+            continue
+
+
+def opened(driver: Playwright, name: str, profile: Path, file: Path) -> tuple[BrowserContext, Page]:
+    for lock in ("SingletonLock", "SingletonCookie", "SingletonSocket", "lock", ".parentlock"):
+        (profile / lock).unlink(missing_ok=True)  # a dead browser's
+    context = started(driver, name, profile)
+    page = context.new_page()
+    page.goto(file.as_uri())
+    return context, ready(page)
+
+
+def lost_answers(
+    driver: Playwright, name: str, profile: Path, file: Path, delays: Sequence[float], *, told: bool
+) -> list[str]:
+    """Type, kill the browser so many seconds later, look again, and so on; what was not kept.
+
+    `told`: the seconds begin when the page says “Saved”; else with the last key.
+    """
+    written, lost = "", []
+    for k, delay in enumerate((*delays, None)):
+        context, page = opened(driver, name, profile, file)
+        box = page.locator("#why textarea")
+        try:
+            expect(box).to_have_value(written, timeout=3000)
+        except AssertionError:
+            lost.append(written)
+        if delay is None:
+            context.close()
+            break
+        written = f"{k}: kept at {delay} s"
+        box.fill("")
+        box.press_sequentially(written)
+        if told:
+            expect(page.locator("#why .carts-q-saved")).to_have_text("Saved")
+        time.sleep(delay)
+        kill(profile)
+        with suppress(Exception):  # it is dead, which is what is wanted
+            context.close()
+    return lost

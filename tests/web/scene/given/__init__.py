@@ -1,0 +1,1 @@
+"""What the tests of this room start from: requests of a page, counted."""
