@@ -118,3 +118,26 @@ def test_arrows_that_cannot_be_told_keep_the_words_of_their_page() -> None:
     ]
     files = [predicted(f"FOX-{k}", "arrows", one, f"as said {k}") for k, one in enumerate(values)]
     assert answers_of(files) == [(f"as said {k}", 1, 0) for k in range(len(values))]
+
+
+@pytest.mark.parametrize(("site", "lesson"), [("elsewhere", "L1"), ("tests", "my-copy")])
+def test_a_key_of_a_copy_of_the_lesson_marks_files_of_the_original(site: str, lesson: str) -> None:
+    key = json.loads(keys(BANKS["English"], ["pre"])) | {"site": site, "lesson": lesson}
+    sources = [file_of(language, f"RED-FOX-{language}") for language in ("English", "Malay")]
+    reading = Reading.of([*sources, Source("copy.key.json", json.dumps(key).encode())])
+    made = class_report([(one, "class") for one in reading.files], reading.keys, [], Asked())
+    (form,) = made["lessons"][0]["forms"]
+    assert [item["right"] for item in form["items"]] == [1, 1]  # the other has other questions
+
+
+def test_a_key_of_other_questions_marks_nothing() -> None:
+    other = read_bank({"title": "Other", "items": [
+        {"id": "choice", "type": "single", "ask": "Else?",
+         "options": [{"text": "x"}, {"text": "y", "correct": True}]},
+    ]})  # fmt: skip
+    key = json.loads(keys(other, ["pre"])) | {"site": "elsewhere"}
+    sources = [file_of("English", "RED-FOX-1"), Source("k.json", json.dumps(key).encode())]
+    reading = Reading.of(sources)
+    made = class_report([(one, "class") for one in reading.files], reading.keys, [], Asked())
+    (form,) = made["lessons"][0]["forms"]
+    assert [row["total"] for row in form["students"]] == [None]

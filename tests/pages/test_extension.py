@@ -124,6 +124,13 @@ def test_text_held_back_waits_for_the_prediction_of_its_section(found: list[Find
     assert made.index('data-after="one"') < made.index("New") < made.index('data-after="two"')
 
 
+def test_text_held_back_may_name_its_scene(found: list[Finding]) -> None:
+    other = SCENE.replace("id: one", "id: two")
+    made = html(f"{SCENE}\n{other}\n{AFTER.format('', ' one')}\n{AFTER.format('', ' two "T"')}")
+    assert made.count('data-after="one"') == made.count('data-after="two"') == 1
+    assert made.count("admonition-title") == 1
+
+
 def test_an_example_of_text_held_back_stays_an_example(found: list[Finding]) -> None:
     made = html(f"{SCENE}\n```markdown\n{AFTER.format('', '')}```\n")
     assert "<carts-after" not in made

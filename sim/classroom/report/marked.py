@@ -101,7 +101,11 @@ class Marked:
 
 
 class Keys:
-    """The keys of a class by site, lesson and form. A lesson in several languages has several."""
+    """The keys of a class by site, lesson and form. A lesson in several languages has several.
+
+    A teacher may have made the key from a copy of the lesson, under another site or name: where a
+    file's own site gave none, the key counts whose questions are the file's, by their hashes.
+    """
 
     def __init__(self, keys: Iterable[KeyedForm]) -> None:
         self.wordings: dict[tuple[str, str, str], list[KeyedForm]] = {}
@@ -115,14 +119,28 @@ class Keys:
 
     def of(self, file: AnswerFile) -> KeyedForm | None:
         """The key of a file: the wording that most of its answers belong to, else the last."""
-        found = self.wordings.get((file.site, file.lesson, file.form), [])
+        name = (file.site, file.lesson, file.form)
+        if name not in self.wordings and (lent := self._lent(file)):
+            self.wordings[name] = lent
+        found = self.wordings.get(name, [])
         if len(found) < 2:
             return found[0] if found else None
+        return max(reversed(found), key=lambda key: len(_same(key, file)))
 
-        def fits(key: KeyedForm) -> int:
-            return sum(i.id in key.items and key.items[i.id].hash == i.hash for i in file.items)
+    def _lent(self, file: AnswerFile) -> list[KeyedForm]:
+        """Keys of copies of this form: most of the questions that both know are the same."""
+        all_ = {id(key): key for keys in self.wordings.values() for key in keys}.values()
+        return [
+            key
+            for key in all_
+            if key.form == file.form
+            and 2 * len(_same(key, file)) > len({i.id for i in file.items} & key.items.keys())
+        ]
 
-        return max(reversed(found), key=fits)
+
+def _same(key: KeyedForm, file: AnswerFile) -> set[str]:
+    """Questions of the file that the key has word for word."""
+    return {i.id for i in file.items if i.id in key.items and key.items[i.id].hash == i.hash}
 
 
 def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> Marked:

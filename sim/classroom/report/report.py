@@ -61,8 +61,8 @@ def class_report(
 ) -> dict[str, Any]:
     """The report on files, each with the name of its group."""
     of_files = Keys(keys)
-    forms = of_files.main
     sorted_out = sorted_files(files, of_files, asked)
+    forms = of_files.main  # with those of copies that files were marked by
     lessons: dict[tuple[str, str], list[Marked]] = {}
     for file in sorted_out.counted:
         lessons.setdefault((file.file.site, file.file.lesson), []).append(file)

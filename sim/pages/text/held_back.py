@@ -2,7 +2,8 @@
 
 What an author writes below a prediction is read before it is locked; where the text tells what is
 to be seen, it is held back by these words above it. Markdown reads the lines as one of its notes,
-which may have a kind of its own: `!!! check after "Title"`.
+which may have a kind of its own: `!!! check after "Title"`. Another scene than the one above is named:
+`!!! after two-carts "Title"`.
 """
 
 from __future__ import annotations
@@ -14,9 +15,11 @@ from dataclasses import dataclass
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.sections import HEADING
 
+_ID = re.compile(r"^id:[ \t]*[\"']?([\w-]+)", re.MULTILINE)
 MARK = "carts-waits-for-"  # with the id of a scene: a class of the note, until its HTML is made
 _OPENS = re.compile(
-    r"(?P<indent>\s*)!!! +(?P<kind>[\w-]+ +)?after(?: +\"(?P<title>[^\"]*)\")?[ \t]*"
+    r"(?P<indent>\s*)!!! +(?P<kind>[\w-]+ +)?after(?: +(?P<scene>[\w-]+))?"
+    r"(?: +\"(?P<title>[^\"]*)\")?[ \t]*"
 )
 
 
@@ -46,19 +49,26 @@ def held_back(lines: Sequence[str], asking: str, scenes: Sequence[str]) -> Itera
     for k, line in enumerate(lines):
         if HEADING.match(line):
             asking = ""
-        above = asking or (scenes[-1] if scenes else "")
-        if above and (found := _OPENS.fullmatch(line)):
-            yield Held(k, found["indent"], found["kind"] or "", found["title"] or "", above)
+        elif found := _OPENS.fullmatch(line):
+            above = asking or (scenes[-1] if scenes else "")
+            scene = found["scene"] if found["scene"] in scenes else above
+            kind, title = found["kind"] or "", found["title"] or ""
+            yield from [Held(k, found["indent"], kind, title, scene)] if scene else []
 
 
-def without_scene(text: str) -> Iterator[int]:
-    """Where in the text, without its code, something waits for a run and no scene stands above."""
+def without_scene(text: str) -> Iterator[tuple[int, str]]:
+    """Where in the text, without its code, something waits for a run that no scene above it has:
+    the place, and the scene that was named, if one was."""
     lines = text.splitlines(keepends=True)
-    first = next((block.start for block in scan(lines) if block.name == "scene"), len(lines))
+    scenes = [block for block in scan(lines) if block.name == "scene"]
     at = 0
-    for line in lines[:first]:
+    for k, line in enumerate(lines):
         if found := _OPENS.fullmatch(line.rstrip("\n")):
-            yield at + len(found["indent"])
+            above = [block for block in scenes if block.start < k]
+            named = found["scene"] or ""
+            known = {id_[1] for block in above for id_ in _ID.finditer(block.body)}
+            if not above or (named and named not in known):
+                yield at + len(found["indent"]), named
         at += len(line)
 
 

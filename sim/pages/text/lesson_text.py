@@ -86,8 +86,9 @@ def _few_backticks(prose: str) -> Iterator[Found]:
 def _held_back(prose: str) -> Iterator[Found]:
     """Text that would wait for ever, and is there at once."""
     hint = "put it below the scene whose run is watched first"
-    for at in without_scene(prose):
-        yield at, "no-such-scene", "“!!! after” waits for a run, and no scene stands above it", hint
+    for at, named in without_scene(prose):
+        told = f"no scene “{named[:40]}” stands above it" if named else "no scene stands above it"
+        yield at, "no-such-scene", f"“!!! after” waits for a run, and {told}", hint
 
 
 def _pictures(prose: str) -> Iterator[Found]:
