@@ -126,7 +126,8 @@ def test_text_held_back_waits_for_the_prediction_of_its_section(found: list[Find
 
 def test_text_held_back_may_name_its_scene(found: list[Finding]) -> None:
     other = SCENE.replace("id: one", "id: two")
-    made = html(f"{SCENE}\n{other}\n{AFTER.format('', ' one')}\n{AFTER.format('', ' two "T"')}")
+    after = [AFTER.format("", " one"), AFTER.format("", ' two "T"')]
+    made = html("\n".join([SCENE, other, *after]))
     assert made.count('data-after="one"') == made.count('data-after="two"') == 1
     assert made.count("admonition-title") == 1
 

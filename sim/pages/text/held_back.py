@@ -2,8 +2,8 @@
 
 What an author writes below a prediction is read before it is locked; where the text tells what is
 to be seen, it is held back by these words above it. Markdown reads the lines as one of its notes,
-which may have a kind of its own: `!!! check after "Title"`. Another scene than the one above is named:
-`!!! after two-carts "Title"`.
+which may have a kind of its own: `!!! check after "Title"`. Another scene than the one above is
+named: `!!! after two-carts "Title"`.
 """
 
 from __future__ import annotations
