@@ -86,6 +86,8 @@ def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
     mistake = page.locator(".carts-teach-mistakes li:visible")
     expect(mistake).to_contain_text("mass must be greater than 0")
     assert re.fullmatch(rf".*:{line}:\d+", mistake.get_attribute("data-place") or "")
+    at_its_field = page.locator(".carts-teach-note:visible")
+    expect(at_its_field.filter(has_text="mass must be greater than 0")).to_have_count(1)
     expect(field(page, "mass")).to_have_attribute("aria-invalid", "true")
 
     while page.locator(".carts-teach-undo").is_enabled():  # what is typed in one go is one step

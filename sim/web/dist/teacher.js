@@ -3168,7 +3168,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   var PAUSE = 300;
   var made = 0;
   var Fields = class {
-    /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number}>} */
+    /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, wrong: boolean}>} wrong: the note is a finding */
     #rows = /* @__PURE__ */ new Map();
     #form = "";
     /** @param {(field: Field, value: string, owner: object) => Promise<string>} set */
@@ -3186,8 +3186,11 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         if (!row) continue;
         row.field = field;
         const [line, col] = field.place;
-        const wrong = findings.some((one) => one.line === line && one.col === col);
-        row.control.setAttribute("aria-invalid", String(wrong));
+        const wrong = findings.find((one) => one.line === line && one.col === col);
+        const said = wrong?.message.replace(/^[\w.-]+: /, "");
+        if (wrong) this.#say(row, [said, wrong.hint].filter(Boolean).join(" – "));
+        else if (row.wrong) this.#say(row, "");
+        row.wrong = wrong !== void 0;
         if (row.control !== document.activeElement && row.control.value !== field.value) {
           row.control.value = field.value;
           this.#say(row, "");
@@ -3226,7 +3229,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       note.setAttribute("role", "status");
       control2.setAttribute("aria-describedby", note.id);
       line.append(html("span", "carts-teach-label", field.label), control2);
-      const row = { control: control2, note, field, timer: 0 };
+      const row = { control: control2, note, field, timer: 0, wrong: false };
       const take = () => {
         clearTimeout(row.timer);
         row.timer = 0;

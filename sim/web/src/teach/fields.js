@@ -8,7 +8,7 @@ const PAUSE = 300; // ms without a key until a value is taken over
 let made = 0;
 
 export class Fields {
-  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number}>} */
+  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, wrong: boolean}>} wrong: the note is a finding */
   #rows = new Map();
   #form = "";
 
@@ -28,8 +28,11 @@ export class Fields {
       if (!row) continue;
       row.field = field;
       const [line, col] = field.place;
-      const wrong = findings.some((one) => one.line === line && one.col === col);
-      row.control.setAttribute("aria-invalid", String(wrong));
+      const wrong = findings.find((one) => one.line === line && one.col === col);
+      const said = wrong?.message.replace(/^[\w.-]+: /, ""); // the field itself says where
+      if (wrong) this.#say(row, [said, wrong.hint].filter(Boolean).join(" – "));
+      else if (row.wrong) this.#say(row, "");
+      row.wrong = wrong !== undefined;
       // What is being typed is not overwritten.
       if (row.control !== document.activeElement && row.control.value !== field.value) {
         row.control.value = field.value;
@@ -71,7 +74,7 @@ export class Fields {
     note.setAttribute("role", "status");
     control.setAttribute("aria-describedby", note.id);
     line.append(html("span", "carts-teach-label", field.label), control);
-    const row = { control, note, field, timer: 0 };
+    const row = { control, note, field, timer: 0, wrong: false };
     const take = () => {
       clearTimeout(row.timer);
       row.timer = 0;
