@@ -9,7 +9,7 @@ slips. Then what still belongs together forms anew, by the cheapest solver that 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.work_accounting import book_step
@@ -17,9 +17,6 @@ from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, k
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.damped_oscillation import Rate
-
-if TYPE_CHECKING:
-    pass
 
 
 @dataclass(slots=True)

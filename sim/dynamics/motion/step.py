@@ -25,7 +25,8 @@ class Step:
     """Polynomials in s since the step began, of `gaps` and `bodies` from left to right.
 
     `steady` are forces that do not change in the step, sliding friction included; without it they
-    are in the bodies' loads. `short`: a nonlinear row, whose steps are short.
+    are in the bodies' loads. `short`: a nonlinear row, whose steps are short. No motion is changed
+    once it is made; what a run makes for every phase is not frozen, as that slows its making.
     """
 
     bodies: list[Body]

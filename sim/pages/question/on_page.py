@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
@@ -18,7 +17,6 @@ from sim.pages.text.fence_scan import Block, meant_kind
 from sim.scene import Fence, Problem
 
 NO_SCENE = "no-such-scene"
-_ID_LINE = re.compile(r"^id:[ \t]*[\"']?([a-z0-9-]+)", re.MULTILINE)
 OPEN = "none"  # after: none
 BEFORE_A_RUN = ("idea", "drawn")  # what these ask for is given before a run is seen
 
@@ -49,8 +47,8 @@ class PageItems:
 
     def give_up(self, block: Block) -> None:
         """Remember that this block has mistakes."""
-        if meant_kind(block.name) == "scene" and (name := _ID_LINE.search(block.body)):
-            self.broken.add(name[1])
+        if meant_kind(block.name) == "scene" and block.stated_id:
+            self.broken.add(block.stated_id)
 
     def follows(self, finding: Finding) -> bool:
         """Whether it says no more than that a scene with mistakes is not there."""

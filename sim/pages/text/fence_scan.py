@@ -32,6 +32,7 @@ KINDS = (
 _OPEN = re.compile(
     r"(?P<indent>[ \t]*)(?P<quote>(?:>[ \t]?)*)(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^`]*)"
 )
+_ID = re.compile(r"^id:[ \t]*[\"']?([a-z0-9-]+)", re.MULTILINE)
 _FRONT_MATTER = re.compile(r"---[ \t]*")
 _FRONT_MATTER_END = re.compile(r"(---|\.\.\.)[ \t]*")
 # Names of programming languages that look like ours and are meant as written.
@@ -55,6 +56,12 @@ class Block:
     body_indent: int
     closed: bool
     fault: str = ""
+
+    @property
+    def stated_id(self) -> str:
+        """The id that its text states, also where the rest of it cannot be read; empty: none."""
+        found = _ID.search(self.body)
+        return found[1] if found else ""
 
 
 def scan(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:

@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.sections import HEADING
 
-_ID = re.compile(r"^id:[ \t]*[\"']?([\w-]+)", re.MULTILINE)
 MARK = "carts-waits-for-"  # with the id of a scene: a class of the note, until its HTML is made
 _OPENS = re.compile(
     r"(?P<indent>\s*)!!! +(?P<kind>[\w-]+ +)?after(?: +(?P<scene>[\w-]+))?"
@@ -53,7 +52,8 @@ def held_back(lines: Sequence[str], asking: str, scenes: Sequence[str]) -> Itera
             above = asking or (scenes[-1] if scenes else "")
             scene = found["scene"] if found["scene"] in scenes else above
             kind, title = found["kind"] or "", found["title"] or ""
-            yield from [Held(k, found["indent"], kind, title, scene)] if scene else []
+            if scene:
+                yield Held(k, found["indent"], kind, title, scene)
 
 
 def without_scene(text: str) -> Iterator[tuple[int, str]]:
@@ -64,10 +64,9 @@ def without_scene(text: str) -> Iterator[tuple[int, str]]:
     at = 0
     for k, line in enumerate(lines):
         if found := _OPENS.fullmatch(line.rstrip("\n")):
-            above = [block for block in scenes if block.start < k]
+            above = [block.stated_id for block in scenes if block.start < k]
             named = found["scene"] or ""
-            known = {id_[1] for block in above for id_ in _ID.finditer(block.body)}
-            if not above or (named and named not in known):
+            if not above or (named and named not in above):
                 yield at + len(found["indent"]), named
         at += len(line)
 
