@@ -64,10 +64,11 @@ def command(
         if counted:
             texts = sum(finding.code == TEXT for finding in counted)
             lessons = len({finding.file for finding in counted})
+            open_text = f", the text below {texts} prediction{'s' * (texts > 1)} does not"
             click.echo(
                 f"{len(counted) - texts} scenes and questions of {lessons} "
-                f"lesson{'s' * (lessons > 1)} wait by default until a run was watched, the text "
-                f"below {texts} predictions does not: carts check --defaults lists them."
+                f"lesson{'s' * (lessons > 1)} wait by default until a run was watched"
+                f"{open_text if texts else ''}: carts check --defaults lists them."
             )
         report(found)
     ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)

@@ -140,6 +140,22 @@ def test_a_belief_is_talked_about_once_with_all_answers_that_go_with_it() -> Non
     assert said.endswith("Also in: Question 2.")
 
 
+def test_a_question_that_nobody_had_right_is_talked_about_without_a_shared_wrong_answer() -> None:
+    files = [
+        answers(NUMBERS, f"FOX-{k}", "pre", {"speed": v}) for k, v in enumerate([0.9, 1.5, 7.0])
+    ]
+    (form,) = report_of(files, keys(NUMBERS, ("pre",)))["lessons"][0]["forms"]
+    (talk,) = form["talk"]
+    assert talk["sentence"] == "Question 1: none of 3 who answered had it right."
+
+
+def test_a_question_that_nobody_answered_is_talked_about() -> None:
+    files = [answers(TWO_WAYS, f"FOX-{k}", "pre", {"first": "a"}) for k in range(4)]
+    (form,) = report_of(files, keys(TWO_WAYS, ("pre",)))["lessons"][0]["forms"]
+    (talk,) = form["talk"]
+    assert talk["sentence"] == "Question 2: none of 4 students answered it."
+
+
 def test_other_wrong_numbers_are_told_when_they_came_often() -> None:
     values = [0.3, 0.9, 0.9, 0.6, 0.6, 1.5, 1.5, 1.5, 7]
     files = [answers(NUMBERS, f"FOX-{k}", "pre", {"speed": v}) for k, v in enumerate(values)]

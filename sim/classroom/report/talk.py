@@ -1,9 +1,10 @@
-"""What to talk about first: where many chose wrong answers of one belief, above all where sure.
+"""What to talk about first: wrong answers of one belief, and questions that all missed.
 
 A wrong answer that a student is sure of is a belief; one that is guessed is a gap. So sure wrong
 answers count twice. Wrong options of a question that go with one belief are counted together where
 only one can be chosen, and a belief is named once, with the other questions that show it. The order
-is a suggestion for the next lesson, no statistic.
+is a suggestion for the next lesson, no statistic. A question that nobody answered, or that nobody
+had right, counts each student once: no wrong answer is shared there, and all of them need it.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.report.sentences import begins
-from sim.scene.said import listed, listed_or, said
+from sim.scene.said import counted, listed, listed_or, said
 
 FEWEST = 2
 """Students who chose wrong answers of one belief, before it is worth a talk in class."""
@@ -47,16 +48,73 @@ class _Chosen:
     def belief(self) -> str:
         return str(self.choices[0].get("belief") or "")
 
+    def sentence(self, also: Sequence[_Talk]) -> str:
+        """How many chose what, how sure they were, what they may think, and where else."""
+        text = said("{question}: {count} of {answered} chose {answer}", question=self.item["label"],
+                    count=f"{self.count}", answered=f"{self.item['answered']}",
+                    answer=listed_or([_answer(choice) for choice in self.choices]))  # fmt: skip
+        if self.sure:
+            text = said("{sentence}, {count} of them sure", sentence=text, count=f"{self.sure}")
+        says = self.choices[0].get("says")
+        if not says:
+            return said("{sentence}.", sentence=text)
+        text = said("{sentence}; students who choose it often think: “{belief}”", sentence=text,
+                    belief=says)  # fmt: skip
+        if not also:
+            return text
+        others = listed([other.item["label"] for other in also])
+        return said("{sentence} Also in: {questions}.", sentence=text, questions=others)
+
+
+@dataclass(frozen=True, slots=True)
+class _Missed:
+    """A question that nobody answered, or that nobody who answered had right."""
+
+    item: dict[str, Any]
+    belief = ""
+
+    @property
+    def count(self) -> int:
+        return int(self.item["answered"] or self.item["n"])
+
+    @property
+    def weight(self) -> int:
+        return self.count
+
+    def sentence(self, also: Sequence[_Talk]) -> str:
+        """That nobody had it, with of how many."""
+        question = self.item["label"]
+        if not self.item["answered"]:
+            return counted("{question}: the one student did not answer it.",
+                           "{question}: none of {n} students answered it.",
+                           n=self.count, question=question)  # fmt: skip
+        return counted("{question}: the one who answered did not have it right.",
+                       "{question}: none of {n} who answered had it right.",
+                       n=self.count, question=question)  # fmt: skip
+
+
+_Talk = _Chosen | _Missed
+
 
 def talk_rows(items: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """At most three questions of a form, the most urgent first, each for another belief."""
-    found = [max(groups, key=lambda one: one.weight) for item in items if (groups := _groups(item))]
-    urgent = sorted((one for one in found if one.count >= FEWEST), key=lambda one: -one.weight)
-    rows: dict[str, list[_Chosen]] = {}
+    found = [one for item in items if (one := _most_urgent(item))]
+    urgent = sorted(found, key=lambda one: -one.weight)
+    rows: dict[str, list[_Talk]] = {}
     for one in urgent:
         rows.setdefault(one.belief or f"item {one.item['id']}", []).append(one)
     first = list(rows.values())[:MOST]
-    return [{"id": one.item["id"], "sentence": _sentence(one, also)} for one, *also in first]
+    return [{"id": one.item["id"], "sentence": one.sentence(also)} for one, *also in first]
+
+
+def _most_urgent(item: dict[str, Any]) -> _Talk | None:
+    """What a question is talked about for: a shared wrong answer, or that nobody had it."""
+    shared = max(_groups(item), key=lambda one: one.weight, default=None)
+    if shared and shared.count >= FEWEST:
+        return shared
+    missed = _Missed(item)
+    had = item["right"] or item["partly"] or item["unread"]
+    return missed if item["worth"] and not had and missed.count >= FEWEST else None
 
 
 def _groups(item: dict[str, Any]) -> list[_Chosen]:
@@ -69,24 +127,6 @@ def _groups(item: dict[str, Any]) -> list[_Chosen]:
         name = f"option {choice['option']}" if alone else f"belief {choice['belief']}"
         together.setdefault(name, []).append(choice)
     return [_Chosen(item, tuple(choices)) for choices in together.values()]
-
-
-def _sentence(one: _Chosen, also: Sequence[_Chosen]) -> str:
-    """How many chose what, how sure they were, what they may think, and where else."""
-    text = said("{question}: {count} of {answered} chose {answer}", question=one.item["label"],
-                count=f"{one.count}", answered=f"{one.item['answered']}",
-                answer=listed_or([_answer(choice) for choice in one.choices]))  # fmt: skip
-    if one.sure:
-        text = said("{sentence}, {count} of them sure", sentence=text, count=f"{one.sure}")
-    says = one.choices[0].get("says")
-    if not says:
-        return said("{sentence}.", sentence=text)
-    text = said("{sentence}; students who choose it often think: “{belief}”", sentence=text,
-                belief=says)  # fmt: skip
-    if not also:
-        return text
-    others = listed([other.item["label"] for other in also])
-    return said("{sentence} Also in: {questions}.", sentence=text, questions=others)
 
 
 def _answer(choice: dict[str, Any]) -> str:

@@ -4835,6 +4835,17 @@
         tr("is faster at the end than at the start"),
         (h2) => Math.abs(at2(h2, -1)) - Math.abs(at2(h2, 0)) > little(h2)
       ],
+      [
+        tr("changes evenly in the first half"),
+        (h2) => {
+          const [first, second] = (
+            /** @type {[number, number]} */
+            steps(h2).map(Math.abs)
+          );
+          return Math.min(first, second) > little(h2) && even([first, second], little(h2));
+        }
+      ],
+      [tr("stays the same in the last quarter"), (h2) => Math.abs(at2(steps(h2), -1)) <= little(h2)],
       [tr("turns round"), (h2) => Math.max(...h2) > little(h2) && Math.min(...h2) < -little(h2)],
       [tr("is at rest at the end"), (h2) => none(h2, -1)]
     ];
@@ -4953,6 +4964,7 @@
         this.#heights.map(Number),
         scaled
       )) {
+        if (!yours && !theirs) continue;
         const said = (yes) => yes ? tr("yes") : tr("no");
         const both = { feature, yours: said(yours), theirs: said(theirs) };
         list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));

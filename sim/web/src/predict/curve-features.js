@@ -39,6 +39,14 @@ function velocity() {
       tr("is faster at the end than at the start"),
       (h) => Math.abs(at(h, -1)) - Math.abs(at(h, 0)) > little(h),
     ],
+    [
+      tr("changes evenly in the first half"),
+      (h) => {
+        const [first, second] = /** @type {[number, number]} */ (steps(h).map(Math.abs));
+        return Math.min(first, second) > little(h) && even([first, second], little(h));
+      },
+    ],
+    [tr("stays the same in the last quarter"), (h) => Math.abs(at(steps(h), -1)) <= little(h)],
     [tr("turns round"), (h) => Math.max(...h) > little(h) && Math.min(...h) < -little(h)],
     [tr("is at rest at the end"), (h) => none(h, -1)],
   ];
@@ -63,7 +71,7 @@ function position() {
   ];
 }
 
-/** The way gone in each quarter of the time. @param {number[]} h */
+/** The change in each quarter of the time: of positions, the way gone. @param {number[]} h */
 function steps(h) {
   const quarter = (h.length - 1) / 4;
   return [1, 2, 3, 4].map((k) => at(h, k * quarter) - at(h, (k - 1) * quarter));

@@ -79,6 +79,7 @@ export class CurveForm {
       this.#heights.map(Number),
       scaled,
     )) {
+      if (!yours && !theirs) continue; // nothing to see in either
       const said = (/** @type {boolean} */ yes) => (yes ? tr("yes") : tr("no"));
       const both = { feature, yours: said(yours), theirs: said(theirs) };
       list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));
