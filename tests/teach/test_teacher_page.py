@@ -222,6 +222,8 @@ def test_it_can_be_used_with_the_keyboard_at_phone_size_and_axe_finds_nothing(
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
     assert page.evaluate("document.activeElement.textContent") == "Change this lesson"
     pieces = page.locator(".carts-teach-piece > summary")
+    listed = " ".join(pieces.all_inner_texts())
+    assert not re.search(r"!!!|\{:|\*\*|\]\(", listed), "the list speaks as the page does"
     for index in (0, 1, 4):
         pieces.nth(index).focus()
         page.keyboard.press("Enter")

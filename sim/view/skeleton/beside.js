@@ -48,9 +48,9 @@ const closed = ({ fence }, view) => !fence.opened.includes(view) && html` hidden
 function freeBody(baked) {
   const { bodies } = baked.run.header;
   const rows = [
-    [tr("resultant force"), "F", "N", "F"],
+    [tr("resultant force"), "R", "N", "F"],
     [tr("mass"), "m", "kg", "mass"],
-    [tr("acceleration"), "a = F/m", "m/s²", "a"],
+    [tr("acceleration"), "a = R/m", "m/s²", "a"],
     [tr("change of velocity"), "Δv", speedUnit(baked.view.velocity)[1], "dv"],
   ];
   const alone = bodies.map(

@@ -64,7 +64,7 @@ function readouts({ fence, view }) {
     [camera ? tr("velocity seen from the camera") : tr("velocity"), "v", "v", speed],
   ];
   if (forces === "shown") {
-    rows.push([tr("resultant force"), "F", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
+    rows.push([tr("resultant force"), "R", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
   }
   return rows.map(
     ([name, symbol, quantity, unit]) =>

@@ -12072,9 +12072,9 @@ ${inside6}
   function freeBody(baked) {
     const { bodies } = baked.run.header;
     const rows = [
-      [tr("resultant force"), "F", "N", "F"],
+      [tr("resultant force"), "R", "N", "F"],
       [tr("mass"), "m", "kg", "mass"],
-      [tr("acceleration"), "a = F/m", "m/s²", "a"],
+      [tr("acceleration"), "a = R/m", "m/s²", "a"],
       [tr("change of velocity"), "Δv", speedUnit(baked.view.velocity)[1], "dv"]
     ];
     const alone = bodies.map(
@@ -12333,7 +12333,7 @@ ${own.map((one) => control(one, fence.id))}
       [camera ? tr("velocity seen from the camera") : tr("velocity"), "v", "v", speed]
     ];
     if (forces2 === "shown") {
-      rows.push([tr("resultant force"), "F", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
+      rows.push([tr("resultant force"), "R", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
     }
     return rows.map(
       ([name, symbol, quantity, unit]) => html`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity=${quantity}></span> ${unit}</dd></div>`

@@ -1221,11 +1221,11 @@
     const [a, b] = [chroma * Math.cos(angle), chroma * Math.sin(angle)];
     const long = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
     const middle = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
-    const short2 = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+    const short3 = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
     return [
-      channel(4.0767416621 * long - 3.3077115913 * middle + 0.2309699292 * short2),
-      channel(-1.2684380046 * long + 2.6097574011 * middle - 0.3413193965 * short2),
-      channel(-0.0041960863 * long - 0.7034186147 * middle + 1.707614701 * short2)
+      channel(4.0767416621 * long - 3.3077115913 * middle + 0.2309699292 * short3),
+      channel(-1.2684380046 * long + 2.6097574011 * middle - 0.3413193965 * short3),
+      channel(-0.0041960863 * long - 0.7034186147 * middle + 1.707614701 * short3)
     ];
   }
   function channel(linear) {
@@ -1631,14 +1631,14 @@ ${table2(facts)}
     agent: () => tr("the air"),
     around: tr("air"),
     warms: () => tr("air"),
-    phrase({ numbers: { linear, quadratic } }, { everyone, on, seen }) {
+    phrase({ numbers: { linear, quadratic } }, { everyone, on, seen: seen2 }) {
       const sizes = [
         linear ? tr("{size} N per {unit}", { size: short(linear), unit: "m/s" }) : "",
         quadratic ? tr("{size} N per {unit}", { size: short(quadratic), unit: "(m/s)²" }) : ""
       ].filter(Boolean);
       return [
         everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
-        seen(listed(sizes) || "0 N")
+        seen2(listed(sizes) || "0 N")
       ];
     }
   };
@@ -1653,12 +1653,12 @@ ${table2(facts)}
     around: tr("track"),
     earth: true,
     warms: () => tr("track"),
-    phrase({ numbers: { coefficient = 0, static: held = coefficient } }, { everyone, on, seen }) {
+    phrase({ numbers: { coefficient = 0, static: held = coefficient } }, { everyone, on, seen: seen2 }) {
       const size = `μ = ${short(coefficient)}`;
       const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
       return [
         everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
-        seen(held > coefficient ? `${size} ${rest}` : size)
+        seen2(held > coefficient ? `${size} ${rest}` : size)
       ];
     },
     pieces: rough
@@ -1864,9 +1864,9 @@ ${table2(facts)}
     around: (_, agent2) => agent2,
     acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
     seen: (effect, t) => begun(effect, t) && t < end(effect) + (isHand(effect) ? LET_GO : 0),
-    phrase: (effect, { agent: agent2, seen }) => [
+    phrase: (effect, { agent: agent2, seen: seen2 }) => [
       tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
-      seen(forceText(effect.numbers.force ?? 0)),
+      seen2(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
     pieces(effect, { key, header, run, t, layout, centre }) {
@@ -1946,10 +1946,10 @@ ${table2(facts)}
     // else an impulse: no force to be drawn
     stored: tr("in the squeezed spring"),
     acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
-    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen: seen2 }) => [
       stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
-      seen(`${short(energy)} J`),
-      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
+      seen2(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen2(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
     pieces(effect, { key, run, t, layout, face }) {
@@ -1993,12 +1993,12 @@ ${table2(facts)}
     link: tr("spring"),
     stored: tr("in the spring"),
     warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
-    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen: seen2 }) {
       const natural = tr("natural length {length} m", { length: short(length) });
       return [
         tr("a spring between {bodies}", { bodies: both }),
         damping ? tr("damped") : "",
-        seen(`${short(stiffness)} N/m, ${natural}`)
+        seen2(`${short(stiffness)} N/m, ${natural}`)
       ];
     },
     pieces({ numbers, between: between2 }, { key, layout, face }) {
@@ -2143,9 +2143,9 @@ ${inside4}
   function freeBody(baked) {
     const { bodies } = baked.run.header;
     const rows = [
-      [tr("resultant force"), "F", "N", "F"],
+      [tr("resultant force"), "R", "N", "F"],
       [tr("mass"), "m", "kg", "mass"],
-      [tr("acceleration"), "a = F/m", "m/s²", "a"],
+      [tr("acceleration"), "a = R/m", "m/s²", "a"],
       [tr("change of velocity"), "Δv", speedUnit(baked.view.velocity)[1], "dv"]
     ];
     const alone2 = bodies.map(
@@ -2233,13 +2233,13 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const inside4 = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
     const room = html2`<rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/>`;
-    const seen = `${clip}-seen`;
+    const seen2 = `${clip}-seen`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} aria-hidden="true">
-<defs><clipPath id=${clip}>${room}</clipPath>${growing && html2`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
+<defs><clipPath id=${clip}>${room}</clipPath>${growing && html2`<clipPath id=${seen2} class="carts-seen">${room}</clipPath>`}</defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${growing ? seen2 : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside4}></g>
 <g data-part="cursor" ${inside4}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
 </svg>`;
@@ -2290,7 +2290,7 @@ ${own.map((one) => control(one, fence.id))}
       [camera ? tr("velocity seen from the camera") : tr("velocity"), "v", "v", speed]
     ];
     if (forces === "shown") {
-      rows.push([tr("resultant force"), "F", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
+      rows.push([tr("resultant force"), "R", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
     }
     return rows.map(
       ([name, symbol, quantity, unit]) => html2`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity=${quantity}></span> ${unit}</dd></div>`
@@ -2328,14 +2328,14 @@ ${own.map((one) => control(one, fence.id))}</div>
 ${boxes}
 ${own.map((one) => control(one, fence.id))}</div>`;
   }
-  function control({ set, label, short: short2, unit, low, high, step, value }, id) {
+  function control({ set, label, short: short3, unit, low, high, step, value }, id) {
     const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
     const text2 = fixed(value, decimals).replace("−", "-");
     const box = `${id}-${set.replaceAll(".", "-")}`;
     const slider2 = tr("{label}, slider", { label });
     const measured = unit ? tr(" in {unit}", { unit }) : "";
     return html2`<div class="carts-control" data-set=${set}>
-<label for=${box}>${short2}</label>
+<label for=${box}>${short3}</label>
 <input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider2} aria-valuetext="${text2} ${unit}" disabled>
 <span class="carts-typed"><input type="text" class="carts-number-box" id=${box} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
@@ -2824,10 +2824,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
       const told2 = { cart: name, mass: short(mass), place: fixed(position, 2) };
       if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told2);
-      const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
+      const seen2 = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
         ...told2,
-        velocity: seen
+        velocity: seen2
       });
     });
     return tr("At the start: {carts}", { carts: carts.join(" ") });
@@ -3385,7 +3385,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       this.piece = piece;
       this.findings = findings;
       say(this.kind, piece.kind === "block" ? KINDS[piece.name ?? ""] ?? "Block" : place3(piece));
-      say(this.title, piece.kind === "block" ? titleOf(piece) : firstWords(piece.text));
+      say(this.title, titleOf(piece));
       const count = findings.length;
       const wrong = count ? `${count} ${count === 1 ? "mistake" : "mistakes"}` : "";
       say(this.mark, [changed ? "changed" : "", wrong].filter(Boolean).join(", "));
@@ -3437,14 +3437,15 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
   };
   var place3 = (piece) => piece.kind === "top" ? "Facts" : "Text";
-  function titleOf(piece) {
-    const words = piece.title || piece.id || piece.text.split("\n")[0] || "";
-    return words.length > 70 ? `${words.slice(0, 70)}…` : words;
+  function titleOf({ kind, text: text2, title, id }) {
+    if (kind === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
+    if (kind === "block") return short2(seen(title || id || text2.split("\n")[0] || ""));
+    const heading = /^#+ +(.+)/m.exec(text2)?.[1];
+    return short2((heading ?? text2).split("\n").map(seen).find(Boolean) ?? "(no text yet)");
   }
-  function firstWords(text2) {
-    const heading = /^#+ +([^{\n]+)/m.exec(text2)?.[1];
-    const words = (heading ?? text2).replace(/[*_`#>]|^!!! \w+ /gm, "").trim().split("\n")[0] ?? "";
-    return words.length > 70 ? `${words.slice(0, 70)}…` : words || "(empty lines)";
+  var short2 = (words) => words.length > 70 ? `${words.slice(0, 70)}…` : words;
+  function seen(line) {
+    return line.replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1").replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1").replace(/<!--.*?-->|\{:?[^}]*\}/g, "").replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1").replace(/[*_`#>$]|^ *(?:[-+]|\d+\.) /g, "").trim();
   }
 
   // src/teach/saves.js

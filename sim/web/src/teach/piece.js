@@ -63,7 +63,7 @@ export class PieceEditor {
     this.piece = piece;
     this.findings = findings;
     say(this.kind, piece.kind === "block" ? (KINDS[piece.name ?? ""] ?? "Block") : place(piece));
-    say(this.title, piece.kind === "block" ? titleOf(piece) : firstWords(piece.text));
+    say(this.title, titleOf(piece));
     const count = findings.length;
     const wrong = count ? `${count} ${count === 1 ? "mistake" : "mistakes"}` : "";
     say(this.mark, [changed ? "changed" : "", wrong].filter(Boolean).join(", "));
@@ -121,19 +121,24 @@ export class PieceEditor {
 /** @param {Piece} piece */
 const place = (piece) => (piece.kind === "top" ? "Facts" : "Text");
 
-/** @param {Piece} piece */
-function titleOf(piece) {
-  const words = piece.title || piece.id || piece.text.split("\n")[0] || "";
-  return words.length > 70 ? `${words.slice(0, 70)}…` : words;
+/** What a reader sees first of a piece. @param {Piece} piece */
+function titleOf({ kind, text, title, id }) {
+  if (kind === "top") return seen(/^title: *(.*)/m.exec(text)?.[1] ?? "");
+  if (kind === "block") return short(seen(title || id || text.split("\n")[0] || ""));
+  const heading = /^#+ +(.+)/m.exec(text)?.[1];
+  return short((heading ?? text).split("\n").map(seen).find(Boolean) ?? "(no text yet)");
 }
 
-/** @param {string} text */
-function firstWords(text) {
-  const heading = /^#+ +([^{\n]+)/m.exec(text)?.[1];
-  const words =
-    (heading ?? text)
-      .replace(/[*_`#>]|^!!! \w+ /gm, "")
-      .trim()
-      .split("\n")[0] ?? "";
-  return words.length > 70 ? `${words.slice(0, 70)}…` : words || "(empty lines)";
+/** @param {string} words */
+const short = (words) => (words.length > 70 ? `${words.slice(0, 70)}…` : words);
+
+/** A line of Markdown as it is read. @param {string} line */
+function seen(line) {
+  return line
+    .replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1") // a box: its title
+    .replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1") // without one: its kind
+    .replace(/<!--.*?-->|\{:?[^}]*\}/g, "")
+    .replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1")
+    .replace(/[*_`#>$]|^ *(?:[-+]|\d+\.) /g, "")
+    .trim();
 }
