@@ -83,7 +83,7 @@ fuzz: site browsers
 	@$(PY) -m tests.faults
 else ifeq ($(AREA),classroom)
 fuzz: .venv/ready
-	@$(PY) -m tests.classroom.mutations
+	@$(PY) -m tests.classroom.given.mutations
 else
 fuzz: node_modules/ready browsers
 	@$(PY) -m pytest tests --fuzz

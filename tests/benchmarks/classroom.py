@@ -21,7 +21,7 @@ from playwright.sync_api import expect, sync_playwright
 from sim.classroom.files.reading import Source
 from sim.pages.runtime import CLASSROOM, default_cache, pack
 from tests.benchmarks.page import ROOT
-from tests.classroom.makers import bank, keys, random_class, sources
+from tests.classroom.given.makers import bank, keys, random_class, sources
 from tests.web.classroom.class_site import PAGE
 from tests.web.conftest import CONTEXT, launch
 from tests.web.runtime.boot_site import bundle

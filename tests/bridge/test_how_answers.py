@@ -11,7 +11,7 @@ import pytest
 
 from sim.bridge.protocol import answer
 from tests import registry
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 FIXED = ["euler", "semi-implicit", "verlet", "yoshida", "richardson", "rk4", "rk4-events"]
 

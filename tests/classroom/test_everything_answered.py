@@ -15,8 +15,8 @@ from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
 from sim.lesson.bank import read_bank
+from tests.classroom.given.makers import answers, bank, keys, random_class, sources
 from tests.classroom.given.page_report import report_of
-from tests.classroom.makers import answers, bank, keys, random_class, sources
 
 TIME = "2026-09-01T08:00:00.000Z"
 

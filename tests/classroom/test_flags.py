@@ -7,7 +7,7 @@ from typing import Any
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
-from tests.classroom.makers import answers, bank, keys, random_class, sources
+from tests.classroom.given.makers import answers, bank, keys, random_class, sources
 
 BANK = bank(6)
 ALL = {f"item-{k}": "ab"[k % 2] for k in range(6)}

@@ -19,7 +19,7 @@ from sim.classroom.show.prose import prose
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.beliefs import BELIEFS
 from sim.pages.language import LANGUAGES, words
-from tests.classroom.makers import answers, bank, keys, random_class, sources
+from tests.classroom.given.makers import answers, bank, keys, random_class, sources
 
 BANK = bank(8, words=1)
 BELIEF = "bigger-pushes-more"

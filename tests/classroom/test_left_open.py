@@ -8,7 +8,7 @@ from sim.classroom.report.report import Asked, class_report
 from sim.classroom.report.sentences import left_open
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
-from tests.classroom.makers import answers, bank, keys, sources
+from tests.classroom.given.makers import answers, bank, keys, sources
 
 BANK = bank(10)
 

@@ -14,7 +14,7 @@ from sim.classroom.report.report import WHOLE, Asked, class_report, sorted_files
 from sim.classroom.show.report_page import report_html
 from sim.pages.question.key_page import lesson_key
 from sim.pages.scene_block import Lesson
-from tests.classroom.makers import TIME, sources
+from tests.classroom.given.makers import TIME, sources
 
 QUESTION = """
 ```question

@@ -17,7 +17,7 @@ from sim.classroom.statistics.compare import paired_t, paper_z, welch
 from sim.classroom.statistics.item_numbers import corrected_point_biserial, discrimination
 from sim.classroom.statistics.ranks import wilcoxon
 from sim.classroom.statistics.spread import spread
-from tests.classroom.makers import bank, keys, random_class, sources
+from tests.classroom.given.makers import bank, keys, random_class, sources
 
 MARKS = st.lists(st.tuples(st.integers(0, 12), st.integers(0, 12)), min_size=5, max_size=40)
 

@@ -16,7 +16,7 @@ from sim.classroom.files.archive import MOST_ENTRIES, is_zip
 from sim.classroom.files.reading import MOST_NAMED, Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.lesson.answer_file import read_answer_file
-from tests.classroom.makers import answers, bank, keys, random_class, sources, zipped
+from tests.classroom.given.makers import answers, bank, keys, random_class, sources, zipped
 
 BANK = bank(6)
 GOOD = sources(random_class(BANK, 5))

@@ -16,7 +16,7 @@ from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.escaped import escape
 from sim.classroom.show.report_page import report_html
 from sim.lesson.handin import encode
-from tests.classroom.makers import answers, bank, form, keys, random_class, sources
+from tests.classroom.given.makers import answers, bank, form, keys, random_class, sources
 
 BANK = bank(10)
 

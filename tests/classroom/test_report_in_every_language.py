@@ -17,8 +17,8 @@ from sim.classroom.show.standalone import standalone
 from sim.cli import main
 from sim.cli.classroom.text import report_as_text
 from sim.pages.language import words
-from tests.classroom.everything import Blanked, a_class, left_in_english, texts_of
-from tests.classroom.tables import csv, reported
+from tests.classroom.given.everything import Blanked, a_class, left_in_english, texts_of
+from tests.classroom.given.tables import csv, reported
 
 GROUPS = ("A", "B")
 

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from sim.classroom.report.second_thoughts import thoughts
+from tests.classroom.given.makers import answers, bank, keys
 from tests.classroom.given.page_report import report_of
-from tests.classroom.makers import answers, bank, keys
 
 BANK = bank(1)
 RIGHT, WRONG = "a", "b"

@@ -11,7 +11,7 @@ import pytest
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.lesson.bank import Bank, read_bank
-from tests.classroom.makers import answers, keys
+from tests.classroom.given.makers import answers, keys
 
 
 def bank(language: str) -> Bank:

@@ -11,7 +11,7 @@ from click.testing import CliRunner, Result
 
 from sim.classroom.files.marks_file import marks_file
 from sim.cli import main
-from tests.classroom.makers import bank, keys, random_class, sources, zipped
+from tests.classroom.given.makers import bank, keys, random_class, sources, zipped
 
 BANK = bank(6, words=1)
 

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import main
-from tests.classroom.makers import bank, keys, random_class, sources
+from tests.classroom.given.makers import bank, keys, random_class, sources
 
 BANK = bank(6)
 

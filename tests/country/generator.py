@@ -23,7 +23,7 @@ from sim.cli.classroom.summary import lessons_of_answers
 from sim.country.rows import Place, rows_of
 from sim.country.write import TableWriter, new_folder, write_keys
 from sim.lesson.answer_file import AnswerFile, read_answer_file
-from tests.classroom.makers import bank, keys, random_class
+from tests.classroom.given.makers import bank, keys, random_class
 
 BANK = bank(24, words=2)
 KEY = keys(BANK)

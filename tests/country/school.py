@@ -9,7 +9,7 @@ from typing import Any
 
 from sim.classroom.files.reading import Source
 from sim.lesson.bank import Bank, read_bank
-from tests.classroom.makers import BELIEFS, answers, keys, sources
+from tests.classroom.given.makers import BELIEFS, answers, keys, sources
 
 SURE = ("sure", "unsure", "guessed")
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.film.maker import Frame, Stage
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 _SCRIPT = """
 const { Follower, around } = await import(source + "/film/follow.js");

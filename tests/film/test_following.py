@@ -12,7 +12,7 @@ from sim.measured.tracks import read_measured
 from tests.film.collision import uneven
 from tests.film.following import follow, missed
 from tests.film.maker import Stage, encoded, frames
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 PROMISED = 0.2  # pixels: what the page says of marks in a film without noise
 CLEAN = 0.03  # pixels: what it does

@@ -15,7 +15,7 @@ from sim.lesson.answer_file import PREDICTIONS, AnswerFileError, read_answer_fil
 from sim.lesson.csv_text import csv_cell
 from sim.lesson.read import KINDS
 from tests.lesson.good_answers import GOOD, ITEM
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 CELLS = json.loads((Path(__file__).parent / "csv_cells.json").read_text(encoding="utf-8"))
 

@@ -9,7 +9,7 @@ import random
 from typing import Any
 
 from sim.lesson import read_question
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 TIME = "2026-11-21T08:{:02d}:{:02d}.000Z"
 SHOP = ["the force on A", "the force on B", "neither", "both", "it depends"]

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sim.lesson.handin import ALPHABET, HandInError, decode, encode, fits
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 HASH = "pre:0123456789ab"
 

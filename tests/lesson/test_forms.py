@@ -17,7 +17,7 @@ from sim.lesson.opening import word_sum
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.question.render import render_quiz
 from tests.web.question.question_site import BANK
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 ROOT = Path(__file__).parents[2]
 FORM = {"id": "f", "form": "pre", "mode": "exam", "bank": "x.yml"}

@@ -11,7 +11,7 @@ import pytest
 from sim.bridge.protocol import answer
 from sim.lesson.goal import NEAR, Goal, Term, read_goal
 from sim.scene.problem import Problem
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 CARTS = {
     "A": {"mass": 1, "position": 0.3, "velocity": 0.5},

@@ -18,7 +18,7 @@ from sim.lesson.problems import LessonError
 from sim.lesson.read import KINDS
 from sim.scene.notation import same_unit
 from tests.lesson.marking_vectors import SETS, VECTORS
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 NUMBERS = json.loads((VECTORS / "typed-numbers.json").read_text(encoding="utf-8"))
 

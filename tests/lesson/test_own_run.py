@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from sim.bridge.protocol import answer
-from tests.web.scene.widget_site import MEETING, in_node
+from tests.web.scene.given.widget_site import MEETING, in_node
 
 SCRIPT = """const { fromWire } = await import(source + "/../../view/trajectory.js");
 const { reading } = await import(source + "/question/marking/own-run.js");

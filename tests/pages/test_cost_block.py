@@ -16,7 +16,7 @@ from sim.pages.findings import AuthorError
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.text.fence_scan import scan
 from tests import registry
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 SCENES = Path(__file__).parents[1] / "scenes"
 

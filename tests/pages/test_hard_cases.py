@@ -24,7 +24,7 @@ from sim.pages.text.fence_scan import scan
 from sim.pages.text.yaml_source import load
 from sim.scene import read_scene
 from tests import registry
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 ROOT = Path(__file__).parents[2]
 KNOWN = measured()

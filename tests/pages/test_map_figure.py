@@ -20,7 +20,7 @@ from sim.pages.map.render import render_map
 from sim.pages.scene_block import Lesson
 from sim.scene.map import read_map
 from tests import registry
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 MAP: dict[str, Any] = {
     **registry.plain("light-meets-heavy"),

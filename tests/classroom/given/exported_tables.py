@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.classroom.tables import csv
+from tests.classroom.given.tables import csv
 
 WIDE = csv(("student", "group", "pre", "post"),
            [[f"s{k}", "ab"[k % 2], k % 5, k % 7] for k in range(14)])  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Any
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.files.records import as_record, from_record
 from sim.classroom.report.report import Asked, class_report
-from tests.classroom.makers import sources
+from tests.classroom.given.makers import sources
 
 
 def report_of(files: list[dict[str, Any]], key: str = "") -> dict[str, Any]:

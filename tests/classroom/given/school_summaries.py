@@ -10,7 +10,7 @@ from typing import Any
 from sim.classroom.summary.handed_on import Summary, handed_on
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
-from tests.classroom.tables import csv, judged
+from tests.classroom.given.tables import csv, judged
 
 ITEMS = ("Q1", "Q2", "Q3")
 HEAD = ("student", "group", "class", *(f"{form}_{i}" for form in ("pre", "post") for i in ITEMS))

@@ -7,7 +7,7 @@ from pathlib import Path
 from sim.pages.translate.catalogues import source_of
 from sim.pages.translate.po_file import DRAFT, updated
 from sim.pages.translate.put_in import bank_units, lesson_units
-from tests.pages.small_site import MakeSite, lesson
+from tests.pages.given.small_site import MakeSite, lesson
 
 TEXT = lesson().replace(
     "Words to search: galumphing.",

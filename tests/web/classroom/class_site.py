@@ -7,7 +7,7 @@ import html
 from playwright.sync_api import FilePayload, Page, expect
 
 from sim.classroom.files.reading import Source
-from tests.classroom.makers import bank, keys
+from tests.classroom.given.makers import bank, keys
 from tests.web.runtime.boot_site import STRICT
 
 BANK = bank(8, words=1)

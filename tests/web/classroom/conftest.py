@@ -11,7 +11,7 @@ from playwright.sync_api import Page, expect
 
 from sim.pages.classroom.practice_keys import keys_script
 from sim.pages.runtime import CLASSROOM, default_cache, pack
-from tests.classroom.everything import Blanked
+from tests.classroom.given.everything import Blanked
 from tests.web.classroom.class_site import PAGE
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import ROOT, bundle

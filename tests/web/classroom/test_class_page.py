@@ -9,8 +9,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.classroom.files.reading import Source
-from tests.classroom.everything import a_class, left_in_english
-from tests.classroom.makers import answers, bank, form, keys, random_class, sources, zipped
+from tests.classroom.given.everything import a_class, left_in_english
+from tests.classroom.given.makers import answers, bank, form, keys, random_class, sources, zipped
 from tests.web.classroom.class_site import BANK, KEY, choose, complete, saved
 from tests.web.conftest import OpenPage
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.classroom.files.reading import Source
-from tests.classroom.makers import random_class, sources
+from tests.classroom.given.makers import random_class, sources
 from tests.web.classroom.class_site import BANK, KEY, choose, complete, saved
 from tests.web.conftest import OpenPage
 

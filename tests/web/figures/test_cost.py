@@ -13,7 +13,7 @@ from sim.bridge.protocol import answer
 from sim.dynamics.cost.breaks import MAPS, parts, scene_at
 from tests import registry
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE
+from tests.web.scene.given.widget_site import LIVE
 
 LOADED = 90_000
 """ms. numpy and scipy on a machine that others use too, and the first rows."""

@@ -14,7 +14,7 @@ from sim.pages.hard_cases.block import HardCasesBlock
 from sim.pages.hard_cases.render import render_hard_cases
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import STRICT
-from tests.web.scene.widget_site import PAGE, widget_site
+from tests.web.scene.given.widget_site import PAGE, widget_site
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

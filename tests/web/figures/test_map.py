@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 
 from sim.bridge.protocol import answer
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE
+from tests.web.scene.given.widget_site import LIVE
 
 
 def facts(site: Path, name: str) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 # A stand-in for Python: answers when told to; knows with which packages it was started.
 SCRIPT = """

@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE, widget_site
+from tests.web.scene.given.widget_site import LIVE, widget_site
 
 pytestmark = pytest.mark.browser
 

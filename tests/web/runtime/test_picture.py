@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 SPARSE = Path(__file__).parents[3] / "sim" / "pages" / "runtime" / "inside" / "sparse.mjs"
 

@@ -6,7 +6,7 @@ import base64
 import io
 import zipfile
 
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 FILES = {"a/__init__.pyc": b"one", "a/ü.so": bytes(range(256)), "a/empty": b""}
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import live, widget_site
+from tests.web.scene.given.widget_site import live, widget_site
 
 __all__ = ["widget_site"]  # a fixture
 

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import live, widget_site, write_page
+from tests.web.scene.given.widget_site import live, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 

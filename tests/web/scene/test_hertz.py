@@ -16,7 +16,7 @@ from sim.scene import apply_changes, read_scene
 from tests import registry
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import ROOT, bundle
-from tests.web.scene.widget_site import MEETING, write_page
+from tests.web.scene.given.widget_site import MEETING, write_page
 
 pytestmark = pytest.mark.browser
 

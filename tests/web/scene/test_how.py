@@ -14,7 +14,7 @@ from sim.scene import read_fence
 from sim.scene.said import said
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.counted_requests import COUNT, asked
-from tests.web.scene.widget_site import (
+from tests.web.scene.given.widget_site import (
     FENCES,
     LIVE,
     MEETING,

@@ -11,7 +11,7 @@ from sim.dynamics.relevance.ladder import capital, ladder
 from sim.scene import read_fence, read_scene
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.counted_requests import COUNT, asked
-from tests.web.scene.widget_site import FENCES, LIVE, live, on_scene, widget_site
+from tests.web.scene.given.widget_site import FENCES, LIVE, live, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 

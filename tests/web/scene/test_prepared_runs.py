@@ -16,7 +16,7 @@ from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import STRICT
-from tests.web.scene.widget_site import LIVE, PAGE, lock, on_scene, widget_site
+from tests.web.scene.given.widget_site import LIVE, PAGE, lock, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 

@@ -12,7 +12,7 @@ from sim.bridge.protocol import answer
 from sim.pages.text.yaml_source import load
 from sim.scene import read_fence
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE, in_node, live, on_scene
+from tests.web.scene.given.widget_site import LIVE, in_node, live, on_scene
 
 pytestmark = pytest.mark.browser
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 
 def test_typed_numbers_are_read_as_people_mean_them() -> None:

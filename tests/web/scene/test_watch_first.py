@@ -9,8 +9,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import CHOICE, LIVE, MEETING, live, on_scene, widget_site
-from tests.web.scene.widget_site import write_page as put
+from tests.web.scene.given.widget_site import CHOICE, LIVE, MEETING, live, on_scene, widget_site
+from tests.web.scene.given.widget_site import write_page as put
 
 pytestmark = pytest.mark.browser
 

@@ -10,7 +10,7 @@ import pytest
 from sim.pages.widget import render
 from sim.pages.widget.run import from_wire
 from sim.pages.widget.scale_of import read_scales
-from tests.web.scene.widget_site import COASTING, FENCES, MEETING, QUESTIONS, STRUCK, baked
+from tests.web.scene.given.widget_site import COASTING, FENCES, MEETING, QUESTIONS, STRUCK, baked
 
 CREEPING: dict[str, Any] = {
     "id": "creeping",

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import live, on_scene, widget_site
+from tests.web.scene.given.widget_site import live, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import MEETING, live, on_scene, widget_site, write_page
+from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 

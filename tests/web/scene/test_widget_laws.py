@@ -8,7 +8,7 @@ import pytest
 
 from sim.bridge.protocol import answer
 from tests import registry
-from tests.web.scene.widget_site import in_node
+from tests.web.scene.given.widget_site import in_node
 
 ROUNDING = 1e-9  # of the scene's own scale: sums of some thousand rows
 

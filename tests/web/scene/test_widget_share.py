@@ -12,7 +12,7 @@ from sim.bridge.protocol import answer
 from sim.pages.text.yaml_source import load
 from sim.scene import read_fence
 from tests import registry
-from tests.web.scene.widget_site import COASTING, MEETING, STRUCK, baked, in_node
+from tests.web.scene.given.widget_site import COASTING, MEETING, STRUCK, baked, in_node
 
 
 def facts(fence: dict[str, Any]) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from sim.pages.widget import render
-from tests.web.scene.widget_site import COASTING, FENCES, MEETING, QUESTIONS, STRUCK, baked
+from tests.web.scene.given.widget_site import COASTING, FENCES, MEETING, QUESTIONS, STRUCK, baked
 
 MOST_HTML = 60_000  # bytes per scene, promised in issue 2
 

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE
+from tests.web.scene.given.widget_site import LIVE
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

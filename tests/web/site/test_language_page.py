@@ -18,7 +18,7 @@ from tests.pages.given.interface_words import BRACKETS, rebuilt, sent_of_runs
 from tests.web.conftest import OpenPage
 from tests.web.question import question_site as question_pages
 from tests.web.question.question_site import question_site
-from tests.web.scene.widget_site import (
+from tests.web.scene.given.widget_site import (
     MEETING,
     QUESTIONS,
     in_node,

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as, saved, saved_file
 from tests.web.question.question_site import ready
-from tests.web.scene.widget_site import lock
+from tests.web.scene.given.widget_site import lock
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

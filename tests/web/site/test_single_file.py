@@ -19,7 +19,7 @@ from sim.pages.runtime import default_cache
 from tests.film.maker import Stage, encoded, frames
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import ROOT
-from tests.web.scene.widget_site import live, on_scene
+from tests.web.scene.given.widget_site import live, on_scene
 
 LESSON = """# Two scenes
 

@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, Page, expect
 from sim.scene import read_fence
 from sim.scene.problem import SceneError
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE, MEETING
+from tests.web.scene.given.widget_site import LIVE, MEETING
 
 pytestmark = pytest.mark.browser
 

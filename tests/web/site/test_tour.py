@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.widget_site import LIVE
+from tests.web.scene.given.widget_site import LIVE
 from tests.web.site.lessons_with_scenes import LESSONS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]

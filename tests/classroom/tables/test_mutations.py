@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from tests.classroom.mutations import KINDS
+from tests.classroom.given.mutations import KINDS
 
 FEW = 60
 """Mutations of each kind in CI; the command tries 10,000."""

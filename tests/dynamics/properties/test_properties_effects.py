@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sim.dynamics.result.trajectory import trajectory
+from tests.dynamics.given.random_effects import acted_on
 from tests.dynamics.given.random_runs import FEW, FEWER, HALF, finished
-from tests.dynamics.random_effects import acted_on
 from tests.reference.contact_branches import UnsupportedError
 from tests.reference.effects import integrate
 

@@ -12,7 +12,7 @@ from sim.pages.language.extract import sentences
 from sim.pages.widget import render
 from tests import registry
 from tests.web.runtime.boot_site import ROOT
-from tests.web.scene.widget_site import MEETING, baked, in_node
+from tests.web.scene.given.widget_site import MEETING, baked, in_node
 
 SCENES: dict[str, dict[str, Any]] = {
     name: registry.plain(name) for name in registry.NAMES if "effects" in registry.plain(name)

@@ -19,7 +19,7 @@ from tests.classroom.given.exported_tables import (
     MOODLE_GERMAN,
     WIDE,
 )
-from tests.classroom.tables import csv, reported
+from tests.classroom.given.tables import csv, reported
 
 
 @pytest.mark.parametrize(

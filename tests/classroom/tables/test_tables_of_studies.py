@@ -17,7 +17,7 @@ from scipy import stats
 from sim.classroom.paper import Law, laws
 from sim.classroom.paper import Tested as Group
 from tests.classroom.given.paper_tables import text
-from tests.classroom.tables import csv, judged, marks_with, paired_with, reported
+from tests.classroom.given.tables import csv, judged, marks_with, paired_with, reported
 
 PRINTED = laws(text("table-2.csv"), text("table-2-printed.csv"))
 DIGIT = 1e-3

@@ -8,7 +8,7 @@ import pytest
 
 from sim.pages.widget.render import render
 from sim.scene.fields import SKINS
-from tests.web.scene.widget_site import MEETING, baked, in_node
+from tests.web.scene.given.widget_site import MEETING, baked, in_node
 
 BOX = {"width": 40, "height": 60}
 

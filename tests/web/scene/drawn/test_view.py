@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.web.scene.widget_site import MEETING, STRUCK, baked, in_node
+from tests.web.scene.given.widget_site import MEETING, STRUCK, baked, in_node
 
 NUMBERS = [
     0.0, -0.0, 1.0, -1.0, 0.5, 0.25, 0.125, 2.5, 0.0005, -0.00049, 1e-13, 12345.678, 999.95, 0.9996,

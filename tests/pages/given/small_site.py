@@ -9,7 +9,7 @@ import pytest
 
 from sim.pages import runtime, site_files
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 CONFIG = """\
 site_name: A site
 extra: {carts: {site_id: a-site}}

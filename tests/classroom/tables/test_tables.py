@@ -19,7 +19,7 @@ from tests.classroom.given.exported_tables import (
     MOODLE_GERMAN,
     WIDE,
 )
-from tests.classroom.tables import csv, judged, reported
+from tests.classroom.given.tables import csv, judged, reported
 
 
 def rows(content: str | bytes) -> list[tuple[str, dict[str, float], float]]:

@@ -6,7 +6,7 @@ from typing import Any
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-from tests.pages.qti_rules import ITEM, local
+from tests.pages.given.qti_rules import ITEM, local
 
 
 class Platform:

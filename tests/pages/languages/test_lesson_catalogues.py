@@ -15,7 +15,7 @@ from sim.pages.translate.translation import part_of, translations_of
 from sim.pages.translate.unit import changed_marks
 from tests.pages.given.interface_words import SCRIPTS
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 FOLDER = ROOT / "worksheets"
 SOURCES = list(catalogues_in(FOLDER))
 

@@ -10,7 +10,7 @@ import pytest
 from sim.pages.widget.effects_scale import greatest_force
 from sim.pages.widget.scale_of import read_scales
 from tests import registry
-from tests.web.scene.widget_site import baked, in_node
+from tests.web.scene.given.widget_site import baked, in_node
 
 MEET: dict[str, Any] = {
     "carts": {

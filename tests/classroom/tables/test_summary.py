@@ -18,6 +18,7 @@ from sim.classroom.summary.merge import merged
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
 from sim.cli.classroom.summary import lessons_of_answers
+from tests.classroom.given.makers import bank, keys, random_class, sources
 from tests.classroom.given.school_summaries import (
     HEAD,
     MOST,
@@ -26,8 +27,7 @@ from tests.classroom.given.school_summaries import (
     school,
     through_a_file,
 )
-from tests.classroom.makers import bank, keys, random_class, sources
-from tests.classroom.tables import csv, judged, reported
+from tests.classroom.given.tables import csv, judged, reported
 
 NAMES = ("files", "flags", "students", "sentences", "notes")
 

@@ -16,7 +16,7 @@ from sim.pages.text.yaml_source import load
 from sim.pages.translate.put_in import bank_units, lesson_units, put_in
 from sim.pages.translate.unit import Unit, changed_marks, is_prose
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 LESSONS = sorted(ROOT.glob("worksheets/*.md"))
 PAGES = sorted([*LESSONS, *ROOT.glob("docs/**/*.md"), *ROOT.glob("sim/effects/*/page.md")])
 BANKS = sorted([*ROOT.glob("worksheets/banks/*.yml"), *ROOT.glob("tests/web/question/banks/*.yml")])

@@ -17,7 +17,7 @@ from sim.pages.language import LANGUAGES, speaking, told, tr, tr_counted, words
 from sim.pages.language.plurals import rule_of
 from sim.scene.said import FORMS, RULE, counted, from_wire, wire
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 ONE, MORE = "1 run of {who}", "{n} runs of {who}"
 # Three forms, as in Polish: 1; 2 to 4, 22 to 24, …; all others.
 POLISH = "(n==1 ? 0 : n%10>=2 && n%10<=4 && (n%100<10 || n%100>=20) ? 1 : 2)"

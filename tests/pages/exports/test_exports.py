@@ -21,9 +21,9 @@ from sim.pages.classroom.portable import Portable, portable
 from sim.pages.question.key_page import lesson_key
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.text.lesson_places import described
-from tests.pages.exported import facts, from_gift, from_moodle
+from tests.pages.given.exported import facts, from_gift, from_moodle
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "exports"
 OWN = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
 

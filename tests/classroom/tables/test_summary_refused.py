@@ -18,7 +18,7 @@ from sim.classroom.summary.written import summary_file
 from sim.classroom.tables.report import table_report
 from sim.cli.classroom.text import report_as_text
 from tests.classroom.given.school_summaries import HEAD, MOST, bits, of_table, school
-from tests.classroom.tables import csv, judged
+from tests.classroom.given.tables import csv, judged
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{}", '{"kind": "newtons-carts-summary"}', "\x00"])

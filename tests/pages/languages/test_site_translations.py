@@ -14,8 +14,8 @@ from sim.cli.site.build import build_site
 from sim.pages import bake as baking
 from sim.pages.check import check_paths
 from sim.pages.prepared import pack
+from tests.pages.given.small_site import MakeSite, lesson, make_site
 from tests.pages.given.translated_site import SAID, TEXT, three, write_words
-from tests.pages.small_site import MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture
 SLIDER = "until: 2 s\ncontrols: [{set: A.mass, from: 1 kg, to: 3 kg, step: 1 kg}]"

@@ -26,10 +26,10 @@ from sim.pages.classroom.portable import Portable, portable
 from sim.pages.classroom.qti.package import qti_package
 from sim.pages.classroom.qti.xhtml import blocks, flow
 from sim.pages.question.quiz import read_bank_text
-from tests.pages.qti_platform import Platform
-from tests.pages.qti_rules import ITEM, NAME, PACKAGE, local, mistakes
+from tests.pages.given.qti_platform import Platform
+from tests.pages.given.qti_rules import ITEM, NAME, PACKAGE, local, mistakes
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "exports" / "every-kind.yml"
 OWN = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
 

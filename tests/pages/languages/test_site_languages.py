@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sim.cli.site.build import build_site
-from tests.pages.small_site import CONFIG, MakeSite, lesson, make_site
+from tests.pages.given.small_site import CONFIG, MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture
 

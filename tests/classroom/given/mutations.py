@@ -1,6 +1,6 @@
 """The adversary of tables and summaries: good files with something broken in them, and an oracle.
 
-    make fuzz AREA=classroom     or     python -m tests.classroom.mutations [--count 10000]
+    make fuzz AREA=classroom     or     python -m tests.classroom.given.mutations [--count 10000]
 
 A file is mutated once to four times: bytes, cells, lines, numbers, keys, hostile texts. Whatever
 comes out, nothing but the error for people may be raised, what is refused is named (a row by a line
@@ -27,8 +27,8 @@ from sim.classroom.summary.numbers import SummaryError
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
 from sim.classroom.tables.dropped import dropped_report
-from tests.classroom.sound import sound
-from tests.classroom.tables import judged
+from tests.classroom.given.sound import sound
+from tests.classroom.given.tables import judged
 
 HOSTILE = (
     "=cmd|'/c calc'!A1", "+1+1", "-2+3", "@SUM(A1)", "\t=1", "＝1", "\u200b=1",

@@ -13,7 +13,7 @@ from sim.lesson.bank import read_bank
 from sim.lesson.key_file import key_file
 from sim.pages.language import words
 from sim.scene.said import RULE
-from tests.classroom.makers import TIME, answers, bank, keys, random_class, sources
+from tests.classroom.given.makers import TIME, answers, bank, keys, random_class, sources
 
 BANK = bank(10, words=2, topics=("t1", "t2"))
 DAY = TIME.format(day=1, minute=0, second=0)

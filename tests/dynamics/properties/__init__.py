@@ -1,0 +1,1 @@
+"""Laws that hold in any scene, tried on random ones."""

@@ -1,0 +1,1 @@
+"""Many carts that touch at once, and the hard cases."""

@@ -1,0 +1,1 @@
+"""Pages and lessons in other languages."""

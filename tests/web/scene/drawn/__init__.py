@@ -1,0 +1,1 @@
+"""The pure functions that draw, without a page."""
