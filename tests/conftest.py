@@ -13,6 +13,9 @@ from hypothesis.internal.conjecture import providers
 
 ROOT = Path(__file__).parents[1]
 
+# A helper that fails says both sides, as a test does.
+pytest.register_assert_rewrite(*(f"tests.{room.stem}" for room in (ROOT / "tests").iterdir()))
+
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
