@@ -201,9 +201,7 @@ class Row:
         if state == "halt":
             for i in self.groups[k].carts:
                 self.v[i] = 0.0
-        elif state == "hit":
-            self.hit(k)
-        elif state != "slip":
+        elif state not in ("slip", "hit"):  # impacts: `one_instant`
             branch = self.branches[k]
             assert branch is not None
             self.branches[k] = branch.after(state, self.overlap(k, self.x, self.v)[0])
@@ -215,8 +213,6 @@ class Row:
         if contact.law == "velcro":
             self.join(k)
             return
-        if s < 1e-6:
-            raise UnsupportedError("an instant contact at rest")
         self.part(k, (1 + contact.restitution) * s * self.mu(k))
 
     def part(self, k: int, impulse: float) -> None:
