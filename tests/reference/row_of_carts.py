@@ -31,6 +31,8 @@ class Group:
 class Row:
     """The state of one integration."""
 
+    errors: tuple[float, float]
+
     def __init__(self, scene: Scene) -> None:
         self.scene, n = scene, len(scene.carts)
         self.n, self.t = n, 0.0

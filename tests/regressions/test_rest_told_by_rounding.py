@@ -11,6 +11,7 @@ from tests.fuzz.kinds import scene_of
 RESTING = {
     "impacts at rest that part by rounding": ("rest on slopes", 60),
     "two that part while each swings on a spring of its own": ("springs", 5000),
+    "three pressed on a slope, of which two part": ("rest on slopes", 13003),
     "a cart that a spring draws from the wall where it rests": ("scales", 31),
 }
 
