@@ -13,6 +13,8 @@ from tests.fuzz.verdict import Verdict, judge, units_of
 
 SOME = 8
 EVENTS = 3_000
+DEAD = (1, 4, 5, 11, 15)
+"""Numbers of dead bumpers that the oracle follows quickly."""
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -42,6 +44,12 @@ def test_in_units_that_are_powers_of_two_the_same_run_comes_out_to_the_last_bit(
         assert found.word != "scale", (seed, found.detail)
         compared += found.word == "right"
     assert compared >= 3
+
+
+def test_bumpers_that_give_nothing_back_end_as_the_oracle_says() -> None:
+    """Held by what presses, let go, pressed further: it knows the law from its definition."""
+    words = [judge(scene_of("dead bumpers", seed)).word for seed in DEAD]
+    assert words == ["right"] * len(DEAD)
 
 
 def test_the_plainest_scene_of_a_finding_is_found_again() -> None:

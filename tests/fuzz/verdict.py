@@ -32,6 +32,12 @@ ORACLE_BUDGET = 4.0
 AGREE = 1e-8
 """Of the greatest speed and way. The integration is good to 1e-10 or so; its signs to 1e-13 m."""
 
+ROUGH = 1e-6
+"""The same. Up to here it may be the integration: it is done once more, with finer steps."""
+
+FINE_BUDGET = 30.0
+"""s."""
+
 MOVED = 1e-12
 """Relative. The inputs of the run that tells how well the scene is conditioned."""
 
@@ -126,6 +132,14 @@ def compared(plain: Plain, done: Any) -> Verdict:
         return Verdict("right", f"{off:.1e}")
     if off <= 100.0 * conditioning(plain, done):
         return Verdict("right", f"{off:.1e}, ill conditioned")
+    if off <= ROUGH:
+        try:
+            with budget(FINE_BUDGET):
+                expected = integrate(done.scene, most_steps=100_000, fine=True)
+        except (UnsupportedError, TooSlowError, ArithmeticError, ValueError):
+            return Verdict("end", f"off by {off:.1e}, and no finer oracle in time")
+        if (off := distance(done, expected.x, expected.v)) <= AGREE:
+            return Verdict("right", f"{off:.1e}, finely")
     return Verdict("end", f"off by {off:.1e}: {done.v} for {tuple(map(float, expected.v))}")
 
 

@@ -21,6 +21,9 @@ from dataclasses import dataclass, replace
 
 from tests.reference.force_laws import zeta_for_zero_force, zeta_printed
 
+DEAD = 1e-7
+"""Restitution. A bumper that gives back less than this gives back nothing (`dead_bumpers`)."""
+
 
 class UnsupportedError(Exception):
     """The oracle does not know, or would need too long."""
@@ -61,7 +64,7 @@ class Branch:
 
     def rates(self, mu: float) -> float:
         """1/s. The fastest that this contact can be."""
-        steep = self.k / self.e**2 if self.law == "bumper" else self.k
+        steep = self.k / self.e**2 if self.law == "bumper" and self.e > DEAD else self.k
         return math.sqrt(steep / mu) + 2 * self.c / mu
 
     def watches(self, d: float, s: float) -> list[tuple[float, str]]:

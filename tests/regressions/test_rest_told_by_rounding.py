@@ -10,6 +10,8 @@ from tests.fuzz.kinds import scene_of
 
 RESTING = {
     "impacts at rest that part by rounding": ("rest on slopes", 60),
+    "two that part while each swings on a spring of its own": ("springs", 5000),
+    "three pressed on a slope, of which two part": ("rest on slopes", 13003),
     "a cart that a spring draws from the wall where it rests": ("scales", 31),
 }
 
@@ -19,3 +21,20 @@ def test_a_contact_that_rests_but_for_rounding_does_not_touch_for_ever(what: str
     done = run(read_scene(scene_of(*RESTING[what])), max_events=5_000)
     assert done.stopped is None
     assert done.ledger.imbalance() < 1e-10
+
+
+def test_a_bumper_pressed_further_by_rounding_alone_keeps_the_speed_of_its_bodies() -> None:
+    """A hops on its steep line: pressed in just as deep every time, by rounding a bit deeper."""
+    plain = {
+        "carts": {
+            "A": {"mass": 0.562, "position": 0.35},
+            "B": {"mass": 1.0, "position": 0.55},
+        },
+        "contact": {"law": "bumper", "restitution": 0.8, "stiffness": 55000},
+        "effects": [
+            {"incline": {"angle": "2 deg"}},
+            {"friction": {"coefficient": 0.1, "static": 0.15, "carts": ["B"]}},
+        ],
+        "until": 1,
+    }
+    assert run(read_scene(plain)).ledger.imbalance() < 1e-13

@@ -12,6 +12,7 @@ import math
 from sim.dynamics.loop import parabolas, recontact
 from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
+from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed, later
@@ -25,7 +26,8 @@ PROBES = tuple(10.0 ** (-0.5 * n) for n in range(12, -1, -1))
 that is known tells whether the one is being pushed into the other, or away."""
 
 KNOWN = 1e-15
-"""Of the way that the faster one goes up to the horizon. Less room than that has no sign."""
+"""Of the way that the faster one goes up to the horizon, and of the swing that a formula tells its
+place from. Less room than that has no sign."""
 
 CRAWLS = 1e-6
 """Of what is left of the search. Steps this short would not end it."""
@@ -108,7 +110,7 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     inf where its sign is not known up to the horizon.
     """
     fastest = max(abs(v) for body in (gap.left, gap.right) for v in _speeds(body, now, horizon))
-    noise = KNOWN * fastest * horizon
+    noise = KNOWN * (fastest * horizon + _swing(gap.left) + _swing(gap.right))
     opened = 0.0
     for probe in PROBES:
         then = clearance(gap, now, probe * horizon, rest)
@@ -119,6 +121,15 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
         if then > CLEARLY * noise:
             return opened
     return opened or math.inf
+
+
+def _swing(body: Body) -> float:
+    """m. The lengths whose difference a closed form of a pair tells as the body's way."""
+    motion = body.motion
+    if not isinstance(motion, LinearPair):
+        return 0.0
+    between = motion.between
+    return abs(motion.side(body)) * (abs(between.o0) + abs(between.centre))
 
 
 def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:

@@ -79,6 +79,30 @@ def instant(
                 record.piece(body)
 
 
+GRAZE = 3e-8
+"""Of the speed that its springs give a pair. Rounding moves the place where two turn round by 1e-16
+of their way: the speed there is the root of that."""
+
+
+def grazes(chain: Chain, gap: Gap, ledger: Ledger) -> bool:
+    """Do two with velcro, drawn by springs, come just so near that they touch, and turn round?
+
+    As at the start of a run velcro does not hold what touches at rest and is not pressed together:
+    they go on with one velocity. Pressed together they touch again at that instant: then it holds.
+    """
+    if not (gap.contact.joins and gap.links) or gap.flips:
+        return False
+    force = abs(math.fsum(link.force(gap.room, 0.0) for link in gap.links))
+    stiff = math.fsum(link.bounds(gap.room)[0] for link in gap.links if link.linear)
+    if stiff == 0.0 or -gap.rate > GRAZE * force / math.sqrt(stiff * gap.mu):
+        return False
+    one_velocity([gap.left, gap.right], ledger)
+    for other in (gap, *chain.neighbours(gap)):
+        if other is not None and other.member and not other.joined:
+            other.rate = other.right.v - other.left.v
+    return True
+
+
 def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
     """Bodies that rest against each other by `instant` contacts get one velocity, next to a wall 0.
 

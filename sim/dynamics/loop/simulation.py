@@ -203,7 +203,7 @@ class Simulation:
         for gap in motion.members:
             gap.plain = 0 if motion.ends else gap.plain + 1
         self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
-        for gap in transitions.struck(motion):
+        for gap in transitions.struck(motion, self.chain, self.ledger):
             self.happened += 1
             self.fastest = max(self.fastest, -gap.rate)
             bodies = self.strike(gap, bodies, gaps, now, in_contact=True)

@@ -9,12 +9,15 @@ nearest a pair that never touches turns round
 
 from __future__ import annotations
 
-from sim.dynamics.loop import contacts, release
+import math
+
+from sim.dynamics.loop import contacts, impacts, release
 from sim.dynamics.motion.guards import branch_of, push_now
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, End, Gap, Motion
+from sim.dynamics.state.chain import Chain
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Cause
 
@@ -57,10 +60,25 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
         gap.touching.pressing, gap.room = True, -gap.memory
     elif cause == "turn":
         gap.touching.pressing = False
-        gap.rate, gap.memory = 0.0, -gap.room
+        gap.memory = -gap.room
+        if not _parts_already(gap):
+            gap.rate = 0.0
     else:
         return _apart(gap, now, record, ledger)
     return 0
+
+
+TURNS = 1e-13
+"""Of the speed that a bumper gets from its greatest overlap: what rounding leaves of a rate at the
+turn. More of it is the bodies' own, and stays the gap's too, or the account would not close."""
+
+
+def _parts_already(gap: Gap) -> bool:
+    """Was it pressed further by rounding alone, and springs back at once, faster than rounding?"""
+    law = gap.law
+    assert law is not None
+    speed = gap.memory * math.sqrt(law.steepest / gap.mu)
+    return law.e > 0.0 and gap.rate > TURNS * speed
 
 
 def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
@@ -96,10 +114,13 @@ def _nearest(gap: Gap, now: Time, record: Record) -> int:
     return 1
 
 
-def struck(motion: Motion) -> list[Gap]:
-    """Linked pairs that touch at the end of the motion by a law without a duration."""
+def struck(motion: Motion, chain: Chain, ledger: Ledger) -> list[Gap]:
+    """Linked pairs that touch at the end of the motion by a law without a duration.
+
+    Those that turn round where they touch are left out.
+    """
     touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
-    return [gap for gap in touched if gap.law is None]
+    return [gap for gap in touched if gap.law is None and not impacts.grazes(chain, gap, ledger)]
 
 
 def _halt(motion: Motion, k: int) -> None:

@@ -112,11 +112,15 @@ class Phase(Step):
         return 0.0, 0.0, 0.0
 
     def rate_square(self, k: int, t: float) -> float:
-        """m²/s. Integral of o'² dt in gap k: o' is a sum of modes, and of nothing else."""
-        modes = self.modes
-        shares = map(mul, modes.amplitudes, self.overlaps[k].shape.in_rate)
+        """m²/s. Integral of o'² dt in gap k: o' is a sum of modes, and of nothing else.
+
+        Told from its beginning as well: second derivatives, beside those of a fast swing, do not
+        tell how much there is of a slow one. What they leave of the known rate is a constant.
+        """
+        modes, q = self.modes, self.overlaps[k]
+        shares = tuple(map(mul, modes.amplitudes, q.shape.in_rate))
         terms = tuple([(z, y) for z, y in zip(modes.rates, shares, strict=True) if y])
-        return ModalSum(0.0, terms).square_integral(t)
+        return ModalSum(q.slope - sum(shares).real, terms).square_integral(t)
 
     def marks(self, end: float) -> list[float]:
         """Every quarter swing of the fastest mode."""

@@ -1,0 +1,96 @@
+"""Several things due at one instant: the order that the docs state, in engine and oracle."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sim.dynamics.loop.run import run
+from sim.scene import read_scene
+from tests.reference.effects import integrate
+
+
+def row(velocities: dict[str, float], **more: Any) -> dict[str, Any]:
+    """Carts of 1 kg that touch."""
+    carts = {
+        name: {"mass": 1.0, "position": round(0.35 + 0.2 * k, 2), "velocity": v}
+        for k, (name, v) in enumerate(velocities.items())
+    }
+    return {"carts": carts, "until": 1} | more
+
+
+def both(plain: dict[str, Any]) -> tuple[list[float], list[float]]:
+    """End velocities of the engine and of the oracle; the account closes."""
+    scene = read_scene(plain)
+    done = run(scene)
+    assert done.ledger.imbalance() < 1e-13
+    return list(done.v), list(map(float, integrate(scene).v))
+
+
+def test_of_impacts_at_one_instant_the_leftmost_comes_first() -> None:
+    """A-B: -0.195, -0.105; B-C: -0.68675, -0.41825; A-B and B-C once more."""
+    contact = {"law": "instant", "restitution": 0.3}
+    own, other = both(row({"A": 0.0, "B": -0.3, "C": -1.0}, contact=contact))
+    assert own == pytest.approx([-0.5146375, -0.400351875, -0.385010625], abs=1e-15)
+    assert other == pytest.approx(own, abs=1e-12)
+
+
+def test_impacts_that_never_end_at_one_instant_end_in_one_velocity() -> None:
+    contact = {"law": "instant", "restitution": 0}
+    own, other = both(row({"A": 1.0, "B": 0.0, "C": -0.7}, contact=contact))
+    assert own == pytest.approx([0.1, 0.1, 0.1], abs=1e-15)
+    assert other == pytest.approx(own, abs=1e-12)
+
+
+def test_an_impact_comes_before_a_release_at_the_same_instant() -> None:
+    """C sticks to the latched A and B, all have -0.1 m/s; then w = sqrt(2 E/mu), mu = 2/3 kg."""
+    contact = {"law": "bumper", "pairs": {"B-C": {"law": "velcro"}}}
+    release = {"release": {"between": ["A", "B"], "energy": 0.1, "at": 0}}
+    own, other = both(row({"A": 0.0, "B": 0.0, "C": -0.3}, contact=contact, effects=[release]))
+    apart = 0.3**0.5
+    away = [-0.1 - apart * 2 / 3, -0.1 + apart / 3, -0.1 + apart / 3]
+    assert own == pytest.approx(away, abs=1e-14)
+    assert other == pytest.approx(own, abs=1e-12)
+
+
+SPRING = {"spring": {"between": ["A", "B"], "stiffness": 16.8, "length": 0.05}}
+
+
+def test_velcro_does_not_hold_what_a_spring_draws_apart_where_it_touches() -> None:
+    """As at the start, so after a whole swing: it is the same state."""
+    plain = row({"A": 0.0, "B": 0.0}, contact={"law": "velcro"}, effects=[SPRING], until=5)
+    own, other = both(plain)
+    assert abs(own[0]) > 0.09
+    assert other == pytest.approx(own, abs=1e-10)
+
+
+def test_velcro_holds_what_is_pressed_together_where_a_swing_ends() -> None:
+    turn = 1.0839524458626357  # s, a whole swing: A is pushed against B from then on
+    push = {"push": {"cart": "A", "force": 2, "from": turn, "until": 3}}
+    plain = row({"A": 0.0, "B": 0.0}, contact={"law": "velcro"}, effects=[SPRING, push], until=4)
+    own, _ = both(plain)
+    assert own == pytest.approx([3 - turn, 3 - turn], rel=1e-13)
+
+
+def test_velcro_at_rest_starts_when_static_friction_of_both_is_overcome() -> None:
+    """B alone would be held up to 24.5 N, both to 39 N; A pushes with 35 N at most."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.1, "velocity": 0.7},
+            "B": {"mass": 1, "position": 0.3},
+            "C": {"mass": 0.6, "position": 0.5},
+        },
+        "contact": {
+            "law": "paper",
+            "restitution": 0.15,
+            "stiffness": 3430,
+            "pairs": {"B-C": {"law": "velcro"}},
+        },
+        "effects": [{"friction": {"coefficient": 0.3, "static": 2.5}}],
+        "until": 0.5,
+    }
+    scene = read_scene(plain)
+    done, other = run(scene), integrate(scene)
+    assert done.x[1:] == (0.3, 0.5)
+    assert list(map(float, other.x)) == pytest.approx(list(done.x), abs=1e-10)
