@@ -12,12 +12,13 @@ import itertools
 from collections.abc import Callable, Iterator
 
 from sim.certify.bodies import Body, Gap
+from sim.certify.equations import Row, State
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import ARB, arb
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
-from sim.certify.series import REACH, SPARE_TIME, Piece, Row, State
+from sim.certify.series import REACH, SPARE_TIME, Piece
 from sim.certify.signals import Signal
 from sim.certify.transport import Transport
 from sim.certify.watches import Watch
