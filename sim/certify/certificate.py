@@ -33,7 +33,7 @@ from sim.certify.run import MOST_EVENTS, BallRun
 from sim.scene.model import Scene
 from sim.scene.said import reason_of, said
 
-BITS = (160, 320, 1280, 5120)
+BITS = (160, 320, 1280, 2560, 5120)
 """Precision of the balls, one after the other. A pair is done with the first; a thousand contacts
 that multiply every error by ten each take the last."""
 

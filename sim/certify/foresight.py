@@ -16,8 +16,6 @@ from sim.certify.numbers.balls import (
     Ball,
     NotProvableError,
     is_zero,
-    lower,
-    upper,
 )
 from sim.certify.numbers.roots import Function, falls_to_zero, first_root
 from sim.certify.row import Next, Row
@@ -71,8 +69,8 @@ class Foresight(Row):
         for one in coming:
             if one.when is self.present and one.kind == "touch" and _soft(one):
                 return one  # nothing can come before now, and such touches change no velocity
-        known = [(lower(one.when.ball), upper(one.when.ball), one) for one in coming]
-        end = upper(self.until.ball)
+        known = [(*one.when.ends(), one) for one in coming]
+        end = self.until.ends()[1]
         known = [row for row in known if not row[0] > end]
         if not known:
             return None
