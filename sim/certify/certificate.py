@@ -83,7 +83,7 @@ def certify(
         for bits in BITS:
             ctx.prec = bits
             found = _best(scene, {}, most, instants)
-            enough = _enough(found, best)
+            enough = _enough(found, best) or (best is not None and _stuck(found, best))
             if best is None or found.x or not best.x:
                 best = found
             if enough:
@@ -125,6 +125,12 @@ def _enough(found: Certificate, last: Certificate | None) -> bool:
     if last is not None and last.x and _width(found) > 0.5 * _width(last):
         return True
     return _width(found) <= (INPUTS if found.wide else NARROW)
+
+
+def _stuck(found: Certificate, last: Certificate) -> bool:
+    """Has it ended where fewer bits did? What touches exactly, or comes at once, stays so."""
+    happened = len(found.events) == len(last.events)
+    return not found.x and not last.x and happened and found.reason == last.reason
 
 
 def _width(found: Certificate) -> float:
