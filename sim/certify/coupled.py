@@ -24,8 +24,8 @@ from sim.certify.transport import Transport
 from sim.certify.watches import Watch
 from sim.scene.said import Said, listed, said
 
-MOST_PIECES = 2000 if ARB else 400
-"""Of one motion: some six hundred swings of its stiffest mode, or a hundred where intervals take
+MOST_PIECES = 5000 if ARB else 400
+"""Of one motion: some thousand swings of its stiffest mode, or a hundred where intervals take
 ten times as long. Between two events of a contact there are one to five."""
 
 

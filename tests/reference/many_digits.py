@@ -33,6 +33,8 @@ class Digits(Motions):
             if self.t >= end:
                 return
             self.series()
+            if self.springs and end > MOST_STEPS * self.h:
+                break
             goal = self._goal(end)
             step, what = min(fixed((goal - self.t) / self.h), ONE), None
             reached = step < ONE or self.t + self.h >= goal
