@@ -146,7 +146,9 @@ class Foresight(Row):
         doubt = said("whether {pair} meet", pair=gap.shown)
         found = []
         tail = gap.tail is not None or not is_zero(gap.memory)
-        if gap.simple:
+        if self._pushes_again(gap, doubt):
+            tau = ZERO
+        elif gap.simple:
             left = self.until.minus(gap.since).upper().mid()
             tau = falls_to_zero(*self._force_left(gap), left, doubt)
             if tail:
@@ -170,6 +172,16 @@ class Foresight(Row):
         if tau is not None:
             found.append(Next(gap.since.after(tau), "touch", bodies, gap))
         return found
+
+    def _pushes_again(self, gap: Gap, doubt: Said) -> bool:
+        """Has a rate that changed at once, at a neighbour, brought back the force of a dashpot?"""
+        if gap.tail is None or gap.spent:
+            return False
+        k, c = gap.tail
+        left = k * gap.room + c * gap.rate
+        if not left < 0 and not left >= 0:
+            raise NotProvableError(doubt)
+        return bool(left < 0)
 
     def _closes(self, gap: Gap) -> bool:
         """Do two that touch come together at once?"""
