@@ -10,7 +10,8 @@ a ball does not decide, the certificate says so instead of guessing: `NotProvabl
                   inputs, signs that are proved), roots (the first zero of a function)
     oscillation   the overlap of a linear contact, in closed form
     damping       the damping of a law from the restitution that it returns
-    series        a row of bodies that push each other: Taylor series with a proved remainder
+    equations     a row of bodies that push each other
+    series        its Taylor series with a proved remainder
     signals       what is linear in its state; transport: later pieces of it, without wrapping
     loads         forces on single carts: slope, friction, pushes, linear drag; springs
     inputs        the scene's doubles, or what their tolerances allow

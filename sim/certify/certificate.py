@@ -33,12 +33,16 @@ from sim.certify.run import MOST_EVENTS, BallRun
 from sim.scene.model import Scene
 from sim.scene.said import reason_of, said
 
-BITS = (160, 320, 1280, 5120)
+BITS = (160, 320, 1280, 2560, 5120)
 """Precision of the balls, one after the other. A pair is done with the first; a thousand contacts
 that multiply every error by ten each take the last."""
 
 NARROW = 2.0**-50
 """Of the greatest place or speed of the scene. A ball so small is wide by its inputs alone."""
+
+INPUTS = 2.0**-40
+"""The same where an input is a double wide itself (a gap in both readings): 160 bits would be known
+to 2⁻¹⁴⁰ and more, so all of such a width is what the inputs make of themselves."""
 
 SPARE = 2.0**-100
 """Of the largest number of its kind. Bounds leave so much more room (nothing, beside a double), so
@@ -60,6 +64,7 @@ class Certificate:
     bits: int
     hopeless: bool = False  # for more digits
     seen: Seen = field(default_factory=dict)
+    wide: bool = False  # is an input known to a double only?
 
 
 def certify(
@@ -78,7 +83,7 @@ def certify(
         for bits in BITS:
             ctx.prec = bits
             found = _best(scene, {}, most, instants)
-            enough = _enough(found, best)
+            enough = _enough(found, best) or (best is not None and _stuck(found, best))
             if best is None or found.x or not best.x:
                 best = found
             if enough:
@@ -119,7 +124,13 @@ def _enough(found: Certificate, last: Certificate | None) -> bool:
         return found.hopeless
     if last is not None and last.x and _width(found) > 0.5 * _width(last):
         return True
-    return _width(found) <= NARROW
+    return _width(found) <= (INPUTS if found.wide else NARROW)
+
+
+def _stuck(found: Certificate, last: Certificate) -> bool:
+    """Has it ended where fewer bits did? What touches exactly, or comes at once, stays so."""
+    happened = len(found.events) == len(last.events)
+    return not found.x and not last.x and happened and found.reason == last.reason
 
 
 def _width(found: Certificate) -> float:
@@ -164,7 +175,8 @@ def _run(
         t: ([p + m for p, m in zip(given.places, moved, strict=True)], speeds)
         for t, (moved, speeds) in run.seen.items()
     }
-    return Certificate(x, v, events, not doubt, doubt, ctx.prec, seen=seen)
+    inexact = any(gap.rad() > 0 for gap in given.gaps)
+    return Certificate(x, v, events, not doubt, doubt, ctx.prec, seen=seen, wide=inexact)
 
 
 def _sorted(run: BallRun, names: list[str]) -> tuple[Told, ...]:

@@ -8,9 +8,9 @@ from sim.certify import peaks
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.forming import Forming, no_joint, rest_against
-from sim.certify.impacts import common_velocity, impact
+from sim.certify.impacts import common_velocity, impact, reduced_mass
 from sim.certify.instants import Instant
-from sim.certify.numbers.balls import ZERO, NoBoundError, NotProvableError, is_zero
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
@@ -41,7 +41,11 @@ class Contacts(Forming):
             for one in pressed:
                 if one.touching:
                     no_joint(self.touches[one.index])
+            linger = [one for one in self.gaps if one.tail is not None and one is not gap]
+            before = [reduced_mass(one.left, one.right) for one in linger]
             self._join(gap, now)
+            for one, mu in zip(linger, before, strict=True):
+                _damp_anew(one, mu)
         else:
             impact(gap)
             rate, free = gap.rate, [body for body in both if not self._touches(body)]
@@ -197,6 +201,13 @@ class Contacts(Forming):
         for body in bodies:
             if body.mass is not None and body.held != (body in held):
                 self.tell_carts(now, "stop" if body.held else "start", body)
+
+
+def _damp_anew(gap: Gap, before: Ball) -> None:
+    """The damper of a pair that has not recovered is that of its two masses, joined ones too."""
+    mu = reduced_mass(gap.left, gap.right)
+    if gap.tail is not None and mu is not None and before is not None:
+        gap.tail = gap.tail[0], gap.tail[1] * (mu / before).sqrt()
 
 
 def _turns(touch: Touch, cause: str) -> bool:

@@ -12,19 +12,20 @@ import itertools
 from collections.abc import Callable, Iterator
 
 from sim.certify.bodies import Body, Gap
+from sim.certify.equations import Row, State
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import ARB, arb
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
-from sim.certify.series import REACH, SPARE_TIME, Piece, Row, State
+from sim.certify.series import REACH, SPARE_TIME, Piece
 from sim.certify.signals import Signal
 from sim.certify.transport import Transport
 from sim.certify.watches import Watch
 from sim.scene.said import Said, listed, said
 
-MOST_PIECES = 2000 if ARB else 400
-"""Of one motion: some six hundred swings of its stiffest mode, or a hundred where intervals take
+MOST_PIECES = 5000 if ARB else 400
+"""Of one motion: some thousand swings of its stiffest mode, or a hundred where intervals take
 ten times as long. Between two events of a contact there are one to five."""
 
 

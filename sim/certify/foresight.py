@@ -16,8 +16,6 @@ from sim.certify.numbers.balls import (
     Ball,
     NotProvableError,
     is_zero,
-    lower,
-    upper,
 )
 from sim.certify.numbers.roots import Function, falls_to_zero, first_root
 from sim.certify.row import Next, Row
@@ -71,8 +69,8 @@ class Foresight(Row):
         for one in coming:
             if one.when is self.present and one.kind == "touch" and _soft(one):
                 return one  # nothing can come before now, and such touches change no velocity
-        known = [(lower(one.when.ball), upper(one.when.ball), one) for one in coming]
-        end = upper(self.until.ball)
+        known = [(*one.when.ends(), one) for one in coming]
+        end = self.until.ends()[1]
         known = [row for row in known if not row[0] > end]
         if not known:
             return None
@@ -148,7 +146,9 @@ class Foresight(Row):
         doubt = said("whether {pair} meet", pair=gap.shown)
         found = []
         tail = gap.tail is not None or not is_zero(gap.memory)
-        if gap.simple:
+        if self._pushes_again(gap, doubt):
+            tau = ZERO
+        elif gap.simple:
             left = self.until.minus(gap.since).upper().mid()
             tau = falls_to_zero(*self._force_left(gap), left, doubt)
             if tail:
@@ -172,6 +172,16 @@ class Foresight(Row):
         if tau is not None:
             found.append(Next(gap.since.after(tau), "touch", bodies, gap))
         return found
+
+    def _pushes_again(self, gap: Gap, doubt: Said) -> bool:
+        """Has a rate that changed at once, at a neighbour, brought back the force of a dashpot?"""
+        if gap.tail is None or gap.spent:
+            return False
+        k, c = gap.tail
+        left = k * gap.room + c * gap.rate
+        if not left < 0 and not left >= 0:
+            raise NotProvableError(doubt)
+        return bool(left < 0)
 
     def _closes(self, gap: Gap) -> bool:
         """Do two that touch come together at once?"""

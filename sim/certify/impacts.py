@@ -25,3 +25,10 @@ def common_velocity(left: Body, right: Body) -> Ball:
     if left.mass is None or right.mass is None:
         return ZERO
     return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)
+
+
+def reduced_mass(left: Body, right: Body) -> Ball:
+    """kg; None between two that do not move."""
+    if left.mass is None or right.mass is None:
+        return right.mass if left.mass is None else left.mass
+    return left.mass * right.mass / (left.mass + right.mass)

@@ -7,7 +7,9 @@ difference is the sum of the steps wherever one leads to the other, or both come
 
 from __future__ import annotations
 
-from sim.certify.numbers.balls import Ball, exact, is_zero
+from fractions import Fraction
+
+from sim.certify.numbers.balls import Ball, exact, is_zero, lower, upper
 
 MOST_BACK = 12
 """Steps that are followed. Beyond them the balls themselves are subtracted, which holds too."""
@@ -16,10 +18,17 @@ MOST_BACK = 12
 class Instant:
     """A time in s from the start of the run."""
 
-    __slots__ = ("ball", "parent", "step")
+    __slots__ = ("_ends", "ball", "parent", "step")
 
     def __init__(self, ball: Ball, parent: Instant | None = None, step: Ball = None) -> None:
         self.ball, self.parent, self.step = ball, parent, step
+        self._ends: tuple[Fraction, Fraction] | None = None
+
+    def ends(self) -> tuple[Fraction, Fraction]:
+        """s. Its bounds, exactly; reckoned once."""
+        if self._ends is None:
+            self._ends = lower(self.ball), upper(self.ball)
+        return self._ends
 
     def after(self, tau: Ball) -> Instant:
         """τ s later; the very same instant where no time passes."""

@@ -15,7 +15,7 @@ from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.inputs import Inputs
 from sim.certify.instants import Instant, instant
-from sim.certify.numbers.balls import ZERO, between, upper
+from sim.certify.numbers.balls import ZERO, between, is_zero, upper
 from sim.certify.phases import ContactPhase
 from sim.certify.touches import Touch
 
@@ -141,12 +141,14 @@ class Row:
             if not gap.joined and not gap.bound and {gap.left, gap.right} & {*bodies}:
                 if gap.since is not now:
                     raise AssertionError("a gap was not settled")
-                if not self._alike(gap):
+                if not self._alike(gap, now):
                     gap.rate = gap.right.speed(now) - gap.left.speed(now)
 
-    def _alike(self, gap: Gap) -> bool:
-        """Do both go on with one velocity, the same number?"""
-        if gap.left.v is gap.right.v and gap.left.phase is None and gap.right.phase is None:
+    def _alike(self, gap: Gap, now: Instant) -> bool:
+        """Do both go on from `now` with one velocity, the same number?"""
+        both = (gap.left, gap.right)
+        present = all(b.still or b.begun is now or is_zero(b.a) for b in both)
+        if present and gap.left.v is gap.right.v and gap.simple:
             gap.rate = ZERO
             return True
         return False

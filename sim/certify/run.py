@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Sequence
 
 from sim.certify.contacts import Contacts
-from sim.certify.numbers.balls import ZERO, NoBoundError, lower, upper
+from sim.certify.numbers.balls import ZERO, NoBoundError
 from sim.certify.row import Next
 from sim.scene.said import said
 
@@ -32,13 +32,13 @@ class BallRun(Contacts):
             coming += self.halts() + [self._now(one) for one in switches[:1]]
             first = self.first(coming)
             if waiting:
-                known = min((lower(one.when.ball) for one in coming), default=waiting[-1])
+                known = min((one.when.ends()[0] for one in coming), default=waiting[-1])
                 while waiting and waiting[0] <= known:
                     self.look(waiting.popleft())
             if first is None:
                 break
             for t in waiting:
-                if t > upper(first.when.ball):
+                if t > first.when.ends()[1]:
                     break
                 self.glimpse(t)
             if first.kind == "switch":

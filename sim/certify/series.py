@@ -1,13 +1,7 @@
 """A row of bodies that push each other, enclosed by its Taylor series with a proved remainder.
 
-Member j has inverse mass i_j (nought: it does not move) and the acceleration a_j of its loads; gap
-k lies between members k and k + 1, with overlap o, rate s = o′ and N = κ (o − rest) + γ s:
-
-    o′ = s      s′_k = c_k − c_{k+1} + (a_k − a_{k+1})      c_j = i_j (N_{j−1} − N_j − b_j v_j)
-    x′ = v      v′_j = c_j + a_j
-
-All of it together is y′ = A y + b. From a ball of y(0) follow balls of the Taylor coefficients
-y_n = y⁽ⁿ⁾(0)/n!, by the equations themselves. In the norm ‖y‖ = max(|o|, |x|, |s|/Ω, |v|/Ω),
+The row obeys y′ = A y + b (`equations`). From a ball of y(0) follow balls of the Taylor
+coefficients y_n = y⁽ⁿ⁾(0)/n!. In the norm ‖y‖ = max(|o|, |x|, |s|/Ω, |v|/Ω),
 y⁽ⁿ⁺ʲ⁾ is at most Lʲ ‖y⁽ⁿ⁾‖ with L = ‖A‖; so for |τ| ≤ H what the first n terms leave out of the
 r-th derivative of o or x (of s or v: Ω times that) is at most
 
@@ -15,8 +9,7 @@ r-th derivative of o or x (of s or v: Ω times that) is at most
 
 That is the bound ‖A‖^{n+1} τ^{n+1}/(n+1)! e^{‖A‖τ} ‖y‖ with the last known term in place of its own
 estimate. The time is cut into pieces with L h = 2; the end of one is the beginning of the next.
-Overlaps and rates are carried on their own and not as differences of places, so what touches stays
-0 exactly. The first few pieces wrap the set of the one before into a box that is up to e^{Lh} times
+The first few pieces wrap the set of the one before into a box that is up to e^{Lh} times
 as wide; later ones are images of the beginning itself (`transport`).
 
 R. E. Moore, Interval Analysis (1966); N. S. Nedialkov, K. R. Jackson, G. F. Corliss, Validated
@@ -26,112 +19,20 @@ Enclosing the solutions of ordinary initial and boundary value problems (1987).
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection
 from functools import cache
 from math import lgamma, log
 
+from sim.certify.equations import Row, State, greatest
 from sim.certify.numbers.arithmetic import arb, ctx
 from sim.certify.numbers.balls import UNIT, ZERO, Ball, is_zero
-from sim.certify.oscillation import Line
 from sim.certify.signals import DERIVATIVES, Signal
 
 REACH = 2.0
 """L h: a piece holds a third of a swing of the stiffest mode, and the terms fall from the third."""
 
-STILL = 1e-6
-"""1/s. As fast as nothing moves: a row that friction holds. Its series has one term."""
-
 SPARE_TIME = 1.3
 """A piece holds for so many times its length: the search for a zero looks a quarter beyond."""
-
-
-@dataclass(frozen=True, slots=True)
-class State:
-    """At one moment: overlaps [m] and rates [m/s] by gap; ways [m] and velocities by member."""
-
-    o: tuple[Ball, ...]
-    s: tuple[Ball, ...]
-    x: tuple[Ball, ...]
-    v: tuple[Ball, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Row:
-    """The equations; `pulls` of a gap is a_k − a_{k+1}, exactly nought where both are the same."""
-
-    lines: tuple[tuple[Line, ...], ...]  # of each gap: a contact's first
-    inverses: tuple[Ball, ...]  # 1/kg
-    loads: tuple[Ball, ...]  # m/s²
-    pulls: tuple[Ball, ...]  # m/s²
-    drags: tuple[Ball, ...]  # b/m, 1/s
-
-    def rates(self) -> tuple[Ball, Ball]:
-        """Ω and L, 1/s."""
-        gaps = range(len(self.lines))
-        stiff, damped = (
-            max((float(self._row(k, key).upper()) for k in gaps), default=0.0)
-            for key in ("kappa", "gamma")
-        )
-        dragged = _greatest([ZERO, *self.drags])
-        slowest = max(damped, float(dragged), STILL)
-        omega = arb(stiff**0.5 or slowest)
-        ways = [self._row(k, "kappa") / omega + self._row(k, "gamma") for k in gaps]
-        return omega, _greatest([omega, *(way + 2 * dragged for way in ways), dragged])
-
-    def _row(self, k: int, key: str) -> Ball:
-        """How strongly the forces of a gap and its neighbours act on its rate."""
-        total = ZERO
-        for other in (k - 1, k, k + 1):
-            if 0 <= other < len(self.lines):
-                shared = {k, k + 1} & {other, other + 1}
-                weight = sum((self.inverses[j] for j in shared), ZERO)
-                lines = sum((getattr(line, key) for line in self.lines[other]), ZERO)
-                total = total + lines * weight
-        return total
-
-    def forces(self, o: Sequence[Ball], s: Sequence[Ball], *, rest: bool) -> list[Ball]:
-        """N of every gap, or a Taylor coefficient of it: `rest` belongs to the first alone."""
-        return [
-            sum((_push(line, over, rate, rest=rest) for line in lines), ZERO)
-            for lines, over, rate in zip(self.lines, o, s, strict=True)
-        ]
-
-    def _net(self, j: int, pushed: list[Ball], balanced: Collection[int]) -> Ball:
-        return ZERO if j in balanced else pushed[j] + self.loads[j]
-
-    def pushed(self, forces: list[Ball], j: int) -> Ball:
-        """m/s². What the forces of the gaps around a member do to it."""
-        if is_zero(self.inverses[j]):
-            return ZERO
-        left = forces[j - 1] if j else ZERO
-        right = forces[j] if j < len(forces) else ZERO
-        return self.inverses[j] * (left - right)
-
-    def terms(
-        self, start: State, order: int, balanced: Collection[int]
-    ) -> tuple[list[list[Ball]], ...]:
-        """Taylor coefficients up to `order`: of o, s, x, v."""
-        o, s, x, v = ([[one] for one in part] for part in (start.o, start.s, start.x, start.v))
-        for n in range(order):
-            forces = self.forces([one[n] for one in o], [one[n] for one in s], rest=n == 0)
-            pushed = [self.pushed(forces, j) for j in range(len(self.inverses))]
-            for j, drag in enumerate(self.drags):
-                if not is_zero(drag):
-                    pushed[j] = pushed[j] - drag * v[j][n]
-            for k in range(len(self.lines)):
-                a = pushed[k] - pushed[k + 1]
-                if n == 0 and not {k, k + 1} & {*balanced}:
-                    a = a + self.pulls[k]
-                elif n == 0:
-                    a = self._net(k, pushed, balanced) - self._net(k + 1, pushed, balanced)
-                o[k].append(s[k][n] / (n + 1))
-                s[k].append(a / (n + 1))
-            for j in range(len(self.inverses)):
-                a = pushed[j] if n else self._net(j, pushed, balanced)
-                x[j].append(v[j][n] / (n + 1))
-                v[j].append(a / (n + 1))
-        return o, s, x, v
 
 
 class Piece:
@@ -155,7 +56,7 @@ class Piece:
         self.row, self.omega = row, omega
         last = [ZERO, *(abs(one[-1]) for one in (*self.o, *self.x))]
         last += [abs(one[-1]) / omega for one in (*self.s, *self.v)]
-        self.tails = _tails(_greatest(last), rate, self.reach, order)
+        self.tails = _tails(greatest(last), rate, self.reach, order)
 
     def overlap(self, k: int, factors: tuple[Ball, Ball, Ball]) -> Signal:
         """a o + b o′ + c of a gap."""
@@ -185,11 +86,11 @@ class Piece:
 
     def speed(self, j: int) -> Signal:
         """v of a member."""
-        return Signal(tuple(self.v[j]), tuple(self.omega * tail for tail in self.tails))
+        return Signal(self.v[j], tuple(self.omega * tail for tail in self.tails))
 
     def way(self, j: int) -> Signal:
         """x of a member: how far it has gone."""
-        return Signal(tuple(self.x[j]), self.tails)
+        return Signal(self.x[j], self.tails)
 
     def end(self) -> State:
         """Where the next piece begins."""
@@ -202,10 +103,6 @@ class Piece:
             tuple(self.way(j).at(tau) for j in members),
             tuple(self.speed(j).at(tau) for j in members),
         )
-
-
-def _push(line: Line, over: Ball, rate: Ball, *, rest: bool) -> Ball:
-    return line.kappa * (over - line.rest if rest else over) + line.gamma * rate
 
 
 @cache
@@ -224,10 +121,3 @@ def _tails(last: Ball, rate: Ball, reach: Ball, order: int) -> tuple[Ball, ...]:
         found.append(UNIT * (last * rate * reach**q * ratio / (1 - rate * reach / (q + 1))))
         ratio = ratio * q
     return tuple(found)
-
-
-def _greatest(balls: list[Ball]) -> Ball:
-    best = balls[0].upper()
-    for one in balls[1:]:
-        best = max(best, one.upper())
-    return best

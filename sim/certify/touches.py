@@ -105,8 +105,8 @@ class Touch:
         both = one if other is None else other if one is None else one * other / (one + other)
         self.zeta = zeta
         self.line = Line(self.k, 2 * zeta * (self.k * both).sqrt(), ZERO, critical)
-        if self.gap.tail is not None:
-            self.gap.tail, self.nought = None, self.begun
+        if self.gap.tail is not None:  # its force rises from nought, or an impact brought it back
+            self.gap.tail, self.nought = None, None if self.force() > 0 else self.begun
         elif not self.fresh:
             self.still_pushes(self.begun)
 

@@ -11,14 +11,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from sim.certify.equations import Row, State
 from sim.certify.numbers.arithmetic import arb
-from sim.certify.numbers.balls import ZERO, Ball, is_zero
+from sim.certify.numbers.balls import ZERO, Ball
+from sim.certify.numbers.matrices import Matrix
 from sim.certify.oscillation import Line
-from sim.certify.series import Piece, Row, State
+from sim.certify.series import Piece
 
 
 class Transport:
-    """From piece to piece: a column for each number of the beginning, and one for the loads."""
+    """From piece to piece, y and a 1 after it: Φ has a column for each of them.
+
+    Φᵖ is a product of powers whose exponents are powers of two: rounding grows with the number of
+    factors, log p, and not with e^p as in Φ (Φ (… Φ)).
+    """
 
     def __init__(self, row: Row, start: State, length: Ball, omega: Ball, rate: Ball) -> None:
         self.rests = tuple(_rest(lines) for lines in row.lines)
@@ -28,25 +34,29 @@ class Transport:
         bare = tuple(tuple(replace(line, rest=ZERO) for line in lines) for lines in row.lines)
         nought = tuple(ZERO for _ in row.inverses)
         alone = replace(row, lines=bare, loads=nought, pulls=tuple(ZERO for _ in row.lines))
-        units = [_unit(start, number) for number in range(len(_free(start)))]
-        self.images = [Piece(alone, unit, length, omega, rate).end() for unit in units]
-        zero = _unit(start, -1)
-        self.added = Piece(row, zero, length, omega, rate).end()
-        self.columns, self.loads, self.reached = units, zero, 0
+        size = len(start.numbers())
+        places = range(2 * len(start.o), 2 * len(start.o) + len(start.x))
+        columns = []
+        for number in range(size):
+            unit = start.like([arb(1) if k == number else ZERO for k in range(size)])
+            if number not in places:  # where a body is matters to nothing
+                unit = Piece(alone, unit, length, omega, rate).end()
+            columns.append([*unit.numbers(), ZERO])
+        zero = start.like([ZERO] * size)
+        columns.append([*Piece(row, zero, length, omega, rate).end().numbers(), arb(1)])
+        self.powers = {1: Matrix(list(zip(*columns, strict=True)))}
 
     def state(self, p: int) -> State:
-        """Where piece p begins; asked for in rising order."""
-        while self.reached < p:
-            self.columns = [self._image(column) for column in self.columns]
-            self.loads = _sum([(arb(1), self._image(self.loads)), (arb(1), self.added)])
-            self.reached += 1
-        rows = [*zip(_free(self.start), self.columns, strict=True), (arb(1), self.loads)]
-        found = _sum(rows)
-        return replace(found, x=_added(found.x, self.start.x), o=_added(found.o, self.rests))
+        """Where piece p begins."""
+        found = self.start.like(self._power(p).of([*self.start.numbers(), arb(1)]))
+        return replace(found, o=_added(found.o, self.rests))
 
-    def _image(self, state: State) -> State:
-        moved = _sum(list(zip(_free(state), self.images, strict=True)))
-        return replace(moved, x=_added(moved.x, state.x))
+    def _power(self, p: int) -> Matrix:
+        if p not in self.powers:
+            lowest = p & -p
+            part = p - lowest or p // 2
+            self.powers[p] = self._power(part) @ self._power(p - part)
+        return self.powers[p]
 
 
 def _rest(lines: tuple[Line, ...]) -> Ball:
@@ -61,34 +71,6 @@ def _moved(lines: tuple[Line, ...], rest: Ball) -> tuple[Line, ...]:
     if len(lines) == 1:
         return (replace(lines[0], rest=ZERO),)
     return tuple(replace(line, rest=line.rest - rest) for line in lines)
-
-
-def _free(state: State) -> list[Ball]:
-    """All that the motion depends on: where a body is does not matter, but for the overlaps."""
-    return [*state.o, *state.s, *state.v]
-
-
-def _unit(like: State, number: int) -> State:
-    gaps, members = len(like.o), len(like.v)
-    ones = [arb(1) if k == number else ZERO for k in range(2 * gaps + members)]
-    x = tuple(ZERO for _ in like.x)
-    return State(tuple(ones[:gaps]), tuple(ones[gaps : 2 * gaps]), x, tuple(ones[2 * gaps :]))
-
-
-def _sum(weighted: list[tuple[Ball, State]]) -> State:
-    rows = [(weight, state) for weight, state in weighted if not is_zero(weight)]
-
-    def part(key: str) -> tuple[Ball, ...]:
-        columns = zip(*(getattr(state, key) for _, state in rows), strict=True)
-        return tuple(
-            sum((w * one for (w, _), one in zip(rows, column, strict=True)), ZERO)
-            for column in columns
-        )
-
-    if not rows:
-        first = weighted[0][1]
-        return _unit(first, -1)
-    return State(part("o"), part("s"), part("x"), part("v"))
 
 
 def _added(one: tuple[Ball, ...], other: tuple[Ball, ...]) -> tuple[Ball, ...]:

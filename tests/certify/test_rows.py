@@ -16,9 +16,10 @@ from flint import arb, ctx
 from mpmath import expm, matrix, mp, mpf
 
 from sim.certify.certificate import certify, document
+from sim.certify.equations import Row, State
 from sim.certify.numbers.balls import ZERO, bounds, exact
 from sim.certify.oscillation import Line
-from sim.certify.series import Piece, Row, State
+from sim.certify.series import Piece
 from sim.certify.transport import Transport
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene

@@ -37,6 +37,7 @@ class DigitRow:
             for g, c in zip(scene.gaps, scene.contacts, strict=True)
         ]
         self.joined: set[int] = set()
+        self.slipping: dict[int, mpf] = {}  # s, when a group was pushed away
         self.events: list[tuple[mpf, str, tuple[str, ...]]] = []
         self._loads()
         self.pairs: dict[int, Pair | None] = {}
@@ -167,7 +168,7 @@ class DigitRow:
             if abs(group.v) <= NOTHING:
                 group.v = mpf(0)
                 total = self.outer(group) + self.contact_force(group)
-                slips = getattr(self, "slipping", None) is group
+                slips = self.slipping.get(id(group)) == self.t  # also where it then meets another
                 group.held = abs(total) <= static and not slips
                 group.sliding = 0 if group.held else int(mp.sign(total))
             else:

@@ -1,98 +1,89 @@
-"""The motion of a row as a power series, and the first zero of what ends a branch."""
+"""The motion of a row as a power series, with some eighty digits.
+
+Time is counted in units h of the stiffest swing, so that all coefficients yₙ hⁿ are of one size:
+integers in units of 2⁻ᴮᴵᵀˢ m hold them, and Python adds and multiplies those ten times as fast as
+floating numbers of so many digits. What ends a branch is one such series too (`digit_roots`).
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
 from mpmath import mp, mpf
+from mpmath.libmp import from_man_exp, to_fixed
 
-from tests.reference.digit_row import NOTHING, DigitRow, Group
+from tests.reference.digit_row import DigitRow, Group
 
-ORDER = 44
-GRID = 24
+BITS = 280
+"""Of the fraction: 84 digits. A step loses two or three of them."""
+
+REACH = mpf("0.8")
+"""A step in units of the stiffest swing of one gap; of a row it may be twice as much."""
+
+ORDER = 60
+"""1.6⁶⁰/60! = 2e-70, four digits less than what is looked at."""
+
+Series = list[int]
+"""Coefficients of powers of t/h."""
 
 
-class Series(DigitRow):
+def fixed(x: Any) -> int:
+    """In units of 2⁻ᴮᴵᵀˢ."""
+    return int(to_fixed(mpf(x)._mpf_, BITS))
+
+
+def digits(n: int) -> mpf:
+    """Back, exactly."""
+    return mp.make_mpf(from_man_exp(n, -BITS))
+
+
+def value(coefficients: Series, t: int) -> int:
+    """Of a series at a time in units of h, both in units of 2⁻ᴮᴵᵀˢ."""
+    total = 0
+    for one in reversed(coefficients):
+        total = (total * t >> BITS) + one
+    return total
+
+
+class Motions(DigitRow):
     """Motions of a row as power series in the time from now on."""
 
     def series(self) -> None:
-        """Coefficients of displacement and velocity of every group."""
-        self.sx = {id(g): [mpf(0)] for g in self.groups}
-        self.sv = {id(g): [mpf(0) if g.held or g.fixed else g.v] for g in self.groups}
-        constant = {}
-        for g in self.groups:
-            constant[id(g)] = self.outer(g) - g.sliding * self.grip(g)[0]
-        acting = self.acting()
-        order = ORDER if acting or any(self.drag) else 3
-        for n in range(order):
-            force = {id(g): (constant[id(g)] if n == 0 else mpf(0)) for g in self.groups}
-            for k, (a, b, c) in acting:
-                d, s = self._term(k, n)
-                push = a * d + b * s + (c if n == 0 else 0)
-                for cart, way in ((k - 1, -1), (k, 1)):
-                    if (g := self.group(cart)) is not None:
-                        force[id(g)] += way * push
-            for g in self.groups:
-                still = g.held or g.fixed
-                force[id(g)] -= sum(self.drag[k] for k in g.carts) * self.sv[id(g)][n]
-                a = mpf(0) if still else force[id(g)] / self.mass(g)
-                self.sx[id(g)].append(self.sv[id(g)][n] / (n + 1))
-                self.sv[id(g)].append(a / (n + 1))
-
-    def _term(self, k: int, n: int) -> tuple[mpf, mpf]:
-        """n-th coefficient of overlap and rate of gap k."""
-        d = s = mpf(0)
-        for cart, way in ((k - 1, 1), (k, -1)):
-            if (g := self.group(cart)) is not None:
-                d += way * self.sx[id(g)][n]
-                s += way * self.sv[id(g)][n]
-        if n == 0:
-            d = self.overlap(k)[0]
-        return d, s
-
-    def _series_of(self, k: int, factors: tuple[Any, Any, Any]) -> list[mpf]:
-        a, b, c = (mpf(one) for one in factors)
-        length = len(self.sv[id(self.groups[0])])
-        found = []
-        for n in range(length):
-            d, s = self._term(k, n)
-            found.append(a * d + b * s + (c if n == 0 else 0))
-        return found
-
-    def watches(self) -> list[tuple[list[mpf], tuple[str, Any]]]:
-        found: list[tuple[list[mpf], tuple[str, Any]]] = []
-        for k, pair in self.pairs.items():
-            if k in self.joined:
-                continue
-            if pair is None:
-                found.append((self._series_of(k, (-1, 0, 0)), ("hit", k)))
-                continue
-            for factors, state in pair.watches():
-                found.append((self._series_of(k, factors), (state, k)))
-        for g in self.groups:
-            if g.sliding and not g.fixed:
-                found.append(([g.sliding * c for c in self.sv[id(g)]], ("halt", g)))
-            elif g.held:
-                found += self._slips(g)
-        return found
-
-    def _slips(self, g: Group) -> list[tuple[list[mpf], tuple[str, Any]]]:
-        static = self.grip(g)[1]
-        total = [mpf(0)] * len(self.sv[id(g)])
-        total[0] = self.outer(g)
-        for k, factors in self.acting():
-            for cart, way in ((k - 1, -1), (k, 1)):
-                if cart in g.carts:
-                    total = [
-                        a + way * b for a, b in zip(total, self._series_of(k, factors), strict=True)
-                    ]
-        return [
-            ([(static if n == 0 else 0) - way * c for n, c in enumerate(total)], ("slip", g))
-            for way in (1, -1)
+        """`sx`, `sv`: displacement [m] and velocity times h [m] of every group."""
+        self.h = self._unit()
+        h, groups = self.h, self.groups
+        index = {k: j for j, g in enumerate(groups) for k in g.carts}
+        gaps = [
+            (index.get(k - 1), index.get(k), self._start(k), fixed(a * h * h), fixed(b * h), c)
+            for k, (a, b, c) in self.acting()
         ]
+        still = [g.held or g.fixed for g in groups]
+        x = [[0] for _ in groups]
+        v = [[0 if rests else fixed(g.v * h)] for g, rests in zip(groups, still, strict=True)]
+        light = [0 if r else fixed(1 / self.mass(g)) for g, r in zip(groups, still, strict=True)]
+        drag = [fixed(sum(self.drag[k] for k in g.carts) * h) for g in groups]
+        first = [fixed((self.outer(g) - g.sliding * self.grip(g)[0]) * h * h) for g in groups]
+        for n in range(ORDER if gaps or any(drag) else 2):
+            push = first if n == 0 else [0] * len(groups)
+            for left, right, start, a, b, c in gaps:
+                over = start if n == 0 else _differ(x, left, right, n)
+                force = a * over + b * _differ(v, left, right, n) >> BITS
+                force += fixed(c * h * h) if n == 0 else 0
+                if left is not None:
+                    push[left] -= force
+                if right is not None:
+                    push[right] += force
+            for j, total in enumerate(push):
+                net = total - (drag[j] * v[j][n] >> BITS)
+                x[j].append(v[j][n] // (n + 1))
+                v[j].append((net * light[j] >> BITS) // (n + 1))
+        self.index, self.sx, self.sv = index, x, v
 
-    def quick(self) -> mpf:
-        """s. Of one step."""
+    def _start(self, k: int) -> int:
+        return fixed(self.overlap(k)[0])
+
+    def _unit(self) -> mpf:
+        """s. In which nothing changes much; all the time where nothing swings."""
         rate = mpf(0)
         for k, (a, b, _) in self.acting():
             light = self._inverse(k - 1) + self._inverse(k)
@@ -100,45 +91,55 @@ class Series(DigitRow):
         for g in self.groups:
             rate = max(rate, sum(self.drag[k] for k in g.carts) / self.mass(g))
         end = mpf(self.scene.until)
-        step = mpf("0.3") / rate if rate else end / 50
-        step = min(step, end - self.t)
-        for _, begin, stop, _ in self.pushes:
-            for at in (begin, stop):
-                if at > self.t:
-                    step = min(step, at - self.t)
-        return step
+        return min(REACH / rate, end) if rate else end
+
+    def of_gap(self, k: int, factors: tuple[Any, Any, Any]) -> Series:
+        """a d + b s + c."""
+        a, b, c = factors
+        left, right = self.index.get(k - 1), self.index.get(k)
+        a, b = fixed(a), fixed(b / self.h)
+        found = []
+        for n in range(len(self.sv[0])):
+            over = self._start(k) if n == 0 else _differ(self.sx, left, right, n)
+            found.append(a * over + b * _differ(self.sv, left, right, n) >> BITS)
+        found[0] += fixed(c)
+        return found
+
+    def watches(self) -> list[tuple[Series, tuple[str, Any]]]:
+        """What stays positive until it ends a branch, and what it then does."""
+        found: list[tuple[Series, tuple[str, Any]]] = []
+        for k, pair in self.pairs.items():
+            if k in self.joined:
+                continue
+            if pair is None:
+                found.append((self.of_gap(k, (-1, 0, 0)), ("hit", k)))
+                continue
+            for factors, state in pair.watches():
+                found.append((self.of_gap(k, factors), (state, k)))
+        for j, g in enumerate(self.groups):
+            if g.sliding and not g.fixed:
+                found.append(([g.sliding * c for c in self.sv[j]], ("halt", g)))
+            elif g.held:
+                found += self._slips(g)
+        return found
+
+    def _slips(self, g: Group) -> list[tuple[Series, tuple[str, Any]]]:
+        total = [0] * len(self.sv[0])
+        total[0] = fixed(self.outer(g))
+        for k, factors in self.acting():
+            for cart, way in ((k - 1, -1), (k, 1)):
+                if cart in g.carts:
+                    push = self.of_gap(k, factors)
+                    total = [a + way * b for a, b in zip(total, push, strict=True)]
+        static = fixed(self.grip(g)[1])
+        found: list[tuple[Series, tuple[str, Any]]] = []
+        for way in (1, -1):
+            room = [-way * c for c in total]
+            room[0] += static
+            found.append((room, ("slip", g)))
+        return found
 
 
-def value(coefficients: list[mpf], t: mpf) -> mpf:
-    total = mpf(0)
-    for one in reversed(coefficients):
-        total = total * t + one
-    return total
-
-
-def first_negative(coefficients: list[mpf], step: mpf) -> mpf | None:
-    """Where a polynomial that is not negative at 0 first passes through nought, up to `step`."""
-    scale = max((abs(c) for c in coefficients), default=mpf(0))
-    if not scale:
-        return None
-    if abs(coefficients[0]) <= NOTHING:
-        lead = next((c for c in coefficients[1:] if abs(c) > NOTHING), mpf(0))
-        if lead <= 0:
-            return mpf(0) if lead < 0 else None
-        coefficients = [mpf(0), *coefficients[1:]]
-    elif coefficients[0] < 0:
-        return mpf(0)
-    before = mpf(0)
-    for j in range(1, GRID + 1):
-        at = step * j / GRID
-        if value(coefficients, at) < 0:
-            low, high = before, at
-            for _ in range(190):
-                middle = (low + high) / 2
-                if value(coefficients, middle) < 0:
-                    high = middle
-                else:
-                    low = middle
-            return high
-        before = at
-    return None
+def _differ(of: list[Series], left: int | None, right: int | None, n: int) -> int:
+    """Left less right; a wall stands still."""
+    return (of[left][n] if left is not None else 0) - (of[right][n] if right is not None else 0)

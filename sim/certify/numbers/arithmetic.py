@@ -35,10 +35,11 @@ def ends(x: Ball) -> tuple[Fraction, Fraction]:
     """Its bounds, exactly; `x` is finite."""
     if not ARB:
         return Fraction(x.low), Fraction(x.high)
-    middle, radius = (_dyadic(part) for part in (x.mid(), x.rad()))
-    return middle - radius, middle + radius
+    if x.is_exact():
+        return (middle := _dyadic(x)), middle
+    return _dyadic(x.lower()), _dyadic(x.upper())
 
 
 def _dyadic(x: Ball) -> Fraction:
     mantissa, exponent = (int(part) for part in x.man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent
+    return Fraction(mantissa << exponent) if exponent >= 0 else Fraction(mantissa, 1 << -exponent)
