@@ -33,7 +33,9 @@ def refuse_written(scene: Scene) -> None:
     if scene.written:
         raise UnsolvedError(
             said("a law of your own is followed by its own solver, and by no other"),
-            said("run the scene as it is: no other solver, and so no cost, can be compared with it"),
+            said(
+                "run the scene as it is: no other solver, and so no cost, can be compared with it"
+            ),
             0.0,
             (),
         )
