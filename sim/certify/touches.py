@@ -17,6 +17,7 @@ from collections.abc import Callable
 
 from sim.certify import damping
 from sim.certify.bodies import Gap
+from sim.certify.impacts import reduced_mass
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import arb
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
@@ -101,10 +102,9 @@ class Touch:
     def _damped(self) -> None:
         find, self.at_no_force = DAMPED[self.law]
         zeta, critical = find(self.e)
-        one, other = self.gap.left.mass, self.gap.right.mass
-        both = one if other is None else other if one is None else one * other / (one + other)
+        mu = reduced_mass(self.gap.left, self.gap.right)
         self.zeta = zeta
-        self.line = Line(self.k, 2 * zeta * (self.k * both).sqrt(), ZERO, critical)
+        self.line = Line(self.k, 2 * zeta * (self.k * mu).sqrt(), ZERO, critical)
         if self.gap.tail is not None:  # its force rises from nought, or an impact brought it back
             self.gap.tail, self.nought = None, None if self.force() > 0 else self.begun
         elif not self.fresh:

@@ -10,6 +10,7 @@ import pytest
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests import registry
+from tests.dynamics.given.box_of_two import box_of_two
 from tests.dynamics.given.pi_billiard import pi_billiard
 from tests.dynamics.given.rows_of_carts import row
 
@@ -63,16 +64,7 @@ def test_fifty_equal_carts_in_a_box_pass_through_each_other():
 
 
 def test_a_hundred_thousand_elastic_collisions_keep_the_energy():
-    plain = {
-        "carts": {
-            "A": {"mass": 1, "position": "0.5", "velocity": "0.9"},
-            "B": {"mass": "3.7", "position": "1.1", "velocity": "-0.4"},
-        },
-        "track": {"left": "wall", "right": "wall", "length": "1.6"},
-        "contact": {"law": "instant"},
-        "until": 60_000,
-    }
-    finished = run(read_scene(plain), **COUNTED)
+    finished = run(read_scene(box_of_two(60_000)), **COUNTED)
     assert finished.record.counts["contact"] > 100_000
     ledger = finished.ledger
     assert ledger.energy_final == pytest.approx(ledger.energy_initial, rel=1e-11)

@@ -84,23 +84,24 @@ GRAZE = 3e-8
 of their way: the speed there is the root of that."""
 
 
-def grazes(chain: Chain, gap: Gap, ledger: Ledger) -> bool:
-    """Do two with velcro, drawn by springs, come just so near that they touch, and turn round?
-
-    As at the start of a run velcro does not hold what touches at rest and is not pressed together:
-    they go on with one velocity. Pressed together they touch again at that instant: then it holds.
-    """
+def grazes(gap: Gap) -> bool:
+    """Do two with velcro, drawn by springs, come just so near that they touch, and turn round?"""
     if not (gap.contact.joins and gap.links) or gap.flips:
         return False
     force = abs(math.fsum(link.force(gap.room, 0.0) for link in gap.links))
     stiff = math.fsum(link.bounds(gap.room)[0] for link in gap.links if link.linear)
-    if stiff == 0.0 or -gap.rate > GRAZE * force / math.sqrt(stiff * gap.mu):
-        return False
+    return stiff > 0.0 and -gap.rate <= GRAZE * force / math.sqrt(stiff * gap.mu)
+
+
+def graze(chain: Chain, gap: Gap, ledger: Ledger) -> None:
+    """As at the start of a run: velcro does not hold what touches at rest without being pressed.
+
+    They go on with one velocity. Pressed together they touch again at that instant: then it holds.
+    """
     one_velocity([gap.left, gap.right], ledger)
     for other in (gap, *chain.neighbours(gap)):
         if other is not None and other.member and not other.joined:
             other.rate = other.right.v - other.left.v
-    return True
 
 
 def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:

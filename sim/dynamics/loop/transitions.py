@@ -117,10 +117,18 @@ def _nearest(gap: Gap, now: Time, record: Record) -> int:
 def struck(motion: Motion, chain: Chain, ledger: Ledger) -> list[Gap]:
     """Linked pairs that touch at the end of the motion by a law without a duration.
 
-    Those that turn round where they touch are left out.
+    Those that turn round where they touch do so here, and are not struck.
     """
     touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
-    return [gap for gap in touched if gap.law is None and not impacts.grazes(chain, gap, ledger)]
+    found = []
+    for gap in touched:
+        if gap.law is not None:
+            continue
+        if impacts.grazes(gap):
+            impacts.graze(chain, gap, ledger)
+        else:
+            found.append(gap)
+    return found
 
 
 def _halt(motion: Motion, k: int) -> None:

@@ -10,6 +10,7 @@ from sim.dynamics.report.document import report
 from sim.pages.hard_cases import ALL, HardCase
 from sim.pages.hard_cases.collisions import pi_billiard, pi_digits
 from sim.scene import read_scene
+from tests.dynamics.given.box_of_two import box_of_two
 
 COUNTED = {"keep_events": False, "keep_motion": False}
 
@@ -43,16 +44,7 @@ def test_three_digits_fewer_where_bumpers_are_soft() -> None:
 @pytest.mark.slow
 def test_a_million_elastic_impacts_keep_the_energy() -> None:
     """v' = V + e (V − v) keeps 1e-13; the usual impulse form drifts by 1e-10."""
-    plain = {
-        "carts": {
-            "A": {"mass": 1, "position": "0.5", "velocity": "0.9"},
-            "B": {"mass": "3.7", "position": "1.1", "velocity": "-0.4"},
-        },
-        "track": {"left": "wall", "right": "wall", "length": "1.6"},
-        "contact": {"law": "instant"},
-        "until": 1e9,
-    }
-    finished = run(read_scene(plain), max_events=1_000_000, **COUNTED)
+    finished = run(read_scene(box_of_two(1e9)), max_events=1_000_000, **COUNTED)
     assert finished.outcome.kind == "too-many-events"
     assert finished.record.counts["contact"] == 1_000_000
     ledger = finished.ledger
