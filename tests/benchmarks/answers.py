@@ -1,13 +1,13 @@
 """Answers: how soon they are kept, whether a killed browser loses one, how soon a form can be used.
 
-From file://, on a page of questions without any scene; CARTS_KILLS (50) is the number of kills for
-each browser, at random 0 to 3 s after the last key.
+From file://, on a page of questions without any scene. CARTS_KILLS (50) is the number of kills for
+each browser, 50 ms after the last key, CARTS_VISITS (50) that of visits which type before the store
+is open.
 """
 
 from __future__ import annotations
 
 import os
-import random
 import statistics
 import tempfile
 from pathlib import Path
@@ -15,12 +15,15 @@ from typing import Any
 
 from playwright.sync_api import Browser, Playwright, sync_playwright
 
+from tests.browsers.killed_webkit import has_webkit, lost_in_webkit
 from tests.web.conftest import CONTEXT, launch
+from tests.web.question.early_typing import LATEST, lost_earlier
 from tests.web.question.killed_browser import lost_answers
 from tests.web.question.question_site import ALL_KINDS, prepare, ready, write_page
 
 KEYS = 120
 OPENINGS = 7
+KILLED_AFTER = 0.05  # s after the last key; what is shorter, no store promises
 SAVE_TIMES = """async (keys) => {
   const box = document.querySelector("#why textarea");
   const told = document.querySelector("#why .carts-q-saved");
@@ -51,8 +54,11 @@ def rows() -> list[dict[str, Any]]:
             browser = launch(driver, browser_name)
             made.append(_save(browser, browser_name, kinds))
             made.append(_interactive(browser, browser_name, form))
+            made.append(_early(browser, browser_name, kinds))
             browser.close()
             made.append(_kills(driver, browser_name, Path(name) / browser_name, kinds))
+        if has_webkit():
+            made.append(_kills_of_webkit(Path(name) / "webkit", kinds))
         return made
 
 
@@ -87,13 +93,32 @@ def _interactive(browser: Browser, name: str, file: Path) -> dict[str, Any]:
     return _row(what, statistics.median(times), "ms", 300, f"median of {OPENINGS} fresh profiles")
 
 
+def _early(browser: Browser, name: str, file: Path) -> dict[str, Any]:
+    visits = int(os.environ.get("CARTS_VISITS", "50"))
+    lost = lost_earlier(browser, name, file, visits, seed=6)
+    what = f"earlier answers lost by typing before the store is open, {name}"
+    return _row(what, len(lost), "", 0, f"{visits} visits, store 0 to {LATEST:.0f} s late")
+
+
 def _kills(driver: Playwright, name: str, profile: Path, file: Path) -> dict[str, Any]:
-    dice = random.Random(6)
-    delays = [3 * dice.random() for _ in range(int(os.environ.get("CARTS_KILLS", "50")))]
+    delays = _delays()
     lost = lost_answers(driver, name, profile, file, delays, told=False)
-    return _row(
-        f"answers lost to a killed browser, {name}", len(lost), "", 0, f"{len(delays)} kills"
-    )
+    return _killed(name, lost, delays)
+
+
+def _kills_of_webkit(profile: Path, file: Path) -> dict[str, Any]:
+    profile.mkdir()
+    delays = _delays()
+    return _killed("webkit", lost_in_webkit(profile, file, delays), delays)
+
+
+def _delays() -> list[float]:
+    return [KILLED_AFTER] * int(os.environ.get("CARTS_KILLS", "50"))
+
+
+def _killed(name: str, lost: list[str], delays: list[float]) -> dict[str, Any]:
+    what = f"answers lost to a killed browser, {name}"
+    return _row(what, len(lost), "", 0, f"{len(delays)} kills, 50 ms after the last key")
 
 
 def _row(name: str, value: float, unit: str, goal: float, reference: str) -> dict[str, Any]:

@@ -30,7 +30,7 @@ def missing() -> str:
 @contextmanager
 def webkit(folder: Path) -> Iterator[Session]:
     """A window of WebKit whose files lie in `folder`, downloads too; all is ended afterwards."""
-    with _screen() as display, _driver(display, folder) as address:
+    with screen() as display, _driver(display, folder) as address:
         session = Session.start(address, OPTIONS, folder)
         try:
             yield session
@@ -40,7 +40,7 @@ def webkit(folder: Path) -> Iterator[Session]:
 
 
 @contextmanager
-def _screen() -> Iterator[str]:
+def screen() -> Iterator[str]:
     read, write = os.pipe()
     command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"]
     with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:

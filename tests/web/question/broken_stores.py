@@ -1,4 +1,4 @@
-"""Browsers whose stores are missing or refuse, for pages that keep answers."""
+"""Browsers whose stores are missing, late or refuse, for pages that keep answers."""
 
 from __future__ import annotations
 
@@ -13,6 +13,20 @@ NO_TEXT_STORE = (
 REFUSING = """IDBObjectStore.prototype.put = () => {
   throw new DOMException("full", "QuotaExceededError");
 };"""
+
+
+def late_store(milliseconds: str) -> str:
+    """A script: the database opens so much later. `milliseconds`: an expression of JavaScript."""
+    return f"""const open = IDBFactory.prototype.open;
+IDBFactory.prototype.open = function (...asked) {{
+  const request = open.apply(this, asked);
+  Object.defineProperty(request, "onsuccess", {{
+    set(then) {{
+      request.addEventListener("success", (event) => setTimeout(() => then(event), {milliseconds}));
+    }},
+  }});
+  return request;
+}};"""
 
 
 def again_with(page: Page, script: str) -> Page:

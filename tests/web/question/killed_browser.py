@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import random
 import signal
 import time
 from collections.abc import Iterator, Sequence
@@ -13,6 +14,9 @@ from playwright.sync_api import BrowserContext, Page, Playwright, expect
 
 from tests.web.conftest import CONTEXT, LAUNCH
 from tests.web.question.question_site import ready
+
+SLOWEST_KEYS = 0.2
+"""s between two keys of a slow typist; a fast one, and a dictation, has none."""
 
 
 def started(driver: Playwright, name: str, profile: Path) -> BrowserContext:
@@ -49,14 +53,21 @@ def opened(driver: Playwright, name: str, profile: Path, file: Path) -> tuple[Br
     return context, ready(page)
 
 
+def pause(k: int, dice: random.Random) -> float:
+    """s between two keys at the k-th kill."""
+    return SLOWEST_KEYS * dice.random() if k % 2 else 0.0
+
+
 def lost_answers(
     driver: Playwright, name: str, profile: Path, file: Path, delays: Sequence[float], *, told: bool
 ) -> list[str]:
     """Type, kill the browser so many seconds later, look again, and so on; what was not kept.
 
-    `told`: the seconds begin when the page says “Saved”; else with the last key.
+    `told`: the seconds begin when the page says “Saved”; else with the last key. Every other time
+    the keys come as fast as they can, else with a pause of up to `SLOWEST_KEYS` in between.
     """
     written, lost = "", []
+    dice = random.Random(len(delays))
     for k, delay in enumerate((*delays, None)):
         context, page = opened(driver, name, profile, file)
         box = page.locator("#why textarea")
@@ -69,7 +80,7 @@ def lost_answers(
             break
         written = f"{k}: kept at {delay} s"
         box.fill("")
-        box.press_sequentially(written)
+        box.press_sequentially(written, delay=1000 * pause(k, dice))
         if told:
             expect(page.locator("#why .carts-q-saved")).to_have_text("Saved")
         time.sleep(delay)

@@ -9,7 +9,13 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import saved, saved_file
-from tests.web.question.broken_stores import NO_DATABASE, NO_TEXT_STORE, REFUSING, again_with
+from tests.web.question.broken_stores import (
+    NO_DATABASE,
+    NO_TEXT_STORE,
+    REFUSING,
+    again_with,
+    late_store,
+)
 from tests.web.question.question_site import question_site, ready
 
 pytestmark = pytest.mark.browser
@@ -37,18 +43,6 @@ def test_two_tabs_show_the_same_answers_and_lose_none(
     expect(page.locator("#resultant input")).to_have_value("right 4")
 
 
-SLOW_STORE = """const open = IDBFactory.prototype.open;
-IDBFactory.prototype.open = function (...asked) {
-  const request = open.apply(this, asked);
-  Object.defineProperty(request, "onsuccess", {
-    set(then) {
-      request.addEventListener("success", (event) => setTimeout(() => then(event), 1500));
-    },
-  });
-  return request;
-};"""
-
-
 def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -57,7 +51,7 @@ def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
     page.get_by_label("They are equal").check()
     saved(page, "why")
     saved(page, "pick-one")  # it is another write
-    page.add_init_script(SLOW_STORE)
+    page.add_init_script(late_store("1500"))
     page.reload()
     page.locator("#why textarea").focus()
     page.keyboard.type("too early")
