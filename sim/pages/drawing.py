@@ -12,6 +12,7 @@ import json
 import threading
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -40,8 +41,26 @@ class DrawingError(Exception):
 def draw(kind: str, values: Mapping[str, Any]) -> str:
     """The HTML of a figure in the language that is being written; raises DrawingError."""
     text = json.dumps(values, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return _drawn(kind, text, _Language(spoken()))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Language:
+    """The words of a language; the same mapping is the same language."""
+
+    words: Mapping[str, str]
+
+    def __hash__(self) -> int:
+        return id(self.words)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Language) and self.words is other.words
+
+
+@lru_cache(maxsize=128)  # the scenes of the lesson that is being edited, in its languages
+def _drawn(kind: str, text: str, language: _Language) -> str:
     with _lock:
-        v8, words = _v8(), spoken()
+        v8, words = _v8(), language.words
         try:
             if id(words) not in _read:
                 v8.eval(f"globalThis.cartsWords={json.dumps(dict(words), ensure_ascii=False)};")

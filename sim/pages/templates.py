@@ -24,6 +24,7 @@ def templates(package: str) -> Environment:
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
+        auto_reload=False,  # they change with the program, not while it runs
     )
     made.globals |= {"tr": tr_html, "tr_counted": tr_counted}
     made.filters["lower_first"] = lambda text: text[:1].lower() + text[1:]

@@ -74,8 +74,8 @@ def lost_in_webkit(profile: Path, file: Path, delays: Sequence[float]) -> list[s
     with screen() as display:
         for k, delay in enumerate((*delays, None)):
             with _opened(display, profile, file) as window:
-                if window.ask(f"{BOX}.value") != written:
-                    lost.append(written)
+                if (found := window.ask(f"{BOX}.value")) != written:
+                    lost.append(f"{written!r}: {found!r}")
                 if delay is None:
                     break
                 written = f"{k}: kept at {delay} s"

@@ -7,7 +7,7 @@ they stand: what looks like HTML is shown as it was typed.
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from html import unescape
 from xml.etree.ElementTree import Element
 
@@ -23,6 +23,7 @@ _SCHEME = re.compile(r"([a-z][a-z0-9+.-]*):", re.IGNORECASE)
 _SAFE = ("http", "https", "mailto")
 
 
+@lru_cache(maxsize=4096)  # a question's texts are the same after an edit elsewhere in its lesson
 def to_html(text: str) -> str:
     """The text as HTML blocks."""
     if not text:

@@ -13,6 +13,7 @@ import yaml
 
 from sim.pages.teach.pieces import Lines
 from sim.pages.text.fence_scan import Block
+from sim.pages.text.yaml_loader import RefusedError, composed
 from sim.pages.text.yaml_source import KeyPath, Place
 
 
@@ -47,8 +48,8 @@ def names(text: str, block: Block) -> tuple[Value, ...]:
 
 def _root(block: Block) -> yaml.Node | None:
     try:
-        return yaml.compose(block.body, Loader=yaml.SafeLoader)
-    except (yaml.YAMLError, RecursionError):
+        return composed(block.body)
+    except (yaml.YAMLError, RefusedError, RecursionError):
         return None
 
 

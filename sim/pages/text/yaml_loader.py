@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import yaml
+
+KEPT = 2048
+"""Texts whose nodes are kept: a lesson's blocks are read some five times when its page is made, and
+again at each edit of `carts serve`."""
 
 
 class RefusedError(Exception):
@@ -26,6 +32,19 @@ class Loader(yaml.SafeLoader):
         if getattr(event, "tag", None):
             raise RefusedError(event, f"the tag {shown_tag(event.tag)} is not used here")
         return super().compose_node(parent, index)
+
+
+@lru_cache(maxsize=KEPT)
+def composed(text: str) -> yaml.Node | None:
+    """The nodes of a text, the same for every caller: nobody changes them.
+
+    Raises RefusedError and what PyYAML raises.
+    """
+    loader = Loader(text)
+    try:
+        return loader.get_single_node()
+    finally:
+        loader.dispose()
 
 
 def shown_tag(tag: str) -> str:

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 import yaml
 
 from sim.pages.text.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
-from sim.pages.text.yaml_loader import Loader, RefusedError
+from sim.pages.text.yaml_loader import RefusedError, composed
 from sim.pages.text.yaml_typos import typos
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
@@ -107,11 +107,7 @@ class _Reader:
 
     def _compose(self, text: str) -> yaml.Node | None:
         try:
-            loader = Loader(text)
-            try:
-                return loader.get_single_node()
-            finally:
-                loader.dispose()
+            return composed(text)
         except yaml.reader.ReaderError as error:
             before = text[: error.position]
             line, col = before.count("\n"), len(before) - before.rfind("\n") - 1

@@ -11,6 +11,7 @@ import io
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -62,14 +63,19 @@ class Words:
 
 def read_words(path: Path, file: str) -> Words:
     """The catalogue at `path`; raises `AuthorError` with its place in `file` (as messages show)."""
-    catalog = _read(path, file)
+    return _words(_text(path, file), file)
+
+
+@lru_cache(maxsize=256)  # `carts serve` asks for every catalogue at every edit
+def _words(text: str, file: str) -> Words:
+    catalog = _read(text, file)
     said = {str(one.id): str(one.string) for one in catalog if one.id and one.string}
     fuzzy = frozenset(str(one.id) for one in catalog if one.id and one.fuzzy)
     return Words(
         file,
         {text: words for text, words in said.items() if text not in fuzzy},
         {str(one.id): one.lineno or 1 for one in catalog if one.id},
-        DRAFT in path.read_text(encoding="utf-8"),
+        DRAFT in text,
         fuzzy,
     )
 
@@ -88,8 +94,9 @@ def updated(path: Path, file: str, units: Sequence[Unit], language: str, source:
     head = HEAD.format(file=source, name=LANGUAGES[language], code=language, draft=DRAFT)
     catalog = Catalog()
     if path.is_file():
-        catalog = _read(path, file)
-        head = f"{_HEAD_ENDS.split(path.read_text(encoding='utf-8'), maxsplit=1)[0]}\n\n"
+        before = _text(path, file)
+        catalog = _read(before, file)
+        head = f"{_HEAD_ENDS.split(before, maxsplit=1)[0]}\n\n"
         for again in [one for one in catalog.obsolete if one in template]:
             catalog[again] = catalog.obsolete.pop(again)  # the lesson says it again
     catalog.update(template)
@@ -100,19 +107,24 @@ def updated(path: Path, file: str, units: Sequence[Unit], language: str, source:
     return head + made.getvalue().decode("utf-8").lstrip("\n")
 
 
-def _read(path: Path, file: str) -> Catalog:
+def _text(path: Path, file: str) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        finding = Finding(file, 1, 1, "not-text", "this is not UTF-8 text", "save it as UTF-8")
+    raise AuthorError([finding])
+
+
+def _read(text: str, file: str) -> Catalog:
     from babel.messages.pofile import PoFileError, read_po  # only where there is a catalogue
 
     hint = "open it in Poedit, or write msgid and msgstr with quotes at both ends"
+    for number, line in enumerate(text.split("\n"), start=1):  # the parser guesses at these
+        if line.strip() and not line.startswith("#") and not _LINE.fullmatch(line.strip()):
+            message = f"this line of a catalogue cannot be read: {line.strip()[:60]}"
+            raise AuthorError([Finding(file, number, 1, "po", message, hint)])
     try:
-        text = path.read_text(encoding="utf-8")
-        for number, line in enumerate(text.split("\n"), start=1):  # the parser guesses at these
-            if line.strip() and not line.startswith("#") and not _LINE.fullmatch(line.strip()):
-                message = f"this line of a catalogue cannot be read: {line.strip()[:60]}"
-                raise AuthorError([Finding(file, number, 1, "po", message, hint)])
         return read_po(io.StringIO(text), abort_invalid=True)
-    except UnicodeDecodeError:
-        finding = Finding(file, 1, 1, "not-text", "this is not UTF-8 text", "save it as UTF-8")
     except PoFileError as error:
         message = f"this catalogue cannot be read: {error}"
         finding = Finding(file, error.lineno + 1, 1, "po", message, hint)

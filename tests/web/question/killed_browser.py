@@ -7,7 +7,7 @@ import random
 import signal
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from playwright.sync_api import BrowserContext, Page, Playwright, expect
@@ -44,13 +44,22 @@ def kill(profile: Path) -> None:
             continue
 
 
-def opened(driver: Playwright, name: str, profile: Path, file: Path) -> tuple[BrowserContext, Page]:
+@contextmanager
+def killed_page(
+    driver: Playwright, name: str, profile: Path, file: Path, delay: float | None
+) -> Iterator[Page]:
+    """A page whose browser is killed `delay` s after the block is done; None: it is closed."""
     for lock in ("SingletonLock", "SingletonCookie", "SingletonSocket", "lock", ".parentlock"):
         (profile / lock).unlink(missing_ok=True)  # a dead browser's
     context = started(driver, name, profile)
     page = context.new_page()
     page.goto(file.as_uri())
-    return context, ready(page)
+    yield page
+    if delay is not None:
+        time.sleep(delay)
+        kill(profile)
+    with suppress(Exception):  # it is dead, which is what is wanted
+        context.close()
 
 
 def pause(k: int, dice: random.Random) -> float:
@@ -61,7 +70,8 @@ def pause(k: int, dice: random.Random) -> float:
 def lost_answers(
     driver: Playwright, name: str, profile: Path, file: Path, delays: Sequence[float], *, told: bool
 ) -> list[str]:
-    """Type, kill the browser so many seconds later, look again, and so on; what was not kept.
+    """Type, kill the browser so many seconds later, look again, and so on; what was not kept,
+    and what was there in its place.
 
     `told`: the seconds begin when the page says “Saved”; else with the last key. Every other time
     the keys come as fast as they can, else with a pause of up to `SLOWEST_KEYS` in between.
@@ -69,22 +79,17 @@ def lost_answers(
     written, lost = "", []
     dice = random.Random(len(delays))
     for k, delay in enumerate((*delays, None)):
-        context, page = opened(driver, name, profile, file)
-        box = page.locator("#why textarea")
-        try:
-            expect(box).to_have_value(written, timeout=3000)
-        except AssertionError:
-            lost.append(written)
-        if delay is None:
-            context.close()
-            break
-        written = f"{k}: kept at {delay} s"
-        box.fill("")
-        box.press_sequentially(written, delay=1000 * pause(k, dice))
-        if told:
-            expect(page.locator("#why .carts-q-saved")).to_have_text("Saved")
-        time.sleep(delay)
-        kill(profile)
-        with suppress(Exception):  # it is dead, which is what is wanted
-            context.close()
+        with killed_page(driver, name, profile, file, delay) as page:
+            box = ready(page).locator("#why textarea")
+            try:
+                expect(box).to_have_value(written, timeout=3000)
+            except AssertionError:
+                lost.append(f"{written!r}: {box.input_value()!r}")
+            if delay is None:
+                break
+            written = f"{k}: kept at {delay} s"
+            box.fill("")
+            box.press_sequentially(written, delay=1000 * pause(k, dice))
+            if told:
+                expect(page.locator("#why .carts-q-saved")).to_have_text("Saved")
     return lost
