@@ -7,7 +7,6 @@ import { body, forceOn } from "./bodies.js";
 import { linkOf, viewOf } from "./effects.js";
 import { forcesAt } from "./effects-forces.js";
 import { tr } from "./language.js";
-import { styleOf } from "./markers.js";
 import { valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -84,10 +83,4 @@ export function verticalForces({ header }, name) {
       value: weight,
     },
   ].map((force) => ({ ...force, on: name, way: "up", side: "middle" }));
-}
-
-/** @param {Run} run @param {string} name @returns {string} the style of the body a force comes from */
-export function styleOfBody({ header }, name) {
-  const index = header.bodies.findIndex((one) => one.name === name);
-  return index < 0 ? "wall" : styleOf(index);
 }

@@ -87,9 +87,3 @@ def _double(number: Fraction) -> float:
         return float(number)
     except OverflowError:
         raise NotProvableError(said("a number is larger than any double")) from None
-
-
-def ulps(x: Ball) -> float:
-    """How many steps of a double lie between its bounds."""
-    low, high = bounds(x)
-    return (high - low) / math.ulp(max(abs(low), abs(high))) if high > low else 0.0

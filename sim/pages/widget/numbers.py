@@ -39,11 +39,6 @@ def short(value: float, figures: int = 3) -> str:
     return _trim(fixed(value, max(0, figures - 1 - power)))
 
 
-def decimals_of(value: float, figures: int = 6) -> int:
-    """Decimals that show up to so many figures, without trailing zeros: 2 for 0.25, 0 for 10."""
-    return len(_trim(fixed(abs(value), decimals_for(value, figures))).partition(".")[2])
-
-
 def speed_unit(scale: float) -> tuple[float, str]:
     """The unit of all velocities of a scene with that greatest speed: m/s in it, and its name."""
     return (0.001, "mm/s") if scale <= SLOW else (1.0, "m/s")

@@ -70,7 +70,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
 }
 
 /** Whether the lesson hides forces that a reader can find. @param {Baked} baked */
-export function asksForForces({ fence, run }) {
+function asksForForces({ fence, run }) {
   return fence.forces === "hidden" && run.header.contacts.some(({ stiffness }) => stiffness);
 }
 

@@ -3,7 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { isEmpty } from "./entry.js";
 
-export const FORMAT = 1;
+const FORMAT = 1;
 export const KIND = "newtons-carts-answers";
 const MOST_BYTES = 2_000_000; // an answer file has some 20 000
 const MOST_ITEMS = 2000;

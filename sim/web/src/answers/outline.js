@@ -13,7 +13,7 @@ export function outline() {
 }
 
 /** The item of this page that an answer belongs to. @param {any} entry */
-export function itemOf(entry) {
+function itemOf(entry) {
   const form = entry?.form ?? "worksheet";
   return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
 }

@@ -31,7 +31,7 @@ export function direction(rows) {
 }
 
 /** @param {Ruler} ruler @returns {number} m for each pixel */
-export function scaleOf({ ends: [a, b], length }) {
+function scaleOf({ ends: [a, b], length }) {
   return length / Math.hypot(b.x - a.x, b.y - a.y);
 }
 

@@ -36,7 +36,7 @@ const up = (axis, value, top = TOP, bottom = BOTTOM) =>
   bottom - ((value - axis.low) / (axis.high - axis.low)) * (bottom - top);
 
 /** @param {Track[]} tracks */
-export function planes(tracks) {
+function planes(tracks) {
   const [begin, end] = reach(tracks.map((track) => track.t));
   const [low, high] = reach(tracks.map((track) => track.value));
   const room = ROOM * (high - low) || 1;

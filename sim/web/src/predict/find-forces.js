@@ -185,7 +185,7 @@ export function showForces(element, said) {
 }
 
 /** Mean resultant force on each cart in each contact that begins and ends. @param {Run} run @returns {Mean[]} */
-export function meanForces(run) {
+function meanForces(run) {
   /** @type {Mean[]} */
   const found = [];
   for (const touch of ended(run)) {

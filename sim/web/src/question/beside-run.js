@@ -6,7 +6,7 @@
 import { isEmpty } from "../answers/entry.js";
 
 /** The scene whose run a question is about: it waits for it, or both stand in one section. @param {HTMLElement} question @returns {Element | null} */
-export function sceneBeside(question) {
+function sceneBeside(question) {
   const { after } = question.dataset;
   if (after) return document.getElementById(after);
   /** @type {Element | null} */

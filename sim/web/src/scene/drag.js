@@ -57,7 +57,7 @@ export class Drag {
 }
 
 /** @param {number} value @param {Control} control @returns {number} the nearest value that its slider has */
-export function onStep(value, { low, high, step }) {
+function onStep(value, { low, high, step }) {
   const near = low + Math.round((value - low) / step) * step;
   return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
 }

@@ -92,7 +92,7 @@ export function costWords({ cost }) {
 }
 
 /** @param {Compared} how @returns {string} the length of a step, or the tolerance */
-export function sizeWords({ step, rtol, steps }) {
+function sizeWords({ step, rtol, steps }) {
   if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
   return counted("1 step of {step}", "{n} steps of {step}", Number(steps), {
     step: duration(Number(step)),
