@@ -152,6 +152,9 @@ class Gap:
     spent: bool = False  # its force is nought at `since`, exactly
     touching: bool = False
     springs: tuple[Line, ...] = ()
+    struck: int = 0  # impacts so far
+    hardest: Ball = ZERO  # m/s, of them
+    loose: tuple[Line, ...] = ()  # those of them that an exploder let go
 
     @property
     def bound(self) -> bool:

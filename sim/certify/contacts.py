@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 
 from sim.certify import peaks
 from sim.certify.bodies import Body, Gap
@@ -15,6 +16,11 @@ from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
 from sim.scene.said import said
+
+BOUNCES = 20
+FAINT = 2.0**-100
+"""Of the hardest impact of a gap. So faint a one, after so many, is one of a series without end: by
+chance none is, and each further one would take as long to prove as the first."""
 
 
 class Contacts(Forming):
@@ -33,20 +39,14 @@ class Contacts(Forming):
             self.begin([gap], now, pressed)
             return
         if not gap.rate < 0:
-            raise NoBoundError(
-                said("{pair} are pressed together without a duration", pair=gap.shown)
-            )
+            hopeless = NoBoundError if gap.rate >= 0 else NotProvableError
+            raise hopeless(said("{pair} are pressed together without a duration", pair=gap.shown))
         self.tell(now, "contact", gap.names)
         if gap.contact.joins:
-            for one in pressed:
-                if one.touching:
-                    no_joint(self.touches[one.index])
-            linger = [one for one in self.gaps if one.tail is not None and one is not gap]
-            before = [reduced_mass(one.left, one.right) for one in linger]
-            self._join(gap, now)
-            for one, mu in zip(linger, before, strict=True):
-                _damp_anew(one, mu)
+            with self.damped_anew(gap, pressed):
+                self.join(gap, now)
         else:
+            _no_last_bounce(gap)
             impact(gap)
             rate, free = gap.rate, [body for body in both if not self._touches(body)]
             self.fly(free, now)
@@ -62,9 +62,25 @@ class Contacts(Forming):
                 self.touches[one.index].still_pushes(now)
         self.form(pressed, now)
 
-    def _join(self, gap: Gap, now: Instant) -> None:
+    @contextmanager
+    def damped_anew(self, gap: Gap, pressed: Iterable[Gap]) -> Iterator[None]:
+        """Around what changes the bodies at `gap`: a damper is that of the two that it is between.
+
+        One that pushes just now would change on the way: no bound.
+        """
+        for one in pressed:
+            if one.touching:
+                no_joint(self.touches[one.index])
+        linger = [one for one in self.gaps if one.tail is not None and one is not gap]
+        before = [reduced_mass(one.left, one.right) for one in linger]
+        yield
+        for one, mu in zip(linger, before, strict=True):
+            _damp_anew(one, mu)
+
+    def join(self, gap: Gap, now: Instant) -> None:
+        """Two bodies become one: by velcro, or by the latch of an exploder."""
         left, right = gap.left, gap.right
-        v = common_velocity(left, right)
+        v = left.v if is_zero(gap.rate) else common_velocity(left, right)
         mass = None if left.mass is None or right.mass is None else left.mass + right.mass
         one = Body([*left.carts, *right.carts], mass, v, now, load=[*left.load, *right.load])
         gap.joined = True
@@ -80,7 +96,7 @@ class Contacts(Forming):
             one.held = held
             return
         self.fly((one,), now)
-        if one.mass is not None and held != one.held:
+        if one.mass is not None and held != one.held and self.running:
             self.tell_carts(now, "stop" if one.held else "start", one)
 
     def _touches(self, body: Body) -> bool:
@@ -116,11 +132,20 @@ class Contacts(Forming):
             if not phase.gaps:
                 self._alone(one.body, now)
             self.form(phase.gaps, now)
+        elif gap is not None and cause == "fall":
+            self.fall_off(gap, now)
+            self._go_on(phase.gaps, gap, [body for body in phase.bodies if body.held], now)
         elif gap is not None and cause == "clear":
             gap.room, gap.memory, gap.tail = ZERO, ZERO, None
             self.form(phase.gaps, now)
         elif gap is not None:
             self._contact_ends(gap, phase, one)
+
+    def fall_off(self, gap: Gap, now: Instant) -> None:
+        """The spring that was let go has its full length, and pushes no more."""
+        gap.springs = tuple(one for one in gap.springs if one not in gap.loose)
+        gap.loose = ()
+        self.tell(now, "separate", gap.names)
 
     def _alone(self, body: Body, now: Instant) -> None:
         """Friction stops a body in the air."""
@@ -201,6 +226,15 @@ class Contacts(Forming):
         for body in bodies:
             if body.mass is not None and body.held != (body in held):
                 self.tell_carts(now, "stop" if body.held else "start", body)
+
+
+def _no_last_bounce(gap: Gap) -> None:
+    """Raises where bounces come faster and faster: of infinitely many there is no list."""
+    closing = abs(gap.rate)
+    gap.struck += 1
+    gap.hardest = closing if closing > gap.hardest else gap.hardest
+    if gap.struck > BOUNCES and closing < FAINT * gap.hardest:
+        raise NoBoundError(said("{pair} bounce ever faster, without a last time", pair=gap.shown))
 
 
 def _damp_anew(gap: Gap, before: Ball) -> None:

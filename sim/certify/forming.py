@@ -203,4 +203,6 @@ def rest_against(gap: Gap) -> None:
 def no_joint(touch: Touch) -> None:
     """The damper of a pair is that of its two masses: a joint would change it on the way."""
     if not is_zero(touch.line.gamma):
-        raise NoBoundError(said("a cart joins another while {pair} touch", pair=touch.gap.shown))
+        raise NoBoundError(
+            said("a cart joins or leaves another while {pair} touch", pair=touch.gap.shown)
+        )

@@ -25,7 +25,7 @@ class Next:
     """Something that will happen at `when` if nothing comes before."""
 
     when: Instant
-    kind: str  # touch, clear, end (of a phase), halt, switch
+    kind: str  # touch, clear, end (of a phase), halt, switch, burst
     bodies: tuple[Body, ...]
     gap: Gap | None = None
     cause: str = ""

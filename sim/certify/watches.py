@@ -41,6 +41,8 @@ def signal(
 
 def open_gap(gap: Gap, k: int) -> list[Watch]:
     """What happens first in a gap with a spring whose bodies do not touch."""
+    if gap.left.still and gap.right.still:
+        return []
     one, none = arb(1), ZERO
     doubt = said("whether {pair} meet", pair=gap.shown)
     lingers = True
@@ -54,6 +56,9 @@ def open_gap(gap: Gap, k: int) -> list[Watch]:
     found = [Watch(room, "touch", doubt, gap)]
     if lingers:
         found.append(Watch(signal(k, (one, none, none)), "clear", doubt, gap))
+    doubt = said("when the spring between {pair} has its full length", pair=gap.shown)
+    for spring in gap.loose:
+        found.append(Watch(signal(k, (one, none, -spring.rest)), "fall", doubt, gap))
     return found
 
 
