@@ -162,6 +162,16 @@ class Gap:
         return self.touching or (bool(self.springs) and not self.joined)
 
     @property
+    def swings(self) -> bool:
+        """Do springs alone act in it?"""
+        return bool(self.springs) and not self.touching and self.tail is None and self.clear
+
+    @property
+    def clear(self) -> bool:
+        """Is no bumper still on its way back?"""
+        return is_zero(self.memory)
+
+    @property
     def touches(self) -> bool:
         """Is it, exactly, where the two meet: at no room, or where a bumper springs no further?"""
         if is_zero(self.memory):

@@ -9,18 +9,13 @@ from sim.certify import peaks
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.forming import Forming, no_joint, rest_against
-from sim.certify.impacts import common_velocity, impact, reduced_mass
+from sim.certify.impacts import common_velocity, impact, no_last_bounce, reduced_mass
 from sim.certify.instants import Instant
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
 from sim.scene.said import said
-
-BOUNCES = 20
-FAINT = 2.0**-100
-"""Of the hardest impact of a gap. So faint a one, after so many, is one of a series without end: by
-chance none is, and each further one would take as long to prove as the first."""
 
 
 class Contacts(Forming):
@@ -46,7 +41,7 @@ class Contacts(Forming):
             with self.damped_anew(gap, pressed):
                 self.join(gap, now)
         else:
-            _no_last_bounce(gap)
+            no_last_bounce(gap)
             impact(gap)
             rate, free = gap.rate, [body for body in both if not self._touches(body)]
             self.fly(free, now)
@@ -226,15 +221,6 @@ class Contacts(Forming):
         for body in bodies:
             if body.mass is not None and body.held != (body in held):
                 self.tell_carts(now, "stop" if body.held else "start", body)
-
-
-def _no_last_bounce(gap: Gap) -> None:
-    """Raises where bounces come faster and faster: of infinitely many there is no list."""
-    closing = abs(gap.rate)
-    gap.struck += 1
-    gap.hardest = closing if closing > gap.hardest else gap.hardest
-    if gap.struck > BOUNCES and closing < FAINT * gap.hardest:
-        raise NoBoundError(said("{pair} bounce ever faster, without a last time", pair=gap.shown))
 
 
 def _damp_anew(gap: Gap, before: Ball) -> None:
