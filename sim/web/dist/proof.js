@@ -158,6 +158,7 @@
     if (kind === "contact") return tr("{one} and {other} touch", { one, other });
     if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });
     if (kind === "separate") return tr("{one} and {other} part", { one, other });
+    if (kind === "release") return tr("{one} and {other} are released", { one, other });
     if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
     if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
     if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
@@ -223,7 +224,7 @@
       this.table.hidden = true;
       this.count = html("th", "");
       this.count.setAttribute("scope", "col");
-      this.table.append(tableWith(this.body, this.count));
+      this.table.append(tableWith(this.body, this.count), elsewhere());
       const box = html("div", "carts-proof");
       box.append(
         html("p", "carts-how-head", tr("How many of these digits are sure?")),
@@ -290,6 +291,16 @@
       this.#show(band);
     }
   };
+  function elsewhere() {
+    const line = html(
+      "p",
+      "carts-quiet",
+      tr("To check it elsewhere: save the scene block (“Take it along”) as scene.yml, then")
+    );
+    line.append(" ", html("code", "", "carts run scene.yml --certify --json"), ". ");
+    line.append(tr("How it is proved, and a second program for it: page “Certificates”."));
+    return line;
+  }
   function tableWith(body, count) {
     const table = html("table", "carts-table carts-proof-told");
     const head = html("tr");

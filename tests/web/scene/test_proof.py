@@ -82,6 +82,8 @@ def test_exact_inputs_have_nearly_all_digits_and_no_band(open_page: OpenPage, si
     on_scene(page, 'await el.set({ "A.mass": 0.5 })', name="weighed")
     rows = proved(page)
     assert all(row[3] == "all" or int(row[3]) >= 15 for row in rows), rows
+    command = page.locator("#weighed .carts-proof code")  # for somebody who does not trust the page
+    expect(command).to_have_text("carts run scene.yml --certify --json")
     expect(page.locator("#weighed .carts-band")).to_have_count(0)
 
 

@@ -41,7 +41,7 @@ export class Proof {
     this.table.hidden = true;
     this.count = html("th", "");
     this.count.setAttribute("scope", "col");
-    this.table.append(tableWith(this.body, this.count));
+    this.table.append(tableWith(this.body, this.count), elsewhere());
     const box = html("div", "carts-proof");
     box.append(
       html("p", "carts-how-head", tr("How many of these digits are sure?")),
@@ -108,6 +108,18 @@ export class Proof {
     this.body.replaceChildren(...rows(certificate));
     this.#show(band);
   }
+}
+
+/** How somebody else comes to the same bounds. */
+function elsewhere() {
+  const line = html(
+    "p",
+    "carts-quiet",
+    tr("To check it elsewhere: save the scene block (“Take it along”) as scene.yml, then"),
+  );
+  line.append(" ", html("code", "", "carts run scene.yml --certify --json"), ". ");
+  line.append(tr("How it is proved, and a second program for it: page “Certificates”."));
+  return line;
 }
 
 /** @param {Element} body @param {Element} count the last head: what the digits are counted for */
