@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from math import inf
+from time import monotonic
+from typing import NamedTuple
 
 from sim.certify.numbers.balls import ZERO, NoBoundError, is_zero
 from sim.certify.releases import Releases
@@ -14,11 +17,18 @@ MOST_EVENTS = 10_000
 """Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
 
 
+class Limit(NamedTuple):
+    """Where a run gives up: after so many changes, or past a time of `monotonic` [s]."""
+
+    changes: int = MOST_EVENTS
+    moment: float = inf
+
+
 class BallRun(Releases):
     """A scene on its way from 0 to its end."""
 
-    def go(self, most: int = MOST_EVENTS, instants: Sequence[float] = ()) -> None:
-        """To the end, in at most so many changes; `seen` then holds the `instants` [s], in order.
+    def go(self, limit: Limit, instants: Sequence[float] = ()) -> None:
+        """To the end, within a limit; `seen` then holds the `instants` [s], in order.
 
         Raises NoBoundError; `told` then holds what was proved before.
         """
@@ -49,8 +59,11 @@ class BallRun(Releases):
             elif first.kind == "burst":
                 bursts.pop(0)
             self.happened += 1
-            if self.happened > most:
-                raise NoBoundError(said("there are more than {most} changes", most=str(most)))
+            if self.happened > limit.changes:
+                most = str(limit.changes)
+                raise NoBoundError(said("there are more than {most} changes", most=most))
+            if monotonic() > limit.moment:
+                raise NoBoundError(said("the proof takes too long here"))
             self.present = first.when
             self._happen(first)
         self.settle(self.bodies, self.until)

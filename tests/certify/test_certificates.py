@@ -6,11 +6,13 @@ import json
 import statistics
 import subprocess
 import sys
+from time import monotonic
 
 import pytest
 from click.testing import CliRunner
 
 from sim.certify.certificate import certify, document
+from sim.certify.run import Limit
 from sim.cli import main
 from sim.dynamics.loop.run import run
 from sim.pages.hard_cases import ALL, HardCase
@@ -124,6 +126,14 @@ def test_what_bounces_ever_faster_is_given_up_at_once() -> None:
     })  # fmt: skip
     found = certify(scene)
     assert "without a last time" in found.reason and len(found.events) < 200
+
+
+def test_a_proof_ends_at_its_moment_and_says_so() -> None:
+    """A page plays nothing else meanwhile."""
+    scene = registry.scene("light-meets-heavy")
+    found = certify(scene, limit=Limit(moment=monotonic()))
+    assert not found.x and found.reason == "the proof takes too long here"
+    assert certify(scene, limit=Limit(moment=monotonic() + 60)).proved
 
 
 def test_a_cart_that_a_wall_stops_dead_is_told_to_stop_where_friction_holds_it() -> None:
