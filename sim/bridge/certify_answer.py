@@ -37,7 +37,7 @@ INSIDE = 1e-3
 MOST_CHANGES = 200
 """Of a run whose digits are proved in a page: some seconds there."""
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 """s. Of one proof. A row that loses its digits at every hit asks for a thousand bits and minutes,
 and the page plays nothing else meanwhile."""
 

@@ -201,6 +201,8 @@
   var PACKAGES = ["newtons-carts-proof"];
   var Proof = class {
     #turn = 0;
+    #of = "";
+    // the request that was proved, or is being
     /** @type {Band | null} */
     #band = null;
     #owner = {};
@@ -234,13 +236,18 @@
       );
       place.append(box);
     }
-    /** Another run is there: what was proved is no longer of it. */
+    /** Another run is there: what was proved is no longer of it, unless its values are the same. */
     forget() {
+      if (this.#of === this.#asked()) return;
+      this.#of = "";
       this.#turn += 1;
       const was = !this.table.hidden;
       this.table.hidden = true;
       this.#show(null);
       say(this.note, was ? tr("The values have changed: prove them again.") : "");
+    }
+    #asked() {
+      return JSON.stringify(this.message({ kind: "certify" }));
     }
     /** @param {Band | null} band null: none */
     #show(band) {
@@ -249,7 +256,9 @@
       this.view.redraw((graph, plane) => drawBand(band, graph, plane));
     }
     async #prove() {
+      this.#of = "";
       this.forget();
+      this.#of = this.#asked();
       const turn = this.#turn;
       say(this.note, tr("Computed once more, with bounds that are rounded outwards …"));
       try {

@@ -18,6 +18,7 @@ const PACKAGES = ["newtons-carts-proof"];
 
 export class Proof {
   #turn = 0;
+  #of = ""; // the request that was proved, or is being
   /** @type {Band | null} */
   #band = null;
   #owner = {}; // of its own: a proof is no newer run
@@ -52,13 +53,19 @@ export class Proof {
     place.append(box);
   }
 
-  /** Another run is there: what was proved is no longer of it. */
+  /** Another run is there: what was proved is no longer of it, unless its values are the same. */
   forget() {
+    if (this.#of === this.#asked()) return;
+    this.#of = "";
     this.#turn += 1;
     const was = !this.table.hidden;
     this.table.hidden = true;
     this.#show(null);
     say(this.note, was ? tr("The values have changed: prove them again.") : "");
+  }
+
+  #asked() {
+    return JSON.stringify(this.message({ kind: "certify" }));
   }
 
   /** @param {Band | null} band null: none */
@@ -69,7 +76,9 @@ export class Proof {
   }
 
   async #prove() {
+    this.#of = "";
     this.forget();
+    this.#of = this.#asked();
     const turn = this.#turn;
     say(this.note, tr("Computed once more, with bounds that are rounded outwards …"));
     try {
