@@ -152,11 +152,24 @@ class Gap:
     spent: bool = False  # its force is nought at `since`, exactly
     touching: bool = False
     springs: tuple[Line, ...] = ()
+    struck: int = 0  # impacts so far
+    hardest: Ball = ZERO  # m/s, of them
+    loose: tuple[Line, ...] = ()  # those of them that an exploder let go
 
     @property
     def bound(self) -> bool:
         """Does anything act in it?"""
         return self.touching or (bool(self.springs) and not self.joined)
+
+    @property
+    def swings(self) -> bool:
+        """Do springs alone act in it?"""
+        return bool(self.springs) and not self.touching and self.tail is None and self.clear
+
+    @property
+    def clear(self) -> bool:
+        """Is no bumper still on its way back?"""
+        return is_zero(self.memory)
 
     @property
     def touches(self) -> bool:

@@ -29,7 +29,7 @@ from sim.certify.numbers.balls import (
     upper,
 )
 from sim.certify.row import Told
-from sim.certify.run import MOST_EVENTS, BallRun
+from sim.certify.run import BallRun, Limit
 from sim.scene.model import Scene
 from sim.scene.said import reason_of, said
 
@@ -51,6 +51,8 @@ that an independent run with thirty digits or more finds its own rounded answer 
 ORDER = ("contact", "release", "peak", "separate", "stick", "stop", "start", "end")
 """Events of one instant are listed in this order of kinds, as in a run."""
 
+WITHIN = Limit()
+
 
 @dataclass(frozen=True, slots=True)
 class Certificate:
@@ -67,10 +69,8 @@ class Certificate:
     wide: bool = False  # is an input known to a double only?
 
 
-def certify(
-    scene: Scene, *, most: int = MOST_EVENTS, instants: Sequence[float] = ()
-) -> Certificate:
-    """Run a scene in balls, for `most` changes, and look at it at `instants` [s], in order.
+def certify(scene: Scene, *, limit: Limit = WITHIN, instants: Sequence[float] = ()) -> Certificate:
+    """Run a scene in balls, within a limit, and look at it at `instants` [s], in order.
 
     Never raises for what cannot be proved: the certificate says it.
     """
@@ -78,11 +78,11 @@ def certify(
     try:
         if scene.tolerances:  # more bits than the first would not help: the inputs are wide
             ctx.prec = BITS[0]
-            return _whole([_best(scene, p, most, instants) for p in pieces(scene.tolerances)])
+            return _whole([_best(scene, p, limit, instants) for p in pieces(scene.tolerances)])
         best: Certificate | None = None
         for bits in BITS:
             ctx.prec = bits
-            found = _best(scene, {}, most, instants)
+            found = _best(scene, {}, limit, instants)
             enough = _enough(found, best) or (best is not None and _stuck(found, best))
             if best is None or found.x or not best.x:
                 best = found
@@ -143,24 +143,24 @@ def _width(found: Certificate) -> float:
     return widest
 
 
-def _best(scene: Scene, spans: Spans, most: int, instants: Sequence[float]) -> Certificate:
+def _best(scene: Scene, spans: Spans, limit: Limit, instants: Sequence[float]) -> Certificate:
     """With both readings of a gap if that can be proved, else with the scene's own."""
-    wide = _run(scene, spans, most, instants, wide=True)
+    wide = _run(scene, spans, limit, instants, wide=True)
     if wide.proved or wide.hopeless:
         return wide
-    narrow = _run(scene, spans, most, instants, wide=False)
+    narrow = _run(scene, spans, limit, instants, wide=False)
     return narrow if narrow.proved or len(narrow.x) >= len(wide.x) else wide
 
 
 def _run(
-    scene: Scene, spans: Spans, most: int, instants: Sequence[float], *, wide: bool
+    scene: Scene, spans: Spans, limit: Limit, instants: Sequence[float], *, wide: bool
 ) -> Certificate:
     names = [cart.name for cart in scene.carts]
     run: BallRun | None = None
     try:
         given = inputs(scene, spans, wide=wide)
         run = BallRun(given)
-        run.go(most, instants)
+        run.go(limit, instants)
         x = {n: p + m for n, p, m in zip(names, given.places, run.moved, strict=True)}
         v = {n: body.v for n, body in zip(names, run.bodies, strict=True)}
         for ball in (*x.values(), *v.values()):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 
 from sim.certify import peaks
 from sim.certify.bodies import Body, Gap
 from sim.certify.coupled import CoupledPhase
 from sim.certify.forming import Forming, no_joint, rest_against
-from sim.certify.impacts import common_velocity, impact, reduced_mass
+from sim.certify.impacts import common_velocity, impact, no_last_bounce, reduced_mass
 from sim.certify.instants import Instant
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
 from sim.certify.phases import ContactPhase
@@ -33,20 +34,14 @@ class Contacts(Forming):
             self.begin([gap], now, pressed)
             return
         if not gap.rate < 0:
-            raise NoBoundError(
-                said("{pair} are pressed together without a duration", pair=gap.shown)
-            )
+            hopeless = NoBoundError if gap.rate >= 0 else NotProvableError
+            raise hopeless(said("{pair} are pressed together without a duration", pair=gap.shown))
         self.tell(now, "contact", gap.names)
         if gap.contact.joins:
-            for one in pressed:
-                if one.touching:
-                    no_joint(self.touches[one.index])
-            linger = [one for one in self.gaps if one.tail is not None and one is not gap]
-            before = [reduced_mass(one.left, one.right) for one in linger]
-            self._join(gap, now)
-            for one, mu in zip(linger, before, strict=True):
-                _damp_anew(one, mu)
+            with self.damped_anew(gap, pressed):
+                self.join(gap, now)
         else:
+            no_last_bounce(gap)
             impact(gap)
             rate, free = gap.rate, [body for body in both if not self._touches(body)]
             self.fly(free, now)
@@ -62,9 +57,25 @@ class Contacts(Forming):
                 self.touches[one.index].still_pushes(now)
         self.form(pressed, now)
 
-    def _join(self, gap: Gap, now: Instant) -> None:
+    @contextmanager
+    def damped_anew(self, gap: Gap, pressed: Iterable[Gap]) -> Iterator[None]:
+        """Around what changes the bodies at `gap`: a damper is that of the two that it is between.
+
+        One that pushes just now would change on the way: no bound.
+        """
+        for one in pressed:
+            if one.touching:
+                no_joint(self.touches[one.index])
+        linger = [one for one in self.gaps if one.tail is not None and one is not gap]
+        before = [reduced_mass(one.left, one.right) for one in linger]
+        yield
+        for one, mu in zip(linger, before, strict=True):
+            _damp_anew(one, mu)
+
+    def join(self, gap: Gap, now: Instant) -> None:
+        """Two bodies become one: by velcro, or by the latch of an exploder."""
         left, right = gap.left, gap.right
-        v = common_velocity(left, right)
+        v = left.v if is_zero(gap.rate) else common_velocity(left, right)
         mass = None if left.mass is None or right.mass is None else left.mass + right.mass
         one = Body([*left.carts, *right.carts], mass, v, now, load=[*left.load, *right.load])
         gap.joined = True
@@ -80,7 +91,7 @@ class Contacts(Forming):
             one.held = held
             return
         self.fly((one,), now)
-        if one.mass is not None and held != one.held:
+        if one.mass is not None and held != one.held and self.running:
             self.tell_carts(now, "stop" if one.held else "start", one)
 
     def _touches(self, body: Body) -> bool:
@@ -116,11 +127,20 @@ class Contacts(Forming):
             if not phase.gaps:
                 self._alone(one.body, now)
             self.form(phase.gaps, now)
+        elif gap is not None and cause == "fall":
+            self.fall_off(gap, now)
+            self._go_on(phase.gaps, gap, [body for body in phase.bodies if body.held], now)
         elif gap is not None and cause == "clear":
             gap.room, gap.memory, gap.tail = ZERO, ZERO, None
             self.form(phase.gaps, now)
         elif gap is not None:
             self._contact_ends(gap, phase, one)
+
+    def fall_off(self, gap: Gap, now: Instant) -> None:
+        """The spring that was let go has its full length, and pushes no more."""
+        gap.springs = tuple(one for one in gap.springs if one not in gap.loose)
+        gap.loose = ()
+        self.tell(now, "separate", gap.names)
 
     def _alone(self, body: Body, now: Instant) -> None:
         """Friction stops a body in the air."""

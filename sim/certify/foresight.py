@@ -34,6 +34,7 @@ WORDS = {
     "start": said("the start"),
     "stick": said("the joining"),
     "release": said("the release"),
+    "burst": said("the release"),
 }
 """What comes next or has come, as a reason calls it."""
 

@@ -17,10 +17,11 @@ from sim.certify.coupled import CoupledPhase
 from sim.certify.foresight import Foresight
 from sim.certify.instants import Instant
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
+from sim.certify.oscillation import together
 from sim.certify.phases import ContactPhase
 from sim.certify.row import Next
 from sim.certify.touches import Touch
-from sim.certify.watches import Watch, grips, open_gap
+from sim.certify.watches import Watch, grips, open_gap, swing_ends
 from sim.scene.said import said
 
 
@@ -66,6 +67,8 @@ class Forming(Foresight):
             gap = row[0]
             if len(row) == 1 and not gap.springs and not self._dragged(gap):
                 self._pair(gap, now)
+            elif len(row) == 1 and gap.swings and not self._dragged(gap):
+                self._swing(gap, now)
             else:
                 self._coupled([gap.left, *(one.right for one in row)], row, now)
 
@@ -131,6 +134,20 @@ class Forming(Foresight):
             for tau, cause, body in () if touch.turns_alone else phase.grips(horizon):
                 ends.append(Next(now.after(tau), "end", bodies, gap, cause, body))
         self._moves(phase, ends)
+
+    def _swing(self, gap: Gap, now: Instant) -> None:
+        """Springs alone between two: a formula, for as many swings as they like."""
+        phase = ContactPhase(gap, together(gap.springs), now)
+        horizon = self.until.minus(now).upper().mid()
+        bodies, ends = (gap.left, gap.right), []
+        if horizon > 0:
+            for tau, cause in swing_ends(phase, horizon):
+                ends.append(Next(now.after(tau), "end", bodies, gap, cause))
+                horizon = min(horizon, tau.upper().mid())
+            for tau, cause, body in phase.grips(horizon):
+                ends.append(Next(now.after(tau), "end", bodies, gap, cause, body))
+        self._moves(phase, ends)
+        self.coupled[gap.index] = phase
 
     def _coupled(self, row: list[Body], gaps: list[Gap], now: Instant) -> None:
         touches = {k: self.touches[gap.index] for k, gap in enumerate(gaps) if gap.touching}
@@ -203,4 +220,6 @@ def rest_against(gap: Gap) -> None:
 def no_joint(touch: Touch) -> None:
     """The damper of a pair is that of its two masses: a joint would change it on the way."""
     if not is_zero(touch.line.gamma):
-        raise NoBoundError(said("a cart joins another while {pair} touch", pair=touch.gap.shown))
+        raise NoBoundError(
+            said("a cart joins or leaves another while {pair} touch", pair=touch.gap.shown)
+        )

@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 from sim.certify.bodies import Body, Gap
-from sim.certify.numbers.balls import ZERO, Ball, exact, is_zero
+from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, exact, is_zero
+from sim.scene.said import said
+
+BOUNCES = 20
+FAINT = 2.0**-100
+"""Of the hardest impact of a gap. So faint a one, after so many, is one of a series without end: by
+chance none is, and each further one would take as long to prove as the first."""
 
 
 def impact(gap: Gap) -> None:
@@ -18,6 +24,15 @@ def impact(gap: Gap) -> None:
             body.v = common if is_zero(e) else common + e * (common - body.v)
             body.held = False
     gap.room, gap.rate = ZERO, e * closing
+
+
+def no_last_bounce(gap: Gap) -> None:
+    """Raises where bounces come faster and faster: of infinitely many there is no list."""
+    closing = abs(gap.rate)
+    gap.struck += 1
+    gap.hardest = closing if closing > gap.hardest else gap.hardest
+    if gap.struck > BOUNCES and closing < FAINT * gap.hardest:
+        raise NoBoundError(said("{pair} bounce ever faster, without a last time", pair=gap.shown))
 
 
 def common_velocity(left: Body, right: Body) -> Ball:

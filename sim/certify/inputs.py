@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from sim.certify.band import Spans
-from sim.certify.loads import Load, loads, springs
+from sim.certify.loads import Burst, Load, bursts, loads, springs
 from sim.certify.numbers.arithmetic import arb
 from sim.certify.numbers.balls import Ball, between, exact
 from sim.certify.oscillation import Line
@@ -30,6 +30,7 @@ class Inputs:
     gaps: list[Ball]
     loads: list[Load]
     springs: dict[int, list[Line]]
+    bursts: list[Burst]
 
 
 NOTHING = (Fraction(0), Fraction(0))
@@ -46,6 +47,7 @@ def inputs(scene: Scene, spans: Spans, *, wide: bool) -> Inputs:
         [_gap(scene, spans, k, wide=wide) for k in range(len(scene.gaps))],
         loads(scene, masses),
         springs(scene),
+        bursts(scene),
     )
 
 

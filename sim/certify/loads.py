@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from sim.certify.instants import Instant, instant
 from sim.certify.numbers.arithmetic import arb
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.certify.oscillation import Line
@@ -83,6 +84,28 @@ def springs(scene: Scene) -> dict[int, list[Line]]:
             k, length, c = map(exact, one.spring)
             found.setdefault(gap_of(effect, scene), []).append(Line(k, c, -length))
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class Burst:
+    """An energy that is set free between the two at a gap, at once or by a spring."""
+
+    gap: int
+    energy: Ball  # J
+    when: Instant
+    stiffness: Ball  # N/m; None: at once
+
+
+def bursts(scene: Scene) -> list[Burst]:
+    """In the order of their times."""
+    found = []
+    for effect in scene.effects:
+        one = linear_of(effect)
+        if one is not None and one.release is not None:
+            energy, t, stiffness = one.release
+            k = None if stiffness is None else exact(stiffness)
+            found.append(Burst(gap_of(effect, scene), exact(energy), instant(t), k))
+    return sorted(found, key=lambda burst: burst.when.ends())
 
 
 def _on_each(scene: Scene) -> list[list[Constant]]:

@@ -9,10 +9,11 @@ y′ = e^(−βτ) (r0 C − (β r0 + w0² y0) S)        1, τ                  
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.certify.numbers.arithmetic import arb
-from sim.certify.numbers.balls import Ball, NotProvableError, is_zero
+from sim.certify.numbers.balls import ZERO, Ball, NotProvableError, is_zero
 from sim.scene.said import said
 
 
@@ -24,6 +25,14 @@ class Line:
     gamma: Ball  # N s/m
     rest: Ball  # m
     critical: bool = False  # for the two masses of the pair; not while friction holds one of them
+
+
+def together(lines: Sequence[Line]) -> Line:
+    """Those that act side by side as one; its rest is where their forces cancel."""
+    if len(lines) == 1:
+        return lines[0]
+    kappa, gamma = (sum((getattr(one, key) for one in lines), ZERO) for key in ("kappa", "gamma"))
+    return Line(kappa, gamma, sum((one.kappa * one.rest for one in lines), ZERO) / kappa)
 
 
 class Oscillation:

@@ -70,6 +70,11 @@ class ContactPhase:
             return way
         return way + self.drift * tau * (start.minus(self.begun) + tau / 2)
 
+    def between(self, gap: Gap, now: Instant) -> tuple[Ball, Ball]:
+        """Room [m] and rate [m/s] of its gap."""
+        over, rate = self.swing.at(now.minus(self.begun))
+        return -over, -rate
+
     def speed(self, body: Body, now: Instant) -> Ball:
         """m/s."""
         if body.still:

@@ -25,7 +25,7 @@ class Next:
     """Something that will happen at `when` if nothing comes before."""
 
     when: Instant
-    kind: str  # touch, clear, end (of a phase), halt, switch
+    kind: str  # touch, clear, end (of a phase), halt, switch, burst
     bodies: tuple[Body, ...]
     gap: Gap | None = None
     cause: str = ""
@@ -73,7 +73,7 @@ class Row:
         self.moved = [ZERO for _ in self.names]  # m, of each cart
         self.touches: dict[int, Touch] = {}
         self.phases: dict[int, tuple[ContactPhase | CoupledPhase, list[Next]]] = {}
-        self.coupled: dict[int, CoupledPhase] = {}  # by gap
+        self.coupled: dict[int, CoupledPhase | ContactPhase] = {}  # by gap
         self.present = self.zero
         self.running = False  # what holds at the start is no event
         self.ahead: dict[int, list[Next]] = {}  # of each gap

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from math import inf
+from time import monotonic
+from typing import NamedTuple
 
-from sim.certify.contacts import Contacts
-from sim.certify.numbers.balls import ZERO, NoBoundError
+from sim.certify.numbers.balls import ZERO, NoBoundError, is_zero
+from sim.certify.releases import Releases
 from sim.certify.row import Next
 from sim.scene.said import said
 
@@ -14,22 +17,32 @@ MOST_EVENTS = 10_000
 """Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
 
 
-class BallRun(Contacts):
+class Limit(NamedTuple):
+    """Where a run gives up: after so many changes, or past a time of `monotonic` [s]."""
+
+    changes: int = MOST_EVENTS
+    moment: float = inf
+
+
+class BallRun(Releases):
     """A scene on its way from 0 to its end."""
 
-    def go(self, most: int = MOST_EVENTS, instants: Sequence[float] = ()) -> None:
-        """To the end, in at most so many changes; `seen` then holds the `instants` [s], in order.
+    def go(self, limit: Limit, instants: Sequence[float] = ()) -> None:
+        """To the end, within a limit; `seen` then holds the `instants` [s], in order.
 
         Raises NoBoundError; `told` then holds what was proved before.
         """
         waiting = deque(instants)
         self._start()
+        switches, bursts = self.switches(), list(self.inputs.bursts)
+        while bursts and is_zero(bursts[0].when.ball):
+            self.set_free(bursts.pop(0), self.zero)
         self.running = True
-        switches = self.switches()
         while True:
             coming = [one for _, ends in self.phases.values() for one in ends]
             coming += [one for gap in self.gaps for one in self.of_gap(gap)]
             coming += self.halts() + [self._now(one) for one in switches[:1]]
+            coming += self.coming_release(bursts)
             first = self.first(coming)
             if waiting:
                 known = min((one.when.ends()[0] for one in coming), default=waiting[-1])
@@ -43,9 +56,14 @@ class BallRun(Contacts):
                 self.glimpse(t)
             if first.kind == "switch":
                 switches = switches[1:]
+            elif first.kind == "burst":
+                bursts.pop(0)
             self.happened += 1
-            if self.happened > most:
-                raise NoBoundError(said("there are more than {most} changes", most=str(most)))
+            if self.happened > limit.changes:
+                most = str(limit.changes)
+                raise NoBoundError(said("there are more than {most} changes", most=most))
+            if monotonic() > limit.moment:
+                raise NoBoundError(said("the proof takes too long here"))
             self.present = first.when
             self._happen(first)
         self.settle(self.bodies, self.until)
@@ -59,10 +77,11 @@ class BallRun(Contacts):
     def _start(self) -> None:
         for gap in self.gaps:
             gap.rate = gap.right.v - gap.left.v
+        self.latch()
         for body in self.bodies:
             body.fly(self.zero)
         pulled = [gap for gap in self.gaps if gap.springs]
-        self.begin([gap for gap in self.gaps if gap.room < 0], self.zero, pulled)
+        self.begin([gap for gap in self.gaps if gap.room < 0 and not gap.joined], self.zero, pulled)
         self.fly([body for body in self.bodies if not self._touches(body)], self.zero)
 
     def _happen(self, one: Next) -> None:
@@ -75,6 +94,8 @@ class BallRun(Contacts):
             self.fly(one.bodies, one.when)
         elif one.kind == "end":
             self.phase_ends(one)
+        elif one.kind == "burst":
+            self.set_free(next(b for b in self.inputs.bursts if b.when is one.when), one.when)
         elif one.kind == "halt" and one.body is not None:
             self.forget(one.bodies)
             self.settle(one.bodies, one.when)

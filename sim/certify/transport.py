@@ -15,7 +15,7 @@ from sim.certify.equations import Row, State
 from sim.certify.numbers.arithmetic import arb
 from sim.certify.numbers.balls import ZERO, Ball
 from sim.certify.numbers.matrices import Matrix
-from sim.certify.oscillation import Line
+from sim.certify.oscillation import Line, together
 from sim.certify.series import Piece
 
 
@@ -27,7 +27,8 @@ class Transport:
     """
 
     def __init__(self, row: Row, start: State, length: Ball, omega: Ball, rate: Ball) -> None:
-        self.rests = tuple(_rest(lines) for lines in row.lines)
+        # overlaps are counted from where a gap has no force: less is left to cancel
+        self.rests = tuple(together(lines).rest for lines in row.lines)
         row = replace(row, lines=tuple(map(_moved, row.lines, self.rests)))
         turned = tuple(-rest for rest in self.rests)
         self.start = start = replace(start, o=_added(start.o, turned))
@@ -57,14 +58,6 @@ class Transport:
             part = p - lowest or p // 2
             self.powers[p] = self._power(part) @ self._power(p - part)
         return self.powers[p]
-
-
-def _rest(lines: tuple[Line, ...]) -> Ball:
-    """m. Overlaps are counted from where a gap has no force: less is left to cancel."""
-    if len(lines) == 1:
-        return lines[0].rest
-    stiff = sum((line.kappa for line in lines), ZERO)
-    return sum((line.kappa * line.rest for line in lines), ZERO) / stiff
 
 
 def _moved(lines: tuple[Line, ...], rest: Ball) -> tuple[Line, ...]:

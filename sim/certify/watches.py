@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import arb
-from sim.certify.numbers.balls import ZERO, Ball, is_zero
+from sim.certify.numbers.balls import ZERO, Ball, NotProvableError, is_zero
+from sim.certify.numbers.roots import first_root
+from sim.certify.phases import ContactPhase
 from sim.certify.series import Piece
 from sim.certify.signals import Signal, total
 from sim.scene.said import said
@@ -41,6 +43,8 @@ def signal(
 
 def open_gap(gap: Gap, k: int) -> list[Watch]:
     """What happens first in a gap with a spring whose bodies do not touch."""
+    if gap.left.still and gap.right.still:
+        return []
     one, none = arb(1), ZERO
     doubt = said("whether {pair} meet", pair=gap.shown)
     lingers = True
@@ -54,7 +58,38 @@ def open_gap(gap: Gap, k: int) -> list[Watch]:
     found = [Watch(room, "touch", doubt, gap)]
     if lingers:
         found.append(Watch(signal(k, (one, none, none)), "clear", doubt, gap))
+    doubt = said("when the spring between {pair} has its full length", pair=gap.shown)
+    for spring in gap.loose:
+        found.append(Watch(signal(k, (one, none, -spring.rest)), "fall", doubt, gap))
     return found
+
+
+def swing_ends(phase: ContactPhase, horizon: Ball) -> Iterator[tuple[Ball, str]]:
+    """When two between whom springs alone act meet, or a spring that was let go is at its end."""
+    gap, swing = phase.gap, phase.swing
+    doubt = said("when the spring between {pair} has its full length", pair=gap.shown)
+    rests = [(one.rest, 1, "fall", doubt) for one in gap.loose]  # no swing goes on after it
+    rests.append((ZERO, -1, "touch", said("whether {pair} meet", pair=gap.shown)))
+    for rest, way, cause, doubt in rests:
+
+        def above(tau: Ball, rest: Ball = rest, way: int = way) -> Ball:
+            return way * (swing.at(tau)[0] - rest)
+
+        def rate(tau: Ball, way: int = way) -> Ball:
+            return way * swing.at(tau)[1]
+
+        def curve(tau: Ball, way: int = way) -> Ball:
+            return way * swing.all(tau)[2]
+
+        begins = None
+        if cause == "touch" and is_zero(gap.room):  # they part, or nothing is known
+            if not gap.rate > 0 and not (is_zero(gap.rate) and curve(ZERO) > 0):
+                raise NotProvableError(doubt)
+            begins = curve if is_zero(gap.rate) else None
+        tau = first_root(above, rate, horizon, doubt, curve=begins)
+        if tau is not None:
+            horizon = min(horizon, tau.upper().mid())
+            yield tau, cause
 
 
 def grips(row: list[Body], gaps: list[Gap], now: Instant, silent: set[Body]) -> Iterator[Watch]:

@@ -35,7 +35,7 @@ def read_shown(name: str, laws: Mapping[str, str] | None = None) -> Fence:
     shown = shown_name(name)
     folder = Path.cwd() if name == "-" else Path(name).parent
     try:
-        plain, places = read_scene_text(text_of(name), shown)
+        plain, places = read_scene_text(without_fence(text_of(name)), shown)
         return read_fence(with_law_files(plain, [folder], laws), named=False)
     except AuthorError as error:
         fail(error.findings)
@@ -53,6 +53,14 @@ def fail(findings: Iterable[Finding]) -> NoReturn:
     for finding in sorted(findings):
         click.echo(str(finding), err=True)
     sys.exit(1)
+
+
+def without_fence(text: str) -> str:
+    """A block as a page copies it, between ```scene and ```: the same lines, those two empty."""
+    lines = text.rstrip().splitlines()
+    if len(lines) > 1 and lines[0].strip() == "```scene" and lines[-1].strip() == "```":
+        return "\n".join(["", *lines[1:-1], ""])
+    return text
 
 
 def text_of(name: str) -> str:

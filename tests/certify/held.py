@@ -19,7 +19,6 @@ LEFT_OUT = ("peak", "end")
 
 NO_BOUND = {
     *("drag-quadratic", "magnets-collision", "magnets-repel", "hertz-cradle", "hertz-pair"),
-    *("release-and-friction", "release-explosion", "release-by-a-spring", "release-while-moving"),
     *("push-a-train", "triple-hit"),
 }
 """Scenes of the registry without a certificate: other effects, Hertz, a pair that stays pressed
@@ -30,6 +29,15 @@ def exactly(number: mpf) -> Fraction:
     """Every digit of it."""
     sign, mantissa, exponent, _ = number._mpf_  # mpf(number) would round it
     return Fraction((-1) ** sign * int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def widths(certificate: dict[str, Any]) -> list[float]:
+    """Of places and velocities at the end, in units of the last place of a double."""
+    found = []
+    for ends in certificate["final"].values():
+        for low, high in (map(float, bounds) for bounds in ends.values()):
+            found.append((high - low) / (max(abs(low), abs(high)) * 2.0**-52 or 1.0))
+    return found
 
 
 def misses(scene: Scene, certificate: dict[str, Any]) -> list[str]:

@@ -1,7 +1,7 @@
 """Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces.
 
 `touching` are rows of which three and more push each other at once: cradles, trains that are hit,
-carts between soft walls. `swinging` have springs and linear drag.
+carts between soft walls. `swinging` have springs and linear drag, `letting_go` exploders.
 """
 
 from __future__ import annotations
@@ -87,6 +87,36 @@ def swinging(seed: int) -> dict[str, Any]:
         effects.append({"drag": {"linear": round(dice.uniform(0.05, 1), 2)}})
     elif dice.random() < 0.5:
         effects.append(_effect(dice, list(carts)))
+    contact, until = _contact(dice), dice.choice([0.5, 1, 2])
+    return {"carts": carts, "track": track, "contact": contact, "until": until, "effects": effects}
+
+
+def letting_go(seed: int) -> dict[str, Any]:
+    """Two to four carts; one or two exploders part those that touch, or find them apart."""
+    dice = Random(f"release {seed}")
+    count = dice.choice([2, 2, 3, 4])
+    x, carts = 0.3, {}
+    alike = dice.choice([0, 0, round(dice.uniform(-0.5, 0.5), 2)])
+    for k in range(count):
+        x = round(x + 0.2 + dice.choice([0, 0, 0, round(dice.uniform(0.02, 0.3), 3)]), 3)
+        speed = alike if dice.random() < 0.8 else round(dice.uniform(-0.8, 0.8), 2)
+        mass = round(10 ** dice.uniform(-0.7, 0.7), 2)
+        carts["ABCD"[k]] = {"mass": mass, "position": x, "velocity": speed}
+    track = {
+        "left": dice.choice(["open", "wall"]),
+        "right": dice.choice(["open", "wall"]),
+        "length": round(x + 0.1 + dice.choice([0, dice.uniform(0.05, 0.5)]), 3),
+    }
+    names = list(carts)
+    effects: list[dict[str, Any]] = []
+    for k in dice.sample(range(count - 1), dice.choice([1, 1, min(2, count - 1)])):
+        one = {"between": names[k : k + 2], "energy": round(10 ** dice.uniform(-2.5, -0.3), 4)}
+        one["at"] = dice.choice([0, 0.25, round(dice.uniform(0, 1), 2)])
+        if dice.random() < 0.5:
+            one["stiffness"] = round(10 ** dice.uniform(1, 3), 1)
+        effects.append({"release": one})
+    if dice.random() < 0.4:
+        effects.append(_effect(dice, names))
     contact, until = _contact(dice), dice.choice([0.5, 1, 2])
     return {"carts": carts, "track": track, "contact": contact, "until": until, "effects": effects}
 

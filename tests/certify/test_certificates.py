@@ -6,19 +6,20 @@ import json
 import statistics
 import subprocess
 import sys
-from fractions import Fraction
+from time import monotonic
 
 import pytest
 from click.testing import CliRunner
 
 from sim.certify.certificate import certify, document
+from sim.certify.run import Limit
 from sim.cli import main
 from sim.dynamics.loop.run import run
 from sim.pages.hard_cases import ALL, HardCase
 from sim.scene import Scene, SceneError, read_scene
 from tests import registry
-from tests.certify.held import NO_BOUND, misses
-from tests.certify.random_scenes import plain
+from tests.certify.held import NO_BOUND, misses, widths
+from tests.certify.random_scenes import letting_go, plain
 from tests.reference.digit_pairs import UnsupportedError
 
 SLOW_CASES = (
@@ -92,6 +93,49 @@ def test_forty_digits_of_a_random_scene_lie_inside_its_certificate(seed: int) ->
         pytest.skip("no scene, or the oracle cannot tell")
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_forty_digits_of_random_exploders_lie_inside(seed: int) -> None:
+    scene = read_scene(letting_go(seed))
+    found = document(certify(scene))
+    assert found["final"]["x"] or found["reason"]
+    if found["final"]["x"]:
+        assert misses(scene, found) == []
+
+
+@pytest.mark.parametrize("stiffness", [None, 40], ids=["at once", "by a spring"])
+def test_an_exploder_at_the_start_needs_no_time(stiffness: float | None) -> None:
+    """½ mu w² = E: 0.06 J make −0.4 and 0.2 m/s of 0.5 and 1 kg."""
+    one = {"between": ["A", "B"], "energy": 0.06} | ({"stiffness": stiffness} if stiffness else {})
+    scene = read_scene({
+        "carts": {"A": {"mass": 0.5, "position": 1}, "B": {"mass": 1, "position": 1.2}},
+        "effects": [{"release": one}], "until": 1,
+    })  # fmt: skip
+    found = document(certify(scene))
+    assert found["order"] == "proved"
+    for cart, v in (("A", -0.4), ("B", 0.2)):
+        low, high = map(float, found["final"]["v"][cart])
+        assert low <= v <= high and high - low < 1e-14
+
+
+def test_what_bounces_ever_faster_is_given_up_at_once() -> None:
+    """Infinitely many bounces have no list; ten thousand of them took minutes."""
+    scene = read_scene({
+        "carts": {"A": {"mass": 1, "position": 0.4, "velocity": -0.1}},
+        "track": {"left": "wall"}, "contact": {"law": "instant", "restitution": 0.5},
+        "effects": [{"incline": {"angle": -0.04}}], "until": 9,
+    })  # fmt: skip
+    found = certify(scene)
+    assert "without a last time" in found.reason and len(found.events) < 200
+
+
+def test_a_proof_ends_at_its_moment_and_says_so() -> None:
+    """A page plays nothing else meanwhile."""
+    scene = registry.scene("light-meets-heavy")
+    found = certify(scene, limit=Limit(moment=monotonic()))
+    assert not found.x and found.reason == "the proof takes too long here"
+    assert certify(scene, limit=Limit(moment=monotonic() + 60)).proved
+
+
 def test_a_cart_that_a_wall_stops_dead_is_told_to_stop_where_friction_holds_it() -> None:
     """As a run tells it: found among ten thousand random scenes."""
     scene = read_scene({
@@ -163,14 +207,9 @@ def maybe(seed: int) -> Scene | None:
 
 def test_bounds_of_a_pair_are_a_few_doubles_apart() -> None:
     pairs = [scene for seed in range(80) if (scene := maybe(seed)) and len(scene.carts) == 2]
-    widths = []
-    for scene in pairs:
-        final = document(certify(scene))["final"]
-        for bounds in (*final["x"].values(), *final["v"].values()):
-            low, high = map(float, bounds)
-            widths.append((high - low) / Fraction(max(abs(low), abs(high)) * 2.0**-52 or 1.0))
-    assert len(widths) > 100
-    assert statistics.median(map(float, widths)) <= ULPS
+    wide = [width for scene in pairs for width in widths(document(certify(scene)))]
+    assert len(wide) > 100
+    assert statistics.median(wide) <= ULPS
 
 
 def test_the_command_prints_the_interface() -> None:

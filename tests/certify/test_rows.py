@@ -7,7 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from fractions import Fraction
-from math import cos, sqrt
+from math import cos, pi, sqrt
 from random import Random
 from typing import Any
 
@@ -212,3 +212,22 @@ def test_without_arb_a_row_has_the_same_certificate() -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     found, scene = json.loads(done.stdout), read_scene(touching(18))
     assert found["order"] == "proved" and misses(scene, found) == []
+
+
+def test_a_spring_alone_swings_a_million_times_in_its_certificate() -> None:
+    """By a formula, not by pieces of a series: as many swings as a scene asks for."""
+    k, mass, swings = 1.0, 0.25, 1_000_000
+    scene = read_scene({
+        "carts": {"A": {"mass": mass, "position": 0.3}, "B": {"mass": 1e12, "position": 1.5}},
+        "effects": [{"spring": {"between": ["A", "B"], "stiffness": k, "length": 0.9}}],
+        "until": swings * pi * sqrt(mass / k) * 2,
+    })  # fmt: skip
+    found = certify(scene)
+    with mp.workdps(60):
+        m, big, until = mpf(mass), mpf(10) ** 12, mpf(scene.until)
+        w = mp.sqrt(k * (1 / m + 1 / big))
+        away = mpf(scene.gaps[1]) - mpf(0.9)  # m, how far the spring is pulled at first
+        v = away * w * mp.sin(w * until) * big / (m + big)
+    low, high = bounds(found.v["A"])
+    assert found.proved and low <= float(v) <= high
+    assert high - low < 1e-9  # the gap is known to an ulp, and swings carry it on

@@ -116,3 +116,13 @@ def test_the_readable_forms_tell_the_story():
 
 def test_two_runs_print_the_same_bytes():
     assert carts("run", PAPER, "--json").stdout == carts("run", PAPER, "--json").stdout
+
+
+def test_a_scene_block_as_a_page_copies_it_is_a_scene_file_too():
+    text = registry.PATHS["light-meets-heavy"].read_text(encoding="utf-8")
+    block = f"```scene\n{text}```\n"
+    bare, fenced = (carts("run", "-", "--certify", "--json", stdin=one) for one in (text, block))
+    assert fenced.exit_code == 0 and fenced.stdout == bare.stdout
+    wrong = carts("run", "-", stdin=block.replace("mass: 500 g", "mass: -500 g"))
+    at = 1 + block.splitlines().index(next(s for s in block.splitlines() if "mass: 500 g" in s))
+    assert f"stdin:{at}:" in wrong.stderr  # the line that the author sees

@@ -69,6 +69,7 @@ class DigitRow:
         names = [cart.name for cart in scene.carts]
         self.drag = [mpf(0)] * self.n
         self.springs: dict[int, tuple[mpf, mpf, mpf]] = {}
+        self.loose: dict[int, mpf] = {}  # m, the length of a spring that was let go
         for effect in scene.effects:
             if effect.kind == "spring":
                 k = next(k for k in range(self.n + 1) if scene.names_at(k) == effect.between)
@@ -79,7 +80,7 @@ class DigitRow:
                 self.springs[k] = (a + stiff, b + c, rest + stiff * length)
                 continue
             if effect.kind == "release":
-                raise UnsupportedError(effect.kind)
+                continue  # `digit_releases`
             for k in (names.index(name) for name in effect.carts):
                 if effect.kind == "incline":
                     one = mpf(effect.numbers["angle"])
@@ -117,6 +118,13 @@ class DigitRow:
 
     def mu(self, k: int) -> mpf:
         return 1 / (self._inverse(k - 1) + self._inverse(k))
+
+    def dampers(self) -> None:
+        """They are those of the bodies that now meet."""
+        for k, pair in self.pairs.items():
+            if pair is not None and k not in self.joined:
+                light = self._inverse(k - 1) + self._inverse(k)
+                pair.c = 2 * pair.zeta * mp.sqrt(pair.k / light) if light else mpf(0)
 
     def _place(self, k: int) -> tuple[Any, Any]:
         """Series of displacement and velocity of a cart; of a wall: nothing."""

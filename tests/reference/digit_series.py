@@ -108,6 +108,9 @@ class Motions(DigitRow):
     def watches(self) -> list[tuple[Series, tuple[str, Any]]]:
         """What stays positive until it ends a branch, and what it then does."""
         found: list[tuple[Series, tuple[str, Any]]] = []
+        for k, length in self.loose.items():
+            if k not in self.joined:
+                found.append((self.of_gap(k, (1, 0, length)), ("fall", k)))
         for k, pair in self.pairs.items():
             if k in self.joined:
                 continue

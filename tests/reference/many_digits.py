@@ -14,6 +14,7 @@ from mpmath import mp, mpf
 
 from sim.scene import Scene
 from tests.reference.digit_pairs import UnsupportedError
+from tests.reference.digit_releases import exploders, latch, let_go
 from tests.reference.digit_roots import ONE, first_negative
 from tests.reference.digit_row import NOTHING
 from tests.reference.digit_series import Motions, digits, fixed, value
@@ -28,6 +29,9 @@ class Digits(Motions):
 
     def go(self) -> None:
         end = mpf(self.scene.until)
+        self.waiting = exploders(self)
+        latch(self, self.waiting)
+        self._let_go()
         self.judge(tell=False)
         for _ in range(MOST_STEPS):
             if self.t >= end:
@@ -52,6 +56,7 @@ class Digits(Motions):
                 self.change(*what)
             elif reached:
                 self.t = goal
+                self._let_go()
                 self.judge()
             else:
                 self.t += self.h
@@ -59,8 +64,13 @@ class Digits(Motions):
 
     def _goal(self, end: mpf) -> mpf:
         """s. Up to where no push begins or ends."""
-        times = (at for _, begin, stop, _ in self.pushes for at in (begin, stop))
+        times = [at for _, begin, stop, _ in self.pushes for at in (begin, stop)]
+        times += [one.at for one in self.waiting]
         return min([end, *(at for at in times if at > self.t)])
+
+    def _let_go(self) -> None:
+        while self.waiting and self.waiting[0].at <= self.t:
+            let_go(self, self.waiting.pop(0))
 
     def change(self, state: str, k: Any) -> None:
         if state == "halt":
@@ -70,6 +80,9 @@ class Digits(Motions):
             self.slipping[id(k)] = self.t
         elif state == "hit":
             self.hit(k)
+        elif state == "fall":
+            del self.loose[k], self.springs[k]
+            self.tell("separate", self.scene.names_at(k))
         else:
             self._pair_changes(state, k)
         self.judge()
@@ -130,10 +143,7 @@ class Digits(Motions):
                 one.fixed = True
             if one.fixed:
                 one.v = mpf(0)
-            for other, pair in self.pairs.items():  # dampers are those of the bodies that now meet
-                if pair is not None and other not in self.joined:
-                    light = self._inverse(other - 1) + self._inverse(other)
-                    pair.c = 2 * pair.zeta * mp.sqrt(pair.k / light) if light else mpf(0)
+            self.dampers()
 
 
 def integrate(scene: Scene) -> Digits:

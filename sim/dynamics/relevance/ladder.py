@@ -88,7 +88,11 @@ def _sentence(candidate: Candidate, changes: Difference) -> str:
             "Without {effect}, {what} would differ by {amount}: a graph cannot show that.", **values
         )
     if changes.visible:
-        return said("{effect} would change {what} by {amount}: a graph would show that.", **values)
+        return said(
+            "{effect} would change {what} by {amount}: a graph would show that. Left out all the "
+            "same, to keep the model simple.",
+            **values,
+        )
     return said(
         "{effect} would change {what} by {amount}: a graph cannot show that. Left out.", **values
     )

@@ -158,6 +158,7 @@
     if (kind === "contact") return tr("{one} and {other} touch", { one, other });
     if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });
     if (kind === "separate") return tr("{one} and {other} part", { one, other });
+    if (kind === "release") return tr("{one} and {other} are released", { one, other });
     if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
     if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
     if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
@@ -200,6 +201,8 @@
   var PACKAGES = ["newtons-carts-proof"];
   var Proof = class {
     #turn = 0;
+    #of = "";
+    // the request that was proved, or is being
     /** @type {Band | null} */
     #band = null;
     #owner = {};
@@ -223,7 +226,7 @@
       this.table.hidden = true;
       this.count = html("th", "");
       this.count.setAttribute("scope", "col");
-      this.table.append(tableWith(this.body, this.count));
+      this.table.append(tableWith(this.body, this.count), elsewhere());
       const box = html("div", "carts-proof");
       box.append(
         html("p", "carts-how-head", tr("How many of these digits are sure?")),
@@ -233,13 +236,18 @@
       );
       place.append(box);
     }
-    /** Another run is there: what was proved is no longer of it. */
+    /** Another run is there: what was proved is no longer of it, unless its values are the same. */
     forget() {
+      if (this.#of === this.#asked()) return;
+      this.#of = "";
       this.#turn += 1;
       const was = !this.table.hidden;
       this.table.hidden = true;
       this.#show(null);
       say(this.note, was ? tr("The values have changed: prove them again.") : "");
+    }
+    #asked() {
+      return JSON.stringify(this.message({ kind: "certify" }));
     }
     /** @param {Band | null} band null: none */
     #show(band) {
@@ -248,7 +256,9 @@
       this.view.redraw((graph, plane) => drawBand(band, graph, plane));
     }
     async #prove() {
+      this.#of = "";
       this.forget();
+      this.#of = this.#asked();
       const turn = this.#turn;
       say(this.note, tr("Computed once more, with bounds that are rounded outwards …"));
       try {
@@ -290,6 +300,16 @@
       this.#show(band);
     }
   };
+  function elsewhere() {
+    const line = html(
+      "p",
+      "carts-quiet",
+      tr("To check it elsewhere: save the scene block (“Take it along”) as scene.yml, then")
+    );
+    line.append(" ", html("code", "", "carts run scene.yml --certify --json"), ". ");
+    line.append(tr("How it is proved, and a second program for it: page “Certificates”."));
+    return line;
+  }
   function tableWith(body, count) {
     const table = html("table", "carts-table carts-proof-told");
     const head = html("tr");

@@ -18,6 +18,7 @@ const PACKAGES = ["newtons-carts-proof"];
 
 export class Proof {
   #turn = 0;
+  #of = ""; // the request that was proved, or is being
   /** @type {Band | null} */
   #band = null;
   #owner = {}; // of its own: a proof is no newer run
@@ -41,7 +42,7 @@ export class Proof {
     this.table.hidden = true;
     this.count = html("th", "");
     this.count.setAttribute("scope", "col");
-    this.table.append(tableWith(this.body, this.count));
+    this.table.append(tableWith(this.body, this.count), elsewhere());
     const box = html("div", "carts-proof");
     box.append(
       html("p", "carts-how-head", tr("How many of these digits are sure?")),
@@ -52,13 +53,19 @@ export class Proof {
     place.append(box);
   }
 
-  /** Another run is there: what was proved is no longer of it. */
+  /** Another run is there: what was proved is no longer of it, unless its values are the same. */
   forget() {
+    if (this.#of === this.#asked()) return;
+    this.#of = "";
     this.#turn += 1;
     const was = !this.table.hidden;
     this.table.hidden = true;
     this.#show(null);
     say(this.note, was ? tr("The values have changed: prove them again.") : "");
+  }
+
+  #asked() {
+    return JSON.stringify(this.message({ kind: "certify" }));
   }
 
   /** @param {Band | null} band null: none */
@@ -69,7 +76,9 @@ export class Proof {
   }
 
   async #prove() {
+    this.#of = "";
     this.forget();
+    this.#of = this.#asked();
     const turn = this.#turn;
     say(this.note, tr("Computed once more, with bounds that are rounded outwards …"));
     try {
@@ -108,6 +117,18 @@ export class Proof {
     this.body.replaceChildren(...rows(certificate));
     this.#show(band);
   }
+}
+
+/** How somebody else comes to the same bounds. */
+function elsewhere() {
+  const line = html(
+    "p",
+    "carts-quiet",
+    tr("To check it elsewhere: save the scene block (“Take it along”) as scene.yml, then"),
+  );
+  line.append(" ", html("code", "", "carts run scene.yml --certify --json"), ". ");
+  line.append(tr("How it is proved, and a second program for it: page “Certificates”."));
+  return line;
 }
 
 /** @param {Element} body @param {Element} count the last head: what the digits are counted for */

@@ -32,6 +32,7 @@ function named(kind, bodies) {
   if (kind === "contact") return tr("{one} and {other} touch", { one, other });
   if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });
   if (kind === "separate") return tr("{one} and {other} part", { one, other });
+  if (kind === "release") return tr("{one} and {other} are released", { one, other });
   if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
   if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
   if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
