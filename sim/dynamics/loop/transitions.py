@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import contacts, impacts, release
+from sim.dynamics.loop.first_struck import fastest_of
 from sim.dynamics.motion.guards import branch_of, push_now
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
@@ -114,10 +115,11 @@ def _nearest(gap: Gap, now: Time, record: Record) -> int:
     return 1
 
 
-def struck(motion: Motion, chain: Chain, ledger: Ledger) -> list[Gap]:
+def struck(motion: Motion, chain: Chain, ledger: Ledger, now: Time) -> list[list[Gap]]:
     """Linked pairs that touch at the end of the motion by a law without a duration.
 
-    Those that turn round where they touch do so here, and are not struck.
+    Those that turn round where they touch do so here, and are not struck. Of several that close the
+    fastest are (`first_struck`); the others touch still when the row has formed anew.
     """
     touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
     found = []
@@ -128,7 +130,7 @@ def struck(motion: Motion, chain: Chain, ledger: Ledger) -> list[Gap]:
             impacts.graze(chain, gap, ledger)
         else:
             found.append(gap)
-    return found
+    return fastest_of(found, now) if len(found) > 1 else [[gap] for gap in found]
 
 
 def _halt(motion: Motion, k: int) -> None:

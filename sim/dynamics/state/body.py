@@ -188,6 +188,7 @@ class Gap:
     contact: Contact
     law: ContactLaw | None
     time: Time = ZERO
+    due: Time = NEVER  # when its next event is foreseen
     memory: float = 0.0  # m, of the bumper
     turn: int = 0  # counts predictions: an older one in the calendar is void
     touching: Touching | None = None
