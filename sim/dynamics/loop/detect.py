@@ -192,13 +192,15 @@ def _together(
     left, right = gap.left.motion, gap.right.motion
     if not isinstance(left, Flight) or not isinstance(right, Flight):
         return step
-    stretch = horizon
-    while stretch > step:
+    while step < horizon:
+        stretch = min(8.0 * step, horizon)
         low_left, high_left = left.accelerations(moment, stretch)
         low_right, high_right = right.accelerations(moment, stretch)
         bound = max(abs(high_right - low_left), abs(low_right - high_left))
-        step = max(step, min(stretch, safe_step(here, rate, bound)))
-        stretch /= 8.0
+        safe = safe_step(here, rate, bound)
+        if safe < stretch:  # a longer stretch has a greater bound
+            return max(step, safe)
+        step = stretch
     return step
 
 

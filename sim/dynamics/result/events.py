@@ -16,8 +16,8 @@ class Event:
     [N s], at least 0, is what took one to the other: −impulse on the left body, +impulse on the
     right one. It is nought at a contact of finite duration, partial at the greatest force, whole
     at separation. Of impacts side by side at one instant (`first_struck`) `before` and `after` are
-    those around all of them. `force` [N] is that on the right body at the event; None where the contact has
-    no duration, so that no force can be named.
+    those around all of them. `force` [N] is that on the right body at the event; None where the
+    contact has no duration, so that no force can be named.
     """
 
     t: float
