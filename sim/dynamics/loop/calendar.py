@@ -10,7 +10,7 @@ import heapq
 import math
 
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.clock import NEVER, Time, later
+from sim.dynamics.state.clock import UNSEEN, Time, later
 
 
 class Calendar:
@@ -34,7 +34,12 @@ class Calendar:
             key = gap.index if gap.solver is None else gap.index + self.moved
             heapq.heappush(self.entries, (hi, lo, key, gap.turn))
         else:
-            gap.due = NEVER
+            gap.due = UNSEEN
+
+    def parted(self, gap: Gap) -> None:
+        """The two fly apart: nothing is foreseen."""
+        gap.turn += 1
+        gap.due = UNSEEN
 
     def body(self, body: Body, now: Time, dt: float) -> None:
         """The body's own motion ends in dt s."""

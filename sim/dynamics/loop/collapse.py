@@ -184,9 +184,12 @@ def run_of(chain: Chain, block: list[Gap], now: Time, instant: float, hits: Hits
 
     `block`: those in which it comes. From left to right. They touch without a duration.
     """
-    if any(gap.law is not None or gap.contact.joins for gap in block):
-        return []
-    if all(gap.flips + 1 < UNDECIDED for gap in block):
+    often = False
+    for gap in block:
+        if gap.law is not None or gap.contact.joins:
+            return []
+        often = often or gap.flips + 1 >= UNDECIDED
+    if not often:
         return []
     for gap in block:
         hits.note(gap, now, instant)

@@ -8,6 +8,7 @@ zero of the room is found by steps that cannot jump over it (`safe_step`).
 from __future__ import annotations
 
 import math
+from functools import partial
 
 from sim.dynamics.loop import parabolas, recontact
 from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
@@ -46,7 +47,8 @@ def next_touch(gap: Gap, own_separation: bool = False) -> float:
         if room <= 0.0 and law is not None and not law.recontacts and _is_last_bit(gap):
             return math.inf
         return max(0.0, room / -gap.rate)
-    if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
+    parted = own_separation or gap.spent
+    if gap.room < 0.0 and law is not None and law.recontacts and not parted:
         return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
 
@@ -70,7 +72,7 @@ def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False
     horizon = min(motion.time_left(now) for motion in (left, right) if motion is not None)
     horizon = min(horizon, elapsed(now, end))
     gap.clear_at = None
-    if gap.room < 0.0 and gap.law is not None and gap.law.recontacts:
+    if gap.room < 0.0 and gap.law is not None and (gap.law.recontacts or gap.spent):
         return _pushed_again(gap, gap.law, now, horizon, own_separation)
     rest = resting(gap)
     both = parabolas.is_parabola(gap.left) and parabolas.is_parabola(gap.right)
@@ -133,14 +135,17 @@ def _swing(body: Body) -> float:
 
 
 def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:
-    """A bumper that has not cleared: pressed again at its resting overlap, unless it clears first.
-
-    Once it has cleared it touches at no overlap, as a new one does.
-    """
+    """A bumper that has not cleared is pressed again at its resting overlap, or clears first."""
     again = _touch_from(gap, now, gap.room, rest, horizon)
-    if again == 0.0:
-        return 0.0
-    clear = _first_fall(gap, now, 0.0, min(again, horizon), 0.0, -1.0)
+    return again if again == 0.0 else _unless_it_clears(gap, now, 0.0, again, horizon)
+
+
+def _unless_it_clears(gap: Gap, now: Time, t: float, again: float, horizon: float) -> float:
+    """The touch at `again`, or, where it clears between t and that, the next at no overlap.
+
+    For once it has cleared it touches as a new one does.
+    """
+    clear = _first_fall(gap, now, t, min(again, horizon), 0.0, -1.0)
     if clear is None:
         return again
     gap.clear_at = later(now, clear)
@@ -207,15 +212,19 @@ def _together(
 def _pushed_again(
     gap: Gap, law: ContactLaw, now: Time, horizon: float, own_separation: bool
 ) -> float:
-    """A push-only pair that still overlaps, until it clears."""
-    if own_separation is False and recontact.pushes(law, gap.mu, gap.room, gap.rate):
+    """A pair that still overlaps, until it clears: by a law that may push again, or let go."""
+    rest = law.resting_overlap(gap.memory)
+    pushing = recontact.is_pressed if gap.spent else partial(recontact.pushes, law, gap.mu)
+    if own_separation is False and pushing(gap.room + rest, gap.rate):
         return 0.0
 
     def place(t: float) -> tuple[float, float]:
-        return room_at(gap, now, t), rate_at(gap, now, t)
+        return room_at(gap, now, t) + rest, rate_at(gap, now, t)
 
-    t, cleared = recontact.scan(law, gap.mu, place, horizon)
+    swing = math.sqrt(gap.mu / law.stiffness)
+    t, cleared = recontact.scan(pushing, swing, place, horizon)
     if not cleared:
         return t
-    found = _first_fall(gap, now, t, horizon, 0.0, +1.0)
-    return math.inf if found is None else found
+    found = _first_fall(gap, now, t, horizon, rest, +1.0)
+    again = math.inf if found is None else found
+    return again if rest == 0.0 else _unless_it_clears(gap, now, t, again, horizon)

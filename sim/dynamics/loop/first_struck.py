@@ -17,6 +17,19 @@ AS_FAST = 1e-12
 """Relative. Closing speeds that differ by rounding are equal."""
 
 
+def is_alone(chain: Chain, gap: Gap, now: Time) -> bool:
+    """Does nobody else touch the two of a gap at this instant, by a law without a duration?
+
+    The gaps beside it are up to date.
+    """
+    for near in chain.neighbours(gap):
+        if near is None or (near.room > 0.0 and near.due[0] > now[0] + AT_ONCE * now[0]):
+            continue  # as nearly always
+        if touches(near, now):
+            return False
+    return True
+
+
 def first_struck(chain: Chain, gap: Gap, now: Time) -> list[list[Gap]]:
     """Gaps that are struck first where this one is due: neighbours together, from left to right."""
     row = [gap]
@@ -24,8 +37,6 @@ def first_struck(chain: Chain, gap: Gap, now: Time) -> list[list[Gap]]:
         row.insert(0, before)
     while (after := chain.neighbours(row[-1])[1]) is not None and touches(after, now):
         row.append(after)
-    if len(row) == 1:
-        return [row]
     return fastest_of([one for one in row if one is gap or _is_due(one, now)], now) or [[gap]]
 
 
@@ -51,7 +62,7 @@ def touches(gap: Gap, now: Time) -> bool:
     if gap.solver is not None:  # at rest, pressed together
         return gap.touching is not None
     if gap.room > 0.0:
-        return _is_due(gap, now)
+        return abs(elapsed(gap.due, now)) <= AT_ONCE * now[0]
     return gap.room + moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now) <= 0.0
 
 

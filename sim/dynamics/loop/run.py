@@ -149,7 +149,9 @@ def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress
     while entries and entries[0][0] <= last:
         hi, lo, key, turn = heapq.heappop(entries)
         now = (hi, lo)
-        gap = gaps[key % moved] if 0 <= key < outside else None
+        gap = None
+        if 0 <= key < outside:
+            gap = gaps[key if key < moved else key - moved]
         void = gap is not None and gap.turn != turn
         if void or (key < 0 and bodies[-1 - key].turn != turn):
             continue

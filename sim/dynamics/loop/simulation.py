@@ -8,44 +8,23 @@ have a shorter way.
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 
-from sim.dynamics.loop import collapse, contacts, impacts, release, synchronise, transitions
-from sim.dynamics.loop.calendar import Calendar
-from sim.dynamics.loop.first_struck import first_struck
-from sim.dynamics.loop.predictions import Predictions
+from sim.dynamics.loop import collapse, contacts, impacts, release, transitions
+from sim.dynamics.loop.first_struck import first_struck, is_alone
+from sim.dynamics.loop.forming import Forming
 from sim.dynamics.loop.rooms import no_approach, resting
-from sim.dynamics.loop.select_solver import select_solvers
-from sim.dynamics.loop.strikes import Strikes
 from sim.dynamics.motion.pair_contact import PairContact
-from sim.dynamics.result.ledger import Ledger
-from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.chain import Chain, place, velocity
-from sim.dynamics.state.clock import ZERO, Time, elapsed
-from sim.dynamics.state.loads import Forces
-from sim.scene.model import Scene
+from sim.dynamics.state.chain import place, velocity
+from sim.dynamics.state.clock import ZERO, Time
 
 MISSED = 5e-9
 """Of the longest cart. Touches are found to rounding; with so much room left the search gave up."""
 
 
-class Simulation:
-    """The state of a run in progress, and the handlers of its events."""
-
-    def __init__(self, scene: Scene, record: Record) -> None:
-        self.scene, self.record = scene, record
-        self.forces = Forces(scene) if scene.effects else None
-        self.chain = Chain(scene, self.forces)
-        self.calendar = Calendar(len(self.chain.gaps))
-        self.ledger = Ledger(scene)
-        self.solvers: defaultdict[str, int] = defaultdict(int)
-        self.end: Time = (scene.until, 0.0)
-        self.predictions = Predictions(self.chain, self.calendar, self.end)
-        self.instant = flips.AT_ONE_INSTANT * scene.until
-        self.strikes = Strikes(self.chain, record, self.ledger, self.instant, self.solvers)
-        self.happened = self.steps = 0
+class Simulation(Forming):
+    """The handlers of the events of a run."""
 
     def at_gap(self, gap: Gap, now: Time) -> None:
         """What was predicted for a gap happens."""
@@ -65,11 +44,16 @@ class Simulation:
 
     def begin(self, gap: Gap, now: Time) -> None:
         """Two bodies touch."""
+        free = gap.left.motion is None and gap.right.motion is None
         if gap.law is None:
+            if free and self.forces is None and self.strikes.is_plain(gap):
+                self.predictions.bring_around(gap, now)
+                if is_alone(self.chain, gap, now):
+                    self.strike_alone(gap, now)
+                    return
             self.strike_first(gap, now)
             return
         self.happened += 2
-        free = gap.left.motion is None and gap.right.motion is None
         if self.forces is not None or not free or not gap.law.linear:
             self.join([gap], now)
             return
@@ -91,6 +75,15 @@ class Simulation:
                     other.rate = velocity(other.right, now) - velocity(other.left, now)
                 self.predictions.gap(other, now)
 
+    def strike_alone(self, gap: Gap, now: Time) -> None:
+        """The common case of an impact: two that are free, and nobody else touches them."""
+        self.happened += 1
+        place(gap.left, now)
+        place(gap.right, now)
+        self.strikes.alone(gap, now)
+        self.calendar.parted(gap)
+        self.predictions.around(gap, now)
+
     def strike_first(self, gap: Gap, now: Time) -> None:
         """An impact without duration is due; where several are, the fastest come first."""
         blocks = first_struck(self.chain, gap, now)
@@ -98,9 +91,7 @@ class Simulation:
             self.calendar.gap(gap, now, 0.0)  # it waits for its turn
         for block in blocks:
             self.happened += len(block)
-            if self.forces is None and all(
-                one.left.motion is None and one.right.motion is None for one in block
-            ):
+            if self.forces is None and _are_free(block):
                 self.strike_free(block, now)
             else:
                 self.join(block, now)
@@ -108,7 +99,7 @@ class Simulation:
     def strike_free(self, block: list[Gap], now: Time) -> None:
         """An impact without duration between bodies that are free."""
         run = self.strikes.run_of(block, now)
-        if run and any(body.motion is not None for one in run for body in (one.left, one.right)):
+        if run and not _are_free(run):
             self.join(block, now)
             return
         struck = run or block
@@ -183,10 +174,6 @@ class Simulation:
                     other.touching = None  # it rested; now it opens, or is struck in its turn
         return [body for body in bodies if self.chain.bodies[body.carts[0]] is body]
 
-    def settle(self, bodies: list[Body], now: Time) -> tuple[list[Body], list[Gap]]:
-        """Settle the components of these bodies; the free gaps around them are brought to `now`."""
-        return synchronise.components(self.chain, bodies, now, self.record, self.ledger)
-
     def motion_ends(self, body: Body, now: Time) -> None:
         """A cluster's step or a flight is over, or something happened in it."""
         motion = body.motion
@@ -221,23 +208,7 @@ class Simulation:
         bodies, gaps = self.settle(list(dict.fromkeys(self.chain.bodies)), now)
         self.form_again(bodies, gaps, now)
 
-    def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
-        """What still belongs together gets new solvers; everything around is predicted anew."""
-        bodies = sorted(bodies, key=lambda body: body.carts)
-        ready = elapsed(now, self.end) > 0.0
-        held = [body.held for body in bodies]
-        for body in bodies:
-            self.calendar.void(body)
-        for solver in select_solvers(bodies, gaps, now, self.end, self.forces, self.record):
-            self.solvers[solver.name] += 1
-            if solver.tier > 1:
-                self.steps += 1
-            if ready and solver.members:
-                self.calendar.gap(solver.members[0], now, solver.duration)
-            elif ready:
-                self.calendar.body(solver.bodies[0], now, solver.duration)
-        for body, before in zip(bodies, held, strict=True):
-            if body.held != before and now != ZERO:
-                self.record.moment("stop" if body.held else "start", body, now)
-                self.happened += 1
-        self.predictions.members(bodies, gaps, now)
+
+def _are_free(gaps: list[Gap]) -> bool:
+    """Do all bodies of these gaps fly freely?"""
+    return all(gap.left.motion is None and gap.right.motion is None for gap in gaps)

@@ -55,13 +55,26 @@ class Strikes:
         """The gaps of all bodies that this impact leaves with one velocity; often none."""
         return collapse.run_of(self.chain, block, now, self.instant, self.hits)
 
+    def is_plain(self, gap: Gap) -> bool:
+        """Do the two part, and has this gap not been hit again and again at one instant?"""
+        return not gap.contact.joins and gap.flips + 1 < flips.UNDECIDED
+
+    def alone(self, gap: Gap, now: Time) -> None:
+        """A plain impact of two that are free, or settled."""
+        self.counts[gap.contact.law] += 1
+        self.fastest = max(self.fastest, -gap.rate)
+        flips.note(gap, now, self.instant)
+        impacts.instant(gap, now, self.record, self.ledger, self.fastest)
+
     def at_once(self, block: list[Gap], now: Time, stay: Collection[Gap] = ()) -> None:
         """The impact in a block of bodies that are free, or settled; those of `stay` go on so."""
         for gap in block:
             self.counts[gap.contact.law] += 1
-            gap.rate = min(gap.rate, 0.0)
+            if gap.rate > 0.0:
+                gap.rate = 0.0  # no impact pulls
+            elif not gap.contact.joins:
+                self.fastest = max(self.fastest, -gap.rate)
             if not gap.contact.joins:
-                self.see(gap)
                 flips.note(gap, now, self.instant)
         gap = block[0]
         if len(block) > 1:

@@ -53,7 +53,9 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
         return release.fall_off(gap, now, record)
     if cause == "nearest":
         return _nearest(gap, now, record)
-    if cause == "clear":
+    if cause == "clear" and gap.spent:
+        _forgets_its_release(gap)
+    elif cause == "clear":
         gap.room = gap.memory = 0.0
     elif gap.touching is None:
         pass  # it came apart at the same instant
@@ -67,6 +69,14 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
     else:
         return _apart(gap, now, record, ledger)
     return 0
+
+
+def _forgets_its_release(gap: Gap) -> None:
+    """Its bumpers no longer overlap by more than they would at rest."""
+    assert gap.law is not None
+    gap.spent, gap.room = False, -gap.law.resting_overlap(gap.memory)
+    if gap.room == 0.0:
+        gap.memory = 0.0
 
 
 TURNS = 1e-13
@@ -147,4 +157,4 @@ def _halt(motion: Motion, k: int) -> None:
 
 def is_push(gap: Gap) -> bool:
     """Does the gap touch because an overlap that is left begins to push again?"""
-    return gap.room < 0.0 and gap.law is not None and gap.law.recontacts
+    return gap.room < 0.0 and gap.law is not None and (gap.law.recontacts or gap.spent)
