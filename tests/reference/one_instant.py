@@ -109,11 +109,25 @@ def hold_on(row: Row) -> bool:
             continue
         ways = zip(sides, (1, -1), strict=True)
         starts = [one is not None and _starts(row, one) * way > 0 for one, way in ways]
-        if any(starts):
+        into = [_acceleration(row, one) * way for one, way in zip(sides, (1, -1), strict=True)]
+        if any(starts) and sum(into) > 0:  # the other does not start away from it, and faster
             row.join(k)
             hold_on(row)
             return True
     return False
+
+
+def _acceleration(row: Row, group: Group | None) -> float:
+    """m/s² with which a group at rest begins to move by itself."""
+    if group is None or group.fixed:
+        return 0.0
+    kinetic, static = row.grips(group)
+    force = row.forces(row.x, row.v)[0]
+    total = sum(force[i] for i in group.carts)
+    if static and abs(total) <= static:
+        return 0.0
+    rubs = kinetic if total > 0 else -kinetic
+    return (total - rubs) / sum(row.m[i] for i in group.carts)
 
 
 def _starts(row: Row, group: Group) -> int:

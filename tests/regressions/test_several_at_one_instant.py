@@ -138,3 +138,21 @@ def test_velcro_at_rest_starts_when_static_friction_of_both_is_overcome() -> Non
     done, other = run(scene), integrate(scene)
     assert done.x[1:] == (0.3, 0.5)
     assert list(map(float, other.x)) == pytest.approx(list(done.x), abs=1e-10)
+
+
+def test_velcro_does_not_hold_what_starts_more_slowly_than_its_neighbour_leaves() -> None:
+    """Downhill to the left: C slides freely, D behind it with friction, so that nothing presses."""
+    carts = {
+        "C": {"mass": 1, "position": 0.6},
+        "D": {"mass": 1, "position": 0.8},
+    }
+    friction = {"friction": {"coefficient": 0.05, "static": 0.075, "carts": ["D"]}}
+    plain = {
+        "carts": carts,
+        "contact": {"law": "velcro"},
+        "effects": [{"incline": {"angle": "-5 deg"}}, friction],
+        "until": 0.5,
+    }
+    own, other = both(plain)
+    assert own[0] < own[1] - 0.2
+    assert other == pytest.approx(own, abs=1e-12)

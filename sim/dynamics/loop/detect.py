@@ -11,7 +11,7 @@ import math
 from functools import partial
 
 from sim.dynamics.loop import parabolas, recontact
-from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
+from sim.dynamics.loop.rooms import SAME_SPEED, clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
@@ -95,7 +95,7 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
     """The first touch from now on, at room = −rest; it may be at once."""
     begin = 0.0
     if room + rest <= 0.0:
-        alike = no_approach(gap, now)
+        alike = no_approach(gap, now) or abs(gap.rate) <= SAME_SPEED * _fastest(gap, now, horizon)
         if gap.rate < 0.0 and not alike:
             return 0.0
         if alike:
@@ -111,8 +111,7 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
 
     inf where its sign is not known up to the horizon.
     """
-    fastest = max(abs(v) for body in (gap.left, gap.right) for v in _speeds(body, now, horizon))
-    noise = KNOWN * (fastest * horizon + _swing(gap.left) + _swing(gap.right))
+    noise = KNOWN * (_fastest(gap, now, horizon) * horizon + _swing(gap.left) + _swing(gap.right))
     opened = 0.0
     for probe in PROBES:
         then = clearance(gap, now, probe * horizon, rest)
@@ -123,6 +122,11 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
         if then > CLEARLY * noise:
             return opened
     return opened or math.inf
+
+
+def _fastest(gap: Gap, now: Time, horizon: float) -> float:
+    """m/s. No faster will either of the two be up to the horizon."""
+    return max(abs(v) for body in (gap.left, gap.right) for v in _speeds(body, now, horizon))
 
 
 def _swing(body: Body) -> float:
@@ -166,9 +170,9 @@ def _first_fall(
     begin = t
     for _ in range(SAFE_STEPS):
         here = sign * clearance(gap, now, t, rest)
-        if here <= 0.0 and t > begin:
-            return t
         rate = sign * rate_at(gap, now, t)
+        if here <= 0.0 and t > begin and rate <= 0.0:  # what grows has fallen by rounding alone
+            return t
         moment = later(now, t)
         bound = sum(
             body.motion.acceleration(body, moment)
