@@ -8,7 +8,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
-from tests.dynamics.given.random_effects import mirrored
+from tests.fuzz.mirror import mirrored
 from tests.fuzz.units import scaled
 
 EFFECTS: dict[str, list[dict[str, Any]]] = {

@@ -27,6 +27,7 @@ WORDS = (
     "many",
     "account",
     "end",
+    "mirror",
     "scale",
 )
 

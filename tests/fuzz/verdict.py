@@ -18,6 +18,7 @@ from typing import Any
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import SceneError, read_scene
+from tests.fuzz.mirror import mirrored
 from tests.fuzz.rows import Plain
 from tests.fuzz.units import scaled
 from tests.reference.contact_branches import UnsupportedError
@@ -31,6 +32,9 @@ ORACLE_BUDGET = 4.0
 
 AGREE = 1e-8
 """Of the greatest speed and way. The integration is good to 1e-10 or so; its signs to 1e-13 m."""
+
+TURNED = 1e-11
+"""The same, of a run and that of the mirrored scene."""
 
 ROUGH = 1e-6
 """The same. Up to here it may be the integration: it is done once more, with finer steps."""
@@ -72,7 +76,7 @@ def budget(seconds: float) -> Iterator[None]:
 class Verdict:
     """One word, and what is behind it.
 
-    right · unknown (no oracle) · refused · no scene · crash · slow · many · account · end
+    right · unknown (no oracle) · refused · no scene · crash · slow · many · account · end · mirror
     scale: in other units, powers of 2, it is not the same run to the last bit
     """
 
@@ -107,7 +111,12 @@ def judge(plain: Plain, *, oracle: bool = True, seconds: float = BUDGET) -> Verd
 
 
 def compared(plain: Plain, done: Any) -> Verdict:
-    """The end state beside the oracle's; in the units of a tabletop, where the scene has others."""
+    """The end state beside that in a mirror and the oracle's.
+
+    In the units of a tabletop, where the scene has others.
+    """
+    if (turned := in_a_mirror(plain, done)) is not None:
+        return turned
     units = units_of(plain)
     if units != (1.0, 1.0, 1.0):
         m, length, s = units
@@ -141,6 +150,21 @@ def compared(plain: Plain, done: Any) -> Verdict:
         if (off := distance(done, expected.x, expected.v)) <= AGREE:
             return Verdict("right", f"{off:.1e}, finely")
     return Verdict("end", f"off by {off:.1e}: {done.v} for {tuple(map(float, expected.v))}")
+
+
+def in_a_mirror(plain: Plain, done: Any) -> Verdict | None:
+    """Does the scene with left and right exchanged end otherwise?"""
+    try:
+        with budget(BUDGET):
+            other = run(read_scene(mirrored(plain)))
+    except TooSlowError:
+        return None
+    length = float(plain["track"]["length"])
+    x, v = [length - x for x in reversed(other.x)], [-v for v in reversed(other.v)]
+    off = distance(done, x, v)
+    if off <= TURNED or off <= 100.0 * conditioning(plain, done):
+        return None
+    return Verdict("mirror", f"off by {off:.1e}: {done.v} for {tuple(v)}")
 
 
 def units_of(plain: Plain) -> tuple[float, float, float]:

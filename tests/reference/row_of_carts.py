@@ -74,6 +74,11 @@ class Row:
     def group(self, cart: int) -> Group | None:
         return next((g for g in self.groups if cart in g.carts), None)
 
+    def body(self, cart: int) -> list[int]:
+        """The carts that move with this one; none with a wall."""
+        group = self.group(cart)
+        return group.carts if group else []
+
     def inverse_mass(self, cart: int) -> float:
         """1/kg, of the group of a cart; nought for walls and what sticks to them."""
         group = self.group(cart)
@@ -220,8 +225,8 @@ class Row:
     def part(self, k: int, impulse: float) -> None:
         """An impulse [N s] on both sides of gap k, outwards."""
         for sign, i in ((-1, k - 1), (1, k)):
-            group, inverse = self.group(i), self.inverse_mass(i)
-            for cart in group.carts if group else ():
+            inverse = self.inverse_mass(i)
+            for cart in self.body(i):
                 self.v[cart] += sign * impulse * inverse
 
     def release(self, k: int, energy: float) -> None:

@@ -90,6 +90,8 @@ ENDLESS: dict[str, tuple[dict[str, Any], int]] = {
     "two spheres that touch at rest": (HERTZ_IN_TOUCH, 10),
     "a push runs through a row of dead bumpers": (PUSH_THROUGH_DEAD_ROW, 100_000),
     "three that touch are hit in turn": (COLLAPSE, 20),
+    "a spring draws a cart from the dead bumper of a wall": (scene_of("scales", 60003), 500),
+    "so slowly at first that only rounding tells": (scene_of("touching springs", 21011), 50),
 }
 
 

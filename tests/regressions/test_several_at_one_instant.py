@@ -28,12 +28,56 @@ def both(plain: dict[str, Any]) -> tuple[list[float], list[float]]:
     return list(done.v), list(map(float, integrate(scene).v))
 
 
-def test_of_impacts_at_one_instant_the_leftmost_comes_first() -> None:
-    """A-B: -0.195, -0.105; B-C: -0.68675, -0.41825; A-B and B-C once more."""
+def test_of_impacts_at_one_instant_the_fastest_comes_first() -> None:
+    """B-C: -0.755, -0.545; A-B: -0.49075, -0.26425; B-C once more."""
     contact = {"law": "instant", "restitution": 0.3}
     own, other = both(row({"A": 0.0, "B": -0.3, "C": -1.0}, contact=contact))
-    assert own == pytest.approx([-0.5146375, -0.400351875, -0.385010625], abs=1e-15)
+    assert own == pytest.approx([-0.49075, -0.4467375, -0.3625125], abs=1e-15)
     assert other == pytest.approx(own, abs=1e-12)
+
+
+def test_impacts_at_one_instant_that_are_as_fast_come_at_once() -> None:
+    """Neither side of the middle cart is first: a row that is its own mirror image stays so."""
+    contact = {"law": "instant", "restitution": 0.3}
+    own, other = both(row({"A": 1.0, "B": 0.0, "C": -1.0}, contact=contact))
+    assert own == pytest.approx([-0.3, 0.0, 0.3], abs=1e-15)
+    assert other == pytest.approx(own, abs=1e-12)
+
+
+def test_impacts_as_fast_end_in_one_velocity_where_either_order_would_go_on_for_ever() -> None:
+    """So does the row that differs a little, whichever of the two comes first then."""
+    contact = {"law": "instant", "restitution": 0.05}
+    for speed in (1.0, 0.999, 1.001):
+        own, other = both(row({"A": speed, "B": 0.0, "C": -1.0}, contact=contact))
+        assert own == pytest.approx([(speed - 1) / 3] * 3, abs=1e-15)
+        assert other == pytest.approx(own, abs=1e-12)
+
+
+def test_velcro_holds_on_both_sides_at_once() -> None:
+    own, other = both(row({"A": 1.0, "B": 0.2, "C": -0.6}, contact={"law": "velcro"}))
+    assert own == pytest.approx([0.2, 0.2, 0.2], abs=1e-15)
+    assert other == pytest.approx(own, abs=1e-12)
+
+
+@pytest.mark.parametrize("e", [0, 0.1, 0.5, 1])
+@pytest.mark.parametrize(
+    "velocities",
+    [
+        {"A": 1.0, "B": 0.4, "C": 0.1, "D": -0.9},
+        {"A": 0.7, "B": 0.0, "C": 0.0, "D": -0.7},
+        {"A": 0.0, "B": 0.5, "C": -0.5, "D": -0.5},
+    ],
+)
+def test_a_touching_row_ends_in_a_mirror_as_its_mirror_image(
+    velocities: dict[str, float], e: float
+) -> None:
+    contact = {"law": "instant", "restitution": e}
+    turned = {
+        name: -v for name, v in zip(velocities, reversed(list(velocities.values())), strict=True)
+    }
+    one, _ = both(row(velocities, contact=contact))
+    two, _ = both(row(turned, contact=contact))
+    assert [-v for v in reversed(two)] == pytest.approx(one, abs=1e-15)
 
 
 def test_impacts_that_never_end_at_one_instant_end_in_one_velocity() -> None:
@@ -94,3 +138,21 @@ def test_velcro_at_rest_starts_when_static_friction_of_both_is_overcome() -> Non
     done, other = run(scene), integrate(scene)
     assert done.x[1:] == (0.3, 0.5)
     assert list(map(float, other.x)) == pytest.approx(list(done.x), abs=1e-10)
+
+
+def test_velcro_does_not_hold_what_starts_more_slowly_than_its_neighbour_leaves() -> None:
+    """Downhill to the left: C slides freely, D behind it with friction, so that nothing presses."""
+    carts = {
+        "C": {"mass": 1, "position": 0.6},
+        "D": {"mass": 1, "position": 0.8},
+    }
+    friction = {"friction": {"coefficient": 0.05, "static": 0.075, "carts": ["D"]}}
+    plain = {
+        "carts": carts,
+        "contact": {"law": "velcro"},
+        "effects": [{"incline": {"angle": "-5 deg"}}, friction],
+        "until": 0.5,
+    }
+    own, other = both(plain)
+    assert own[0] < own[1] - 0.2
+    assert other == pytest.approx(own, abs=1e-12)

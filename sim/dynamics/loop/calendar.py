@@ -10,27 +10,36 @@ import heapq
 import math
 
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.clock import Time, later
+from sim.dynamics.state.clock import UNSEEN, Time, later
 
 
 class Calendar:
     """Entries are (hi, lo, key, turn), the time being hi + lo.
 
-    key: −1 − k for a body whose first cart is k; a gap's index; from `outside` on, what comes from
-    outside.
+    key: −1 − k for a body whose first cart is k; a gap's index, of a touch; from `moved` on that of
+    a gap whose motion ends, so that at one instant all touches come before; from `outside` on, what
+    comes from outside.
     """
 
     def __init__(self, gaps: int) -> None:
         self.entries: list[tuple[float, float, int, int]] = []
         self._turns = 0
-        self.outside = gaps
+        self.moved, self.outside = gaps, 2 * gaps
 
     def gap(self, gap: Gap, now: Time, dt: float) -> None:
         """The gap's next event is in dt s; inf: there is none in sight."""
         gap.turn += 1
         if dt != math.inf and not gap.joined:
-            hi, lo = later(now, dt)
-            heapq.heappush(self.entries, (hi, lo, gap.index, gap.turn))
+            gap.due = hi, lo = later(now, dt)
+            key = gap.index if gap.solver is None else gap.index + self.moved
+            heapq.heappush(self.entries, (hi, lo, key, gap.turn))
+        else:
+            gap.due = UNSEEN
+
+    def parted(self, gap: Gap) -> None:
+        """The two fly apart: nothing is foreseen."""
+        gap.turn += 1
+        gap.due = UNSEEN
 
     def body(self, body: Body, now: Time, dt: float) -> None:
         """The body's own motion ends in dt s."""

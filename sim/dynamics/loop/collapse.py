@@ -7,16 +7,7 @@ geometric series is the time of collapse; after it they go on together, and room
 speeds are nought. (McNamara & Young, Phys. Fluids A 4 (1992) 496; three equal bodies: e < 7 − 4
 sqrt 3.)
 
-Of three that touch and are hit in turn in gaps a and b the limit is known at once. With u the
-approach in a, x u the speed at which b opens, y = alpha − x, and alpha, beta what an impact in the
-one gap takes from the other's rate per approach speed, one round makes
-
-    u → (beta y − e_a) u ,     y → alpha − e_b y/(beta y − e_a)
-
-a Möbius map. They hit infinitely often if and only if it has fixed points and y is above the lower,
-repelling one; then they end at their common velocity whatever is between. Equal masses and e:
-(1 + e)² >= 16 e, McNamara and Young's limit. Rounds of rounds (four that touch, five …) take a
-fifteenth of the impacts so.
+Of three that touch and are hit in turn in two gaps the limit is known at once (`hit_in_turn`).
 
 Of more bodies, and of three that other things act on, rounds are linear maps of the relative
 speeds: whatever they begin with, the greatest eigenvalue q of one round remains. Where the same
@@ -35,6 +26,8 @@ import math
 from collections import defaultdict
 from dataclasses import dataclass, field
 
+from sim.dynamics.loop.first_struck import touches
+from sim.dynamics.motion.hit_in_turn import at_once_for_ever, for_ever
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain, velocity
@@ -70,6 +63,7 @@ class Hits:
     time: Time = NEVER
     gaps: list[int] = field(default_factory=list)
     speeds: list[float] = field(default_factory=list)
+    looked: int = 0  # of them, when rounds were looked for
     blows: defaultdict[int, int] = field(default_factory=lambda: defaultdict(int))
     """In the whole run, by gap."""
 
@@ -82,17 +76,23 @@ class Hits:
     def note(self, gap: Gap, now: Time, instant: float) -> None:
         """Another one; those of an earlier instant are forgotten."""
         if elapsed(self.time, now) > instant:
-            self.gaps.clear()
-            self.speeds.clear()
+            self.forget()
         self.time = now
         self.gaps.append(gap.index)
         self.speeds.append(-gap.rate)
 
+    def forget(self) -> None:
+        """What comes next is no round of these."""
+        self.gaps.clear()
+        self.speeds.clear()
+        self.looked = 0
+
     def rounds(self) -> tuple[int, int] | None:
         """First and last gap of those that are hit in rounds for ever; None where none are."""
         count = len(self.gaps)
-        if count % SELDOM:
+        if count < self.looked + SELDOM:
             return None
+        self.looked = count
         for p in range(2, min(LONGEST_ROUND, count // ROUNDS) + 1):
             last = self.gaps[-p:]
             if all(self.gaps[count - (k + 1) * p : count - k * p] == last for k in range(ROUNDS)):
@@ -112,28 +112,26 @@ class Hits:
         return q < 1.0 - SAME_RATIO and all(abs(one - q) <= SAME_RATIO * q for one in ratios)
 
 
-CLEARLY = 1.0 + 1e-6
-"""Above the repelling fixed point by so much: near it the number of rounds is rounding's choice."""
-
-
 def third(chain: Chain, gap: Gap, now: Time, instant: float) -> Gap | None:
-    """The gap beside this one with which it is hit in turn, infinitely often from now on."""
+    """The gap beside this one with which it is hit in turn, infinitely often from now on.
+
+    None where what is beside the two may be hit in between.
+    """
     for other in chain.neighbours(gap):
         if other is None or not _is_hit_in_turn(other, now, instant):
+            continue
+        if not _are_alone(chain, gap, other, now):
             continue
         middle = gap.right if other.left is gap.right else gap.left
         if middle.mass == math.inf or gap.rate >= 0.0:
             continue
-        here, there = gap.contact.restitution or 0.0, other.contact.restitution or 0.0
-        alpha = gap.mu / middle.mass * (1.0 + here)
-        beta = other.mu / middle.mass * (1.0 + there)
-        half = 0.5 * (here + alpha * beta - there)
-        root = half * half - alpha * beta * here
-        if root <= 0.0 or half <= 0.0:
-            continue
-        repelling = (half - math.sqrt(root)) / beta
-        y = alpha - _rate(other, now) / -gap.rate
-        if y > CLEARLY * repelling and beta * y > CLEARLY * here:
+        outer = gap.left if gap.right is middle else gap.right
+        beyond = other.left if other.right is middle else other.right
+        if for_ever(
+            [1.0 / body.mass for body in (outer, middle, beyond)],
+            [-gap.rate, -_rate(other, now)],
+            [one.contact.restitution or 0.0 for one in (gap, other)],
+        ):
             return other
     return None
 
@@ -142,6 +140,23 @@ def _is_hit_in_turn(other: Gap, now: Time, instant: float) -> bool:
     alike = other.law is None and not other.contact.joins and not other.joined
     touches = other.solver is None and abs(elapsed(other.changed, now)) <= instant
     return alike and touches and _rate(other, now) >= 0.0
+
+
+def either_first(chain: Chain, block: list[Gap], now: Time) -> bool:
+    """Would two that close equally fast be hit in turn for ever, whichever came first?"""
+    if len(block) != 2 or any(gap.contact.joins for gap in block):
+        return False
+    return _are_alone(chain, block[0], block[1], now) and at_once_for_ever(
+        [1.0 / body.mass for body in (block[0].left, block[0].right, block[1].right)],
+        [-gap.rate for gap in block],
+        [gap.contact.restitution or 0.0 for gap in block],
+    )
+
+
+def _are_alone(chain: Chain, gap: Gap, other: Gap, now: Time) -> bool:
+    """Does no gap beside these two touch at this instant by a law without a duration?"""
+    beside = {*chain.neighbours(gap), *chain.neighbours(other)} - {gap, other, None}
+    return not any(near is not None and touches(near, now) for near in beside)
 
 
 def _rate(gap: Gap, now: Time) -> float:
@@ -164,25 +179,36 @@ def _scale(gap: Gap) -> float:
     return max(abs(gap.left.v), abs(gap.right.v))
 
 
-def run_of(chain: Chain, gap: Gap, now: Time, instant: float, hits: Hits) -> list[Gap]:
-    """The gaps of all bodies that the coming impact in `gap` leaves with one velocity; often none.
+def run_of(chain: Chain, block: list[Gap], now: Time, instant: float, hits: Hits) -> list[Gap]:
+    """The gaps of all bodies that the coming impact leaves with one velocity; often none.
 
-    From left to right. They touch without a duration.
+    `block`: those in which it comes. From left to right. They touch without a duration.
     """
-    if gap.law is not None or gap.contact.joins or gap.flips + 1 < UNDECIDED:
+    often = False
+    for gap in block:
+        if gap.law is not None or gap.contact.joins:
+            return []
+        often = often or gap.flips + 1 >= UNDECIDED
+    if not often:
         return []
-    hits.note(gap, now, instant)
+    for gap in block:
+        hits.note(gap, now, instant)
     if (found := hits.rounds()) is not None:
         inside = [one for one in chain.gaps[found[0] : found[1] + 1] if one is not None]
         alike = all((one.law is None and not one.contact.joins) or one.joined for one in inside)
         if alike and any((one.contact.restitution or 0.0) < 1.0 for one in inside):
-            hits.gaps.clear()
-            hits.speeds.clear()
+            hits.forget()
             return [one for one in inside if not one.joined]
-    other = third(chain, gap, now, instant)
-    if other is None and not is_over(chain, gap, now, instant):
+    other = third(chain, block[0], now, instant) if len(block) == 1 else None
+    if other is None and not all(is_over(chain, gap, now, instant) for gap in block):
         return []
-    run = [gap] if other is None else sorted([gap, other], key=lambda one: one.index)
+    run = block if other is None else sorted([block[0], other], key=lambda one: one.index)
+    return _with_collapsed(chain, run, now, instant)
+
+
+def _with_collapsed(chain: Chain, run: list[Gap], now: Time, instant: float) -> list[Gap]:
+    """With the gaps beside them that were hit at the same instant, and move alike."""
+    run = list(run)
     while _collapsed(before := chain.neighbours(run[0])[0], now, instant):
         assert before is not None
         run.insert(0, before)

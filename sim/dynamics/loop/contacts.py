@@ -32,7 +32,7 @@ def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     """A contact of finite duration begins between two settled bodies; nothing moves it yet."""
     left, right = gap.left, gap.right
     assert gap.law is not None
-    gap.room = min(gap.room, 0.0)
+    gap.room, gap.spent = min(gap.room, 0.0), False
     gap.memory = gap.law.remember(-gap.room, gap.memory)
     reclaim(gap, now, ledger)
     gap.touching, gap.stride = Touching(now, (left.v, right.v)), 0.0

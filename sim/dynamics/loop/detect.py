@@ -8,9 +8,10 @@ zero of the room is found by steps that cannot jump over it (`safe_step`).
 from __future__ import annotations
 
 import math
+from functools import partial
 
 from sim.dynamics.loop import parabolas, recontact
-from sim.dynamics.loop.rooms import clearance, no_approach, rate_at, resting, room_at
+from sim.dynamics.loop.rooms import SAME_SPEED, clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
@@ -46,7 +47,8 @@ def next_touch(gap: Gap, own_separation: bool = False) -> float:
         if room <= 0.0 and law is not None and not law.recontacts and _is_last_bit(gap):
             return math.inf
         return max(0.0, room / -gap.rate)
-    if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
+    parted = own_separation or gap.spent
+    if gap.room < 0.0 and law is not None and law.recontacts and not parted:
         return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
 
@@ -70,7 +72,7 @@ def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False
     horizon = min(motion.time_left(now) for motion in (left, right) if motion is not None)
     horizon = min(horizon, elapsed(now, end))
     gap.clear_at = None
-    if gap.room < 0.0 and gap.law is not None and gap.law.recontacts:
+    if gap.room < 0.0 and gap.law is not None and (gap.law.recontacts or gap.spent):
         return _pushed_again(gap, gap.law, now, horizon, own_separation)
     rest = resting(gap)
     both = parabolas.is_parabola(gap.left) and parabolas.is_parabola(gap.right)
@@ -93,7 +95,7 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
     """The first touch from now on, at room = −rest; it may be at once."""
     begin = 0.0
     if room + rest <= 0.0:
-        alike = no_approach(gap, now)
+        alike = no_approach(gap, now) or abs(gap.rate) <= SAME_SPEED * _fastest(gap, now, horizon)
         if gap.rate < 0.0 and not alike:
             return 0.0
         if alike:
@@ -109,8 +111,7 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
 
     inf where its sign is not known up to the horizon.
     """
-    fastest = max(abs(v) for body in (gap.left, gap.right) for v in _speeds(body, now, horizon))
-    noise = KNOWN * (fastest * horizon + _swing(gap.left) + _swing(gap.right))
+    noise = KNOWN * (_fastest(gap, now, horizon) * horizon + _swing(gap.left) + _swing(gap.right))
     opened = 0.0
     for probe in PROBES:
         then = clearance(gap, now, probe * horizon, rest)
@@ -123,6 +124,11 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     return opened or math.inf
 
 
+def _fastest(gap: Gap, now: Time, horizon: float) -> float:
+    """m/s. No faster will either of the two be up to the horizon."""
+    return max(abs(v) for body in (gap.left, gap.right) for v in _speeds(body, now, horizon))
+
+
 def _swing(body: Body) -> float:
     """m. The lengths whose difference a closed form of a pair tells as the body's way."""
     motion = body.motion
@@ -133,14 +139,17 @@ def _swing(body: Body) -> float:
 
 
 def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:
-    """A bumper that has not cleared: pressed again at its resting overlap, unless it clears first.
-
-    Once it has cleared it touches at no overlap, as a new one does.
-    """
+    """A bumper that has not cleared is pressed again at its resting overlap, or clears first."""
     again = _touch_from(gap, now, gap.room, rest, horizon)
-    if again == 0.0:
-        return 0.0
-    clear = _first_fall(gap, now, 0.0, min(again, horizon), 0.0, -1.0)
+    return again if again == 0.0 else _unless_it_clears(gap, now, 0.0, again, horizon)
+
+
+def _unless_it_clears(gap: Gap, now: Time, t: float, again: float, horizon: float) -> float:
+    """The touch at `again`, or, where it clears between t and that, the next at no overlap.
+
+    For once it has cleared it touches as a new one does.
+    """
+    clear = _first_fall(gap, now, t, min(again, horizon), 0.0, -1.0)
     if clear is None:
         return again
     gap.clear_at = later(now, clear)
@@ -161,9 +170,9 @@ def _first_fall(
     begin = t
     for _ in range(SAFE_STEPS):
         here = sign * clearance(gap, now, t, rest)
-        if here <= 0.0 and t > begin:
-            return t
         rate = sign * rate_at(gap, now, t)
+        if here <= 0.0 and t > begin and rate <= 0.0:  # what grows has fallen by rounding alone
+            return t
         moment = later(now, t)
         bound = sum(
             body.motion.acceleration(body, moment)
@@ -192,28 +201,34 @@ def _together(
     left, right = gap.left.motion, gap.right.motion
     if not isinstance(left, Flight) or not isinstance(right, Flight):
         return step
-    stretch = horizon
-    while stretch > step:
+    while step < horizon:
+        stretch = min(8.0 * step, horizon)
         low_left, high_left = left.accelerations(moment, stretch)
         low_right, high_right = right.accelerations(moment, stretch)
         bound = max(abs(high_right - low_left), abs(low_right - high_left))
-        step = max(step, min(stretch, safe_step(here, rate, bound)))
-        stretch /= 8.0
+        safe = safe_step(here, rate, bound)
+        if safe < stretch:  # a longer stretch has a greater bound
+            return max(step, safe)
+        step = stretch
     return step
 
 
 def _pushed_again(
     gap: Gap, law: ContactLaw, now: Time, horizon: float, own_separation: bool
 ) -> float:
-    """A push-only pair that still overlaps, until it clears."""
-    if own_separation is False and recontact.pushes(law, gap.mu, gap.room, gap.rate):
+    """A pair that still overlaps, until it clears: by a law that may push again, or let go."""
+    rest = law.resting_overlap(gap.memory)
+    pushing = recontact.is_pressed if gap.spent else partial(recontact.pushes, law, gap.mu)
+    if own_separation is False and pushing(gap.room + rest, gap.rate):
         return 0.0
 
     def place(t: float) -> tuple[float, float]:
-        return room_at(gap, now, t), rate_at(gap, now, t)
+        return room_at(gap, now, t) + rest, rate_at(gap, now, t)
 
-    t, cleared = recontact.scan(law, gap.mu, place, horizon)
+    swing = math.sqrt(gap.mu / law.stiffness)
+    t, cleared = recontact.scan(pushing, swing, place, horizon)
     if not cleared:
         return t
-    found = _first_fall(gap, now, t, horizon, 0.0, +1.0)
-    return math.inf if found is None else found
+    found = _first_fall(gap, now, t, horizon, rest, +1.0)
+    again = math.inf if found is None else found
+    return again if rest == 0.0 else _unless_it_clears(gap, now, t, again, horizon)

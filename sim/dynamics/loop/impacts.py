@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Collection
 
-from sim.dynamics.loop.collapse import one_velocity
+from sim.dynamics.loop.collapse import either_first, one_velocity
 from sim.dynamics.loop.pair_laws import common_velocity, outside, velocities_after
+from sim.dynamics.motion.locked import impulses
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap
@@ -77,6 +80,42 @@ def instant(
         for body in (left, right):
             if body.carts:
                 record.piece(body)
+
+
+def side_by_side(
+    chain: Chain, block: list[Gap], stay: Collection[Gap], now: Time, record: Record, ledger: Ledger
+) -> None:
+    """Impacts in neighbouring gaps at once: each is left with its own −e u (`locked.impulses`).
+
+    Two that would go on for ever, whichever came first, end as that does: with one velocity.
+    """
+    bodies = [block[0].left, *(gap.right for gap in block)]
+    before = [body.v for body in bodies]
+    e = [0.0 if gap in stay else gap.contact.restitution or 0.0 for gap in block]
+    if either_first(chain, block, now):
+        e = [0.0, 0.0]
+    found = impulses([1.0 / body.mass for body in bodies], [-gap.rate for gap in block], e)
+    for body, left, right in zip(bodies, [0.0, *found], [*found, 0.0], strict=True):
+        body.v += (left - right) / body.mass
+    for gap, p, one in zip(block, found, e, strict=True):
+        ledger.dissipate(0.5 * p * -gap.rate * (1.0 - one))
+        outside(gap.left, gap.right, p, ledger)
+        gap.room, gap.rate, gap.time = 0.0, -one * gap.rate, now
+    for together, own in itertools.groupby(block, lambda gap: gap.rate == 0.0):
+        if together:
+            side = list(own)
+            one_velocity([side[0].left, *(gap.right for gap in side)], ledger)
+    for k, (gap, p) in enumerate(zip(block, found, strict=True)):
+        after = (gap.left.v, gap.right.v)
+        record.event("contact", gap, now, (before[k], before[k + 1]), after, p, None)
+        if gap in stay:
+            gap.touching = Touching(now, (before[k], before[k + 1]))
+    for gap in block:
+        if gap.contact.joins:
+            merge(chain, gap, now, record)
+    for body in dict.fromkeys(body for gap in block for body in (gap.left, gap.right)):
+        if body.carts:
+            record.piece(body)
 
 
 GRAZE = 3e-8

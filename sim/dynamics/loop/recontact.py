@@ -1,4 +1,4 @@
-"""When a push-only pair that still overlaps pushes again.
+"""When a pair that still overlaps pushes again: a push-only one, or one that a release parted.
 
 Its neighbours' forces change the rate d' in N = k d + c d', so N may rise through zero while d
 falls. N is smooth: it is scanned while the overlap lasts, and the first rise is bisected.
@@ -28,6 +28,11 @@ def pushes(law: ContactLaw, mu: float, room: float, rate: float) -> bool:
     return law.force(mu, -room, -rate) > PUSH_ROUNDING * law.stiffness * -room
 
 
+def is_pressed(room: float, rate: float) -> bool:
+    """Does an overlap that a release parted grow? Until then its bumpers push no more."""
+    return room < 0.0 and rate < 0.0
+
+
 def touches_at_start(gap: Gap) -> bool:
     """Is a contact in progress when the run begins? Push-only ones may not push any more."""
     if gap.room >= 0.0 or gap.law is None:
@@ -36,17 +41,20 @@ def touches_at_start(gap: Gap) -> bool:
 
 
 def scan(
-    law: ContactLaw, mu: float, place: Callable[[float], tuple[float, float]], horizon: float
+    is_pushing: Callable[[float, float], bool],
+    swing: float,
+    place: Callable[[float], tuple[float, float]],
+    horizon: float,
 ) -> tuple[float, bool]:
     """First t at which the pair pushes, and False; or the t at which it has cleared, and True.
 
-    inf where neither happens up to the horizon. `place` gives room and rate at t.
+    inf where neither happens up to the horizon. `place` gives room and rate at t, `is_pushing` says
+    of both whether they push; `swing` [s] is that of the pair over 2 pi.
     """
 
     def pushing(t: float) -> bool:
-        return pushes(law, mu, *place(t))
+        return is_pushing(*place(t))
 
-    swing = math.sqrt(mu / law.stiffness)
     room, rate = place(0.0)
     span = max(swing, 2.0 * -room / rate) if rate > 0.0 else swing
     before, scanned = 0.0, 0

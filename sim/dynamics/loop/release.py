@@ -42,6 +42,7 @@ def set_free(
         if gap.law is not None:
             ledger.dissipate(gap.law.stored(-gap.room, -gap.rate, gap.memory))
             contacts.tell_separation(gap, now, contacts.contact_force(gap), record)
+            gap.spent = gap.room < 0.0
         gap.touching = None
     if release.spring is not None:
         _let_go(gap, release, release.spring.placed(gap.room), now, record)

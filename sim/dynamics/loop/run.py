@@ -144,12 +144,15 @@ def _store(sim: Simulation, *, first: bool) -> None:
 def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress | None) -> Run:
     """Event after event until the end, or until there were too many."""
     entries, gaps, bodies = sim.calendar.entries, sim.chain.gaps, sim.chain.bodies
-    last, count, told = sim.end[0], len(gaps), 0
+    last, moved, outside, told = sim.end[0], sim.calendar.moved, sim.calendar.outside, 0
     most_steps = min(STEPS_PER_EVENT * max_events, max_steps)
     while entries and entries[0][0] <= last:
         hi, lo, key, turn = heapq.heappop(entries)
         now = (hi, lo)
-        void = 0 <= key < count and ((gap := gaps[key]) is None or gap.turn != turn)
+        gap = None
+        if 0 <= key < outside:
+            gap = gaps[key if key < moved else key - moved]
+        void = gap is not None and gap.turn != turn
         if void or (key < 0 and bodies[-1 - key].turn != turn):
             continue
         if sim.happened >= max_events:
@@ -162,8 +165,8 @@ def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress
             progress(hi, sim.happened)
         if key < 0:
             sim.motion_ends(bodies[-1 - key], now)
-        elif key >= count:
-            sim.from_outside(key - count, now)
+        elif key >= outside:
+            sim.from_outside(key - outside, now)
         elif gap is not None:
             sim.at_gap(gap, now)
     return _result(sim, sim.end, stopped=None)

@@ -8,43 +8,23 @@ have a shorter way.
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 
-from sim.dynamics.loop import collapse, contacts, impacts, release, synchronise, transitions
-from sim.dynamics.loop.calendar import Calendar
-from sim.dynamics.loop.predictions import Predictions
+from sim.dynamics.loop import collapse, contacts, impacts, release, transitions
+from sim.dynamics.loop.first_struck import first_struck, is_alone
+from sim.dynamics.loop.forming import Forming
 from sim.dynamics.loop.rooms import no_approach, resting
-from sim.dynamics.loop.select_solver import select_solvers
 from sim.dynamics.motion.pair_contact import PairContact
-from sim.dynamics.result.ledger import Ledger
-from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.chain import Chain, component, place, velocity
-from sim.dynamics.state.clock import ZERO, Time, elapsed
-from sim.dynamics.state.loads import Forces
-from sim.scene.model import Scene
+from sim.dynamics.state.chain import place, velocity
+from sim.dynamics.state.clock import ZERO, Time
 
 MISSED = 5e-9
 """Of the longest cart. Touches are found to rounding; with so much room left the search gave up."""
 
 
-class Simulation:
-    """The state of a run in progress, and the handlers of its events."""
-
-    def __init__(self, scene: Scene, record: Record) -> None:
-        self.scene, self.record = scene, record
-        self.forces = Forces(scene) if scene.effects else None
-        self.chain = Chain(scene, self.forces)
-        self.calendar = Calendar(len(self.chain.gaps))
-        self.ledger = Ledger(scene)
-        self.solvers: defaultdict[str, int] = defaultdict(int)
-        self.end: Time = (scene.until, 0.0)
-        self.predictions = Predictions(self.chain, self.calendar, self.end)
-        self.fastest = 0.0  # m/s, greatest approach so far
-        self.instant = flips.AT_ONE_INSTANT * scene.until
-        self.hits = collapse.Hits()
-        self.happened = self.steps = 0
+class Simulation(Forming):
+    """The handlers of the events of a run."""
 
     def at_gap(self, gap: Gap, now: Time) -> None:
         """What was predicted for a gap happens."""
@@ -64,13 +44,18 @@ class Simulation:
 
     def begin(self, gap: Gap, now: Time) -> None:
         """Two bodies touch."""
-        self.happened += 1 if gap.law is None else 2
         free = gap.left.motion is None and gap.right.motion is None
-        if self.forces is not None or not free or (gap.law is not None and not gap.law.linear):
-            self.join(gap, now)
-            return
         if gap.law is None:
-            self.strike_free(gap, now)
+            if free and self.forces is None and self.strikes.is_plain(gap):
+                self.predictions.bring_around(gap, now)
+                if is_alone(self.chain, gap, now):
+                    self.strike_alone(gap, now)
+                    return
+            self.strike_first(gap, now)
+            return
+        self.happened += 2
+        if self.forces is not None or not free or not gap.law.linear:
+            self.join([gap], now)
             return
         self.predictions.bring_around(gap, now)
         place(gap.left, now)
@@ -90,37 +75,49 @@ class Simulation:
                     other.rate = velocity(other.right, now) - velocity(other.left, now)
                 self.predictions.gap(other, now)
 
-    def strike_free(self, gap: Gap, now: Time) -> None:
-        """An impact without duration between two that are free, or several at once."""
-        run = collapse.run_of(self.chain, gap, now, self.instant, self.hits)
-        if run and any(body.motion is not None for one in run for body in (one.left, one.right)):
-            self.join(gap, now)
+    def strike_alone(self, gap: Gap, now: Time) -> None:
+        """The common case of an impact: two that are free, and nobody else touches them."""
+        self.happened += 1
+        place(gap.left, now)
+        place(gap.right, now)
+        self.strikes.alone(gap, now)
+        self.calendar.parted(gap)
+        self.predictions.around(gap, now)
+
+    def strike_first(self, gap: Gap, now: Time) -> None:
+        """An impact without duration is due; where several are, the fastest come first."""
+        blocks = first_struck(self.chain, gap, now)
+        if all(gap not in block for block in blocks):
+            self.calendar.gap(gap, now, 0.0)  # it waits for its turn
+        for block in blocks:
+            self.happened += len(block)
+            if self.forces is None and _are_free(block):
+                self.strike_free(block, now)
+            else:
+                self.join(block, now)
+
+    def strike_free(self, block: list[Gap], now: Time) -> None:
+        """An impact without duration between bodies that are free."""
+        run = self.strikes.run_of(block, now)
+        if run and not _are_free(run):
+            self.join(block, now)
             return
-        struck = run or (gap,)
+        struck = run or block
         for one in struck:
             self.predictions.bring_around(one, now)
             place(one.left, now)
             place(one.right, now)
-        self.at_once(gap, now, stays=False)
+        self.strikes.at_once(block, now)
         if run:
             collapse.together(run, now, self.ledger)
             for body in dict.fromkeys(b for one in run for b in (one.left, one.right)):
                 if body.carts:
                     self.record.piece(body)
         for one in struck:
+            if one.joined:
+                self.predictions.bring_around(one, now)
             self.predictions.gap(one, now)
             self.predictions.around(one, now)
-
-    def at_once(self, gap: Gap, now: Time, *, stays: bool) -> None:
-        """A contact without duration between two bodies that are free, or settled."""
-        self.solvers[gap.contact.law] += 1
-        if not gap.contact.joins:
-            self.fastest = max(self.fastest, -gap.rate)
-            flips.note(gap, now, self.instant)
-            impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
-            return
-        impacts.join(self.chain, gap, now, self.record, self.ledger)
-        self.predictions.bring_around(gap, now)
 
     def separate(self, gap: Gap, contact: PairContact, now: Time) -> None:
         """The force of a contact that is alone has become zero."""
@@ -130,70 +127,52 @@ class Simulation:
         self.predictions.gap(gap, now, own_separation=True)
         self.predictions.around(gap, now)
 
-    def join(self, gap: Gap, now: Time) -> None:
-        """A touch of bodies that are not both free: everything that moves them forms anew."""
-        rest = resting(gap)
-        if now != ZERO and not transitions.is_push(gap):
-            gap.room = -rest  # rounding of the search left: that is what a touch is
-        motions = (gap.left.motion, gap.right.motion)
+    def join(self, touched: list[Gap], now: Time) -> None:
+        """A touch of bodies that are not all free: everything that moves them forms anew."""
+        pair = [body for gap in touched for body in (gap.left, gap.right)]
+        motions = [body.motion for body in pair]
         in_contact = any(motion is not None and motion.tier > 0 for motion in motions)
-        bodies, gaps = self.settle([gap.left, gap.right], now)
-        if gap.left.mass < math.inf or gap.right.mass < math.inf:
-            gap.rate = gap.right.v - gap.left.v
-            if no_approach(gap, now):
-                gap.rate = 0.0
-        self.fastest = max(self.fastest, -gap.rate)
-        gaps = [*gaps, gap]
+        for gap in touched:
+            if now != ZERO and not transitions.is_push(gap):
+                gap.room = -resting(gap)  # rounding of the search left: that is what a touch is
+        bodies, gaps = self.settle(pair, now)
+        for gap in touched:
+            if gap.left.mass < math.inf or gap.right.mass < math.inf:
+                gap.rate = gap.right.v - gap.left.v
+                if no_approach(gap, now):
+                    gap.rate = 0.0
+            self.strikes.see(gap)
+        gaps = [*gaps, *touched]
+        gap = touched[0]
         if gap.law is not None:
             flips.note(gap, now, self.instant)
             contacts.touch(gap, now, self.record, self.ledger)
-        elif gap.rate <= impacts.AT_REST * self.fastest:  # faster ones part: no impact pulls
-            gap.rate = min(gap.rate, 0.0)
-            bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
+        elif block := [one for one in touched if one.rate <= self.strikes.parts]:
+            bodies = self.strike(block, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
 
     def strike(
-        self, gap: Gap, bodies: list[Body], gaps: list[Gap], now: Time, *, in_contact: bool
+        self, block: list[Gap], bodies: list[Body], gaps: list[Gap], now: Time, *, in_contact: bool
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
-        stays = impacts.rests(gap, self.fastest, in_contact=in_contact)
-        stays = stays or (self.hits.often(gap) and impacts.hops_within_rounding(gap, now))
-        run = [] if stays else collapse.run_of(self.chain, gap, now, self.instant, self.hits)
+        stay = self.strikes.stay(block, now, in_contact=in_contact)
+        run = [] if stay else self.strikes.run_of(block, now)
         if run:
             more, between = self.settle([b for g in run for b in (g.left, g.right)], now)
             bodies = list(dict.fromkeys([*bodies, *more]))
             gaps += [g for g in dict.fromkeys([*between, *run]) if g not in gaps]
-        self.at_once(gap, now, stays=stays)
+        self.strikes.at_once(block, now, stay)
         if run:
             collapse.together(run, now, self.ledger)
-        if stays and not gap.joined:
-            impacts.rest_together(self.chain, gap, self.ledger)
+        for gap in stay:
+            if not gap.joined:
+                impacts.rest_together(self.chain, gap, self.ledger)
         for other in gaps:
-            if other is not gap and not other.joined:
+            if other not in block and not other.joined:
                 other.rate = other.right.v - other.left.v
                 if other.law is None and other.rate != 0.0:
                     other.touching = None  # it rested; now it opens, or is struck in its turn
         return [body for body in bodies if self.chain.bodies[body.carts[0]] is body]
-
-    def settle(self, bodies: list[Body], now: Time) -> tuple[list[Body], list[Gap]]:
-        """Settle the components of these bodies; the free gaps around them are brought to `now`.
-
-        Returns all their bodies and member gaps, from left to right.
-        """
-        row: dict[Body, None] = {}  # by identity, in order
-        gaps: list[Gap] = []
-        for body in bodies:
-            if body.carts and body not in row:
-                more, between = component(self.chain, body)
-                row |= dict.fromkeys(more)
-                gaps += between
-        for body in row:
-            for index in (body.left, body.right):
-                other = self.chain.gaps[index]
-                if other is not None and other.solver is None:
-                    self.chain.advance(other, now)
-        synchronise.settle(list(row), gaps, now, self.record, self.ledger)
-        return list(row), gaps
 
     def motion_ends(self, body: Body, now: Time) -> None:
         """A cluster's step or a flight is over, or something happened in it."""
@@ -203,10 +182,11 @@ class Simulation:
         for gap in motion.members:
             gap.plain = 0 if motion.ends else gap.plain + 1
         self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
-        for gap in transitions.struck(motion, self.chain, self.ledger):
-            self.happened += 1
-            self.fastest = max(self.fastest, -gap.rate)
-            bodies = self.strike(gap, bodies, gaps, now, in_contact=True)
+        for block in transitions.struck(motion, self.chain, self.ledger, now):
+            self.happened += len(block)
+            for gap in block:
+                self.strikes.see(gap)
+            bodies = self.strike(block, bodies, gaps, now, in_contact=True)
         self.form_again(bodies, gaps, now)
 
     def from_outside(self, number: int, now: Time) -> None:
@@ -228,23 +208,7 @@ class Simulation:
         bodies, gaps = self.settle(list(dict.fromkeys(self.chain.bodies)), now)
         self.form_again(bodies, gaps, now)
 
-    def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
-        """What still belongs together gets new solvers; everything around is predicted anew."""
-        bodies = sorted(bodies, key=lambda body: body.carts)
-        ready = elapsed(now, self.end) > 0.0
-        held = [body.held for body in bodies]
-        for body in bodies:
-            self.calendar.void(body)
-        for solver in select_solvers(bodies, gaps, now, self.end, self.forces, self.record):
-            self.solvers[solver.name] += 1
-            if solver.tier > 1:
-                self.steps += 1
-            if ready and solver.members:
-                self.calendar.gap(solver.members[0], now, solver.duration)
-            elif ready:
-                self.calendar.body(solver.bodies[0], now, solver.duration)
-        for body, before in zip(bodies, held, strict=True):
-            if body.held != before and now != ZERO:
-                self.record.moment("stop" if body.held else "start", body, now)
-                self.happened += 1
-        self.predictions.members(bodies, gaps, now)
+
+def _are_free(gaps: list[Gap]) -> bool:
+    """Do all bodies of these gaps fly freely?"""
+    return all(gap.left.motion is None and gap.right.motion is None for gap in gaps)

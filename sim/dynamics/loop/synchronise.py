@@ -13,10 +13,34 @@ from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap, Motion, Part
+from sim.dynamics.state.chain import Chain, component
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.dynamics.state.touching import Peak
 
 TIER_OF_SERIES = 2
+
+
+def components(
+    chain: Chain, bodies: list[Body], now: Time, record: Record, ledger: Ledger
+) -> tuple[list[Body], list[Gap]]:
+    """Settle the components of these bodies; the free gaps around them are brought to `now`.
+
+    Returns all their bodies and member gaps, from left to right.
+    """
+    row: dict[Body, None] = {}  # by identity, in order
+    gaps: list[Gap] = []
+    for body in bodies:
+        if body.carts and body not in row:
+            more, between = component(chain, body)
+            row |= dict.fromkeys(more)
+            gaps += between
+    for body in row:
+        for index in (body.left, body.right):
+            other = chain.gaps[index]
+            if other is not None and other.solver is None:
+                chain.advance(other, now)
+    settle(list(row), gaps, now, record, ledger)
+    return list(row), gaps
 
 
 def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledger: Ledger) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import contacts, impacts, release
+from sim.dynamics.loop.first_struck import fastest_of
 from sim.dynamics.motion.guards import branch_of, push_now
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
@@ -52,7 +53,9 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
         return release.fall_off(gap, now, record)
     if cause == "nearest":
         return _nearest(gap, now, record)
-    if cause == "clear":
+    if cause == "clear" and gap.spent:
+        _forgets_its_release(gap)
+    elif cause == "clear":
         gap.room = gap.memory = 0.0
     elif gap.touching is None:
         pass  # it came apart at the same instant
@@ -66,6 +69,14 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
     else:
         return _apart(gap, now, record, ledger)
     return 0
+
+
+def _forgets_its_release(gap: Gap) -> None:
+    """Its bumpers no longer overlap by more than they would at rest."""
+    assert gap.law is not None
+    gap.spent, gap.room = False, -gap.law.resting_overlap(gap.memory)
+    if gap.room == 0.0:
+        gap.memory = 0.0
 
 
 TURNS = 1e-13
@@ -114,10 +125,11 @@ def _nearest(gap: Gap, now: Time, record: Record) -> int:
     return 1
 
 
-def struck(motion: Motion, chain: Chain, ledger: Ledger) -> list[Gap]:
+def struck(motion: Motion, chain: Chain, ledger: Ledger, now: Time) -> list[list[Gap]]:
     """Linked pairs that touch at the end of the motion by a law without a duration.
 
-    Those that turn round where they touch do so here, and are not struck.
+    Those that turn round where they touch do so here, and are not struck. Of several that close the
+    fastest are (`first_struck`); the others touch still when the row has formed anew.
     """
     touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
     found = []
@@ -128,7 +140,7 @@ def struck(motion: Motion, chain: Chain, ledger: Ledger) -> list[Gap]:
             impacts.graze(chain, gap, ledger)
         else:
             found.append(gap)
-    return found
+    return fastest_of(found, now) if len(found) > 1 else [[gap] for gap in found]
 
 
 def _halt(motion: Motion, k: int) -> None:
@@ -145,4 +157,4 @@ def _halt(motion: Motion, k: int) -> None:
 
 def is_push(gap: Gap) -> bool:
     """Does the gap touch because an overlap that is left begins to push again?"""
-    return gap.room < 0.0 and gap.law is not None and gap.law.recontacts
+    return gap.room < 0.0 and gap.law is not None and (gap.law.recontacts or gap.spent)

@@ -19,12 +19,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from itertools import count
+from operator import mul, truediv
 
 SHORT = 0.25
 """Of (gamma + 2 kappa w0 + 2 Omega) t. Below it the series is summed."""
 
 TERMS = 24
 """0.25^24 is 4e-15, and the terms fall faster than that."""
+
+FAINT = 1e-20
+"""Of the first terms. Two in a row that are smaller add nothing, nor do later ones; one alone may
+be nought where others are not, as every second one from rest."""
 
 MOST_MARKS = 60
 """Stretches drawn: each twice as long as the one before."""
@@ -48,6 +54,8 @@ class OneWay:
 
     def at(self, t: float) -> tuple[float, float]:
         """Way [m] and w [m/s]."""
+        if t == 0.0:
+            return 0.0, self.w0
         if self._haste() * t < SHORT:
             return self._summed(t)
         half, kappa, omega = 0.5 * self.gamma, self.kappa, self.omega
@@ -69,12 +77,15 @@ class OneWay:
 
     def _summed(self, t: float) -> tuple[float, float]:
         """The power series, in powers of t."""
-        terms = [self.w0]
-        for n in range(TERMS - 1):
-            square = math.fsum([terms[j] * terms[n - j] for j in range(n + 1)])
-            change = -self.gamma * terms[n] * t - self.kappa * square * t
-            terms.append((change + self.push * t if n == 0 else change) / (n + 1))
-        way = math.fsum([term / (n + 1) for n, term in enumerate(terms)])
+        slower, bent = -self.gamma * t, -self.kappa * t
+        terms = [self.w0, slower * self.w0 + bent * self.w0 * self.w0 + self.push * t]
+        faint = FAINT * max(self.w0, abs(terms[1]))
+        for n in range(1, TERMS - 1):
+            square = sum(map(mul, terms, reversed(terms)))
+            terms.append((slower * terms[n] + bent * square) / (n + 1))
+            if abs(terms[n]) <= faint and abs(terms[n + 1]) <= faint:
+                break
+        way = math.fsum(map(truediv, terms, count(1)))
         return way * t, math.fsum(terms)
 
     def halt(self) -> float:
@@ -91,7 +102,7 @@ class OneWay:
         return math.atan(omega * ratio) / omega if omega > 0.0 else ratio
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Driven:
     """The course of a body (`flight.Course`): one way, and back from where it is turned."""
 
@@ -100,14 +111,21 @@ class Driven:
     turn: float = field(init=False)  # s
     back: OneWay = field(init=False)
     sparse: bool = False
+    seen: tuple[float, tuple[float, float, float]] | None = None
+    """The last time asked for: a search asks for place, speed and acceleration one by one."""
 
     def __post_init__(self) -> None:
         first = self.first
-        object.__setattr__(self, "turn", first.halt())
-        object.__setattr__(self, "back", OneWay(0.0, -first.push, first.gamma, first.kappa))
+        self.turn = first.halt()
+        self.back = OneWay(0.0, -first.push, first.gamma, first.kappa)
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""
+        if self.seen is None or self.seen[0] != t:
+            self.seen = (t, self._at(t))
+        return self.seen[1]
+
+    def _at(self, t: float) -> tuple[float, float, float]:
         if t <= self.turn:
             x, w = self.first.at(t)
             return self.way * x, self.way * w, self.way * _slowed(self.first, w)

@@ -42,7 +42,7 @@ def guards_of(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
 
     Where the pair touches its law says. Where it is linked only it is the touch: a bumper that has
     not cleared touches at its resting overlap, a pair that may push again when its force turns
-    positive, unless it clears first.
+    positive, unless it clears first, and one that a release parted when it is pressed again.
     """
     own = _guards(gap, branch)
     if gap.loose:
@@ -77,9 +77,11 @@ def _guards(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
         )
     clear = Guard("clear", "overlap")
     if gap.room < 0.0 and law is not None:
+        rest = law.resting_overlap(gap.memory)
+        if gap.spent:
+            return (Guard("touch", "rate", rises=True), Guard("clear", "overlap", level=rest))
         if law.recontacts:
             return (Guard("touch", "push", rises=True), clear)
-        rest = law.resting_overlap(gap.memory)
         if rest > 0.0:
             return (Guard("touch", "overlap", rises=True, level=rest), clear)
     return (Guard("touch", "overlap", rises=True),)

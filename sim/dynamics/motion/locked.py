@@ -1,4 +1,4 @@
-"""Contacts that keep their overlap, and whatever force that takes."""
+"""Contacts that keep their overlap, and whatever force that takes; impacts that come at once."""
 
 from __future__ import annotations
 
@@ -64,3 +64,15 @@ def hold(
     for j in range(len(run) - 1, -1, -1):
         later = right_side[j] + (ratio[j] * later if j < len(run) - 1 else 0.0)
         force[run[j]][n] = later
+
+
+def impulses(inverse: list[float], closing: list[float], restitution: list[float]) -> list[float]:
+    """N s in gaps side by side, hit at once: each closes with u m/s, and opens with e u after it.
+
+    (1/mL + 1/mR) p_k − p_(k−1)/mL − p_(k+1)/mR = (1 + e_k) u_k: what forces are to accelerations,
+    impulses are to velocities. `inverse`: 1/kg of the bodies; 0 for a wall. No impulse pulls.
+    """
+    found = [[0.0] for _ in closing]
+    wanted = [[-(1.0 + e) * u] for u, e in zip(closing, restitution, strict=True)]
+    hold(range(len(closing)), found, inverse, [0.0] * len(inverse), 0, wanted)
+    return [p for (p,) in found]

@@ -55,7 +55,10 @@ class Row:
 
 @dataclass(slots=True)
 class Expansion:
-    """Series of one step: overlaps, contact forces, link forces, accelerations of the bodies."""
+    """Series of one step: overlaps, contact forces, link forces, accelerations of the bodies.
+
+    [] of a gap without links.
+    """
 
     over: list[Poly]
     force: list[Poly]
@@ -127,10 +130,12 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
     over = [[o, r] for o, r in zip(row.overlaps, row.rates, strict=True)]
     speed = [[v] for v in row.speeds]
     force: list[Poly] = [[] for _ in branches]
-    pull: list[Poly] = [[] for _ in branches]
+    linked = [
+        (k, [link.expansion() for link in links], over[k], [0.0] * (ORDER - 1))
+        for k, links in enumerate(row.links)
+        if links
+    ]
     bodies: list[Poly] = [[] for _ in inverse]
-    terms = [[link.expansion() for link in links] for links in row.links]
-    linked = any(terms)
     dragged = any(row.linear) or any(row.quadratic)
     nothing = [0.0] * len(inverse)
     sizes = [0.0] * len(inverse)
@@ -151,7 +156,7 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
         if dragged:
             add_drag(row, speed, outside, n)
         if linked:
-            _add_links(terms, over, pull, outside, n)
+            _add_links(linked, outside, n)
         for run in runs:
             hold(run, force, inverse, outside, n, led)
         from_left = 0.0
@@ -175,6 +180,9 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
                 relative = 0.0
             o.append(relative * scale)
             before = after
+    pull: list[Poly] = [[] for _ in branches]
+    for k, _, _, pulls in linked:
+        pull[k] = pulls
     return Expansion(over, force, pull, bodies)
 
 
@@ -190,19 +198,21 @@ def is_rounding(difference: float, value: float) -> bool:
 
 
 def _add_links(
-    terms: list[list[Callable[[int, Poly], float]]],
-    over: list[Poly],
-    pull: list[Poly],
+    linked: list[tuple[int, list[Callable[[int, Poly], float]], Poly, Poly]],
     outside: list[float],
     n: int,
 ) -> None:
-    """The n-th coefficients of springs and magnets across the gaps."""
-    from_left = 0.0
-    for i, (links, o, pulls) in enumerate(zip(terms, over, pull, strict=True)):
-        pulls.append(math.fsum([term(n, o) for term in links]))
-        outside[i] += from_left - pulls[n]
-        from_left = pulls[n]
-    outside[len(over)] += from_left - 0.0
+    """The n-th coefficients of springs and magnets across the gaps that have some."""
+    before, from_left = -2, 0.0
+    for i, links, o, pulls in linked:
+        if i != before + 1:
+            outside[before + 1] += from_left
+            from_left = 0.0
+        pull = links[0](n, o) if len(links) == 1 else math.fsum([term(n, o) for term in links])
+        pulls[n] = pull
+        outside[i] += from_left - pull
+        before, from_left = i, pull
+    outside[before + 1] += from_left
 
 
 def add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:

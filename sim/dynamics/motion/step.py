@@ -37,7 +37,7 @@ class Step:
     contact: list[Poly]  # N, of the contact in each gap
     across: list[Poly]  # N, of springs and magnets across each gap; empty where there are none
     speed: list[Poly]  # m/s of each body; walls stay
-    path: list[Poly]  # m, from where each was
+    path: list[Poly]  # m, from where each was; empty where it is the integral of its speed
     steady: list[float]  # N on each body
     short: bool
 
@@ -57,7 +57,7 @@ class Step:
 
     def way(self, i: int, t: float) -> float:
         """m that body i has gone."""
-        return value(self.path[i], t)
+        return value(self.path[i], t) if self.path else integral_value(self.speed[i], t)
 
     def velocity(self, i: int, t: float) -> float:
         """m/s of body i."""
@@ -65,14 +65,13 @@ class Step:
 
     def motion(self, i: int, t: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of body i."""
-        return (value(self.path[i], t), *value_and_slope(self.speed[i], t))
+        return (self.way(i, t), *value_and_slope(self.speed[i], t))
 
     def excess(self, i: int, a: float, dt: float) -> float:
         """m. Displacement of body i from a s on, beyond that at the velocity there."""
-        path = self.path[i]
         if a == 0.0:
-            return value([0.0, 0.0, *path[2:]], dt)
-        return value(path, a + dt) - value(path, a) - value(slope(path), a) * dt
+            return integral_value([0.0, *self.speed[i][1:]], dt)
+        return self.way(i, a + dt) - self.way(i, a) - self.velocity(i, a) * dt
 
     def speeds(self, i: int, t: float) -> tuple[float, float]:
         """m/s. Least and greatest velocity of body i up to t, bounded by the coefficients."""

@@ -15,8 +15,9 @@ class Event:
     `before` are the velocities when this contact began, `after` those at the event, and `impulse`
     [N s], at least 0, is what took one to the other: −impulse on the left body, +impulse on the
     right one. It is nought at a contact of finite duration, partial at the greatest force, whole
-    at separation. `force` [N] is that on the right body at the event; None where the contact has
-    no duration, so that no force can be named.
+    at separation. Of impacts side by side at one instant (`first_struck`) `before` and `after` are
+    those around all of them. `force` [N] is that on the right body at the event; None where the
+    contact has no duration, so that no force can be named.
     """
 
     t: float

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Protocol
 
-from sim.dynamics.state.clock import NEVER, ZERO, Time
+from sim.dynamics.state.clock import NEVER, UNSEEN, ZERO, Time
 from sim.dynamics.state.loads import NO_LOAD, Load
 from sim.dynamics.state.touching import Loose, Touching
 from sim.effects.forces import PairForce
@@ -188,7 +188,9 @@ class Gap:
     contact: Contact
     law: ContactLaw | None
     time: Time = ZERO
+    due: Time = UNSEEN  # when its next event is foreseen
     memory: float = 0.0  # m, of the bumper
+    spent: bool = False  # a release parted its overlap: it pushes when pressed again
     turn: int = 0  # counts predictions: an older one in the calendar is void
     touching: Touching | None = None
     links: tuple[PairForce, ...] = ()  # springs and magnets across it

@@ -60,6 +60,8 @@ class Chain:
         cleared = gap.clear_at is not None and elapsed(gap.clear_at, now) >= 0.0
         if gap.room >= 0.0 or cleared:
             gap.memory, gap.clear_at = 0.0, None
+        if gap.spent and gap.law is not None:
+            gap.spent = gap.room + gap.law.resting_overlap(gap.memory) < 0.0
 
 
 def _wall(scene: Scene, gap: int) -> Body:

@@ -12,6 +12,10 @@ Time = tuple[float, float]
 ZERO: Time = (0.0, 0.0)
 
 NEVER: Time = (float("-inf"), 0.0)
+"""It has not happened so far."""
+
+UNSEEN: Time = (float("inf"), 0.0)
+"""It will not happen, as far as is foreseen."""
 
 
 def later(time: Time, dt: float) -> Time:

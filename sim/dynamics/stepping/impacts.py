@@ -1,23 +1,30 @@
 """What a stepping method does at the end of a step: memories, impacts, joints, exploders.
 
 As a game engine does it: a touch is noticed when two carts overlap at the end of a step. Contacts
-without duration then get their impulse, from left to right, until no pair closes any more; carts
-that overlap are not moved apart. A latch or an exploder acts at the end of the step it falls in.
+without duration then get their impulse until no pair closes any more, those that close fastest
+first and equally fast ones at once, as in the exact run; carts that overlap are not moved apart. A
+latch or an exploder acts at the end of the step it falls in.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from typing import Any
 
+from sim.dynamics.motion.hit_in_turn import at_once_for_ever
 from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.motion.locked import impulses
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
 from sim.effects.forces import EnergyRelease, LooseForce
 
 SWEEPS = 20
-"""Times that impulses go through the row at one instant, at most."""
+"""Impulses in each gap at one instant, at most."""
+
+AS_FAST = 1e-12
+"""Relative. Closing speeds that differ by rounding are equal."""
 
 TOUCHING = 1e-12
 """m. Room that rounding leaves between two carts that touch."""
@@ -72,29 +79,62 @@ class Impacts:
                 self.fall_off(pair, s, v)
         while self.releases and self.releases[0].time <= t:
             self.set_free(self.releases.pop(0), t, s, v)
-        for _ in range(SWEEPS):
-            hit = [pair for pair in self.sudden if self._closes(pair, s, v)]
-            if not hit:
+        self.strike([pair for pair in self.sudden if field.overlap(pair, s, v)[0] >= 0.0], s, v)
+
+    def strike(self, touching: list[Pair], s: Row, v: Row) -> None:
+        """Impulses between those that touch, from left to right, until none of them closes."""
+        for _ in range(SWEEPS * len(touching)):
+            speeds = [self._closes(pair, s, v) for pair in touching]
+            least = max(speeds) * (1.0 - AS_FAST)
+            if least <= 0.0:
                 return
-            for pair in hit:
-                if self._closes(pair, s, v):
-                    self.strike(pair, v)
+            block: list[Pair] = []
+            for pair, speed in zip(touching, speeds, strict=True):
+                if speed < least:
+                    continue
+                if block and self._body(block[-1].right, v)[1] is not self._body(pair.left, v)[1]:
+                    self.strike_at_once(block, v, alone=False)
+                    block = []
+                block.append(pair)
+            self.strike_at_once(block, v, alone=len(touching) == 2)
 
-    def _closes(self, pair: Pair, s: Row, v: Row) -> bool:
-        if pair.gap in self.field.joined:
-            return False
-        d, rate = self.field.overlap(pair, s, v)
-        return bool(d >= 0.0 and rate > 0.0)
+    def _closes(self, pair: Pair, s: Row, v: Row) -> float:
+        """m/s, above 0 where it does."""
+        joined = pair.gap in self.field.joined
+        return 0.0 if joined else float(self.field.overlap(pair, s, v)[1])
 
-    def strike(self, pair: Pair, v: Row) -> None:
-        """V + e (V − v) for the two bodies of a pair; velcro makes them one."""
-        field, e = self.field, pair.contact.restitution or 0.0
-        (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
-        out = outgoing_of(m1, m2, v1, v2, e)
-        if pair.contact.joins:
-            field.join(pair.gap)
-        mu = 1.0 / (1.0 / m1 + 1.0 / m2)
-        self._set(pair, left, right, v, (v1, v2), out, mu)
+    def strike_at_once(self, block: list[Pair], v: Row, *, alone: bool) -> None:
+        """One impact, or several side by side; velcro makes two bodies one.
+
+        `alone`: nobody else touches these; then two may be hit in turn for ever.
+        """
+        sides = [self._body(block[0].left, v), *(self._body(pair.right, v) for pair in block)]
+        e = [pair.contact.restitution or 0.0 for pair in block]
+        found: list[float] = []
+        if len(block) == 1:
+            (m1, _, v1), (m2, _, v2) = sides
+            out = list(outgoing_of(m1, m2, v1, v2, e[0]))
+        else:
+            closing = [a[2] - b[2] for a, b in itertools.pairwise(sides)]
+            inverse = [1.0 / side[0] for side in sides]
+            joins = any(pair.contact.joins for pair in block)
+            if alone and not joins and at_once_for_ever(inverse, closing, e):
+                e = [0.0, 0.0]
+            found = impulses(inverse, closing, e)
+            pushes = zip(sides, [0.0, *found], [*found, 0.0], strict=True)
+            out = [speed + (left - right) / m for (m, _, speed), left, right in pushes]
+        for k, pair in enumerate(block):
+            mu = 1.0 / (1.0 / sides[k][0] + 1.0 / sides[k + 1][0])
+            u, w = sides[k][2] - sides[k + 1][2], out[k + 1] - out[k]
+            impulse = found[k] if found else mu * (u + w)
+            around = (sides[k][2], sides[k + 1][2]), (out[k], out[k + 1])
+            self.blows.append(Blow("", pair, *around, impulse, 0.5 * impulse * (u - w)))
+        for (_, carts, _), speed in zip(sides, out, strict=True):
+            for k in carts:
+                v[k] = speed
+        for pair in block:
+            if pair.contact.joins:
+                self.field.join(pair.gap)
 
     def set_free(self, release: EnergyRelease, t: float, s: Row, v: Row) -> None:
         """½ mu w'² = ½ mu w² + E, where the two touch; or from now on a spring is between them."""
@@ -117,7 +157,11 @@ class Impacts:
         apart = math.sqrt((v2 - v1) ** 2 + 2.0 * release.energy / mu)
         change = apart - (v2 - v1)
         out = v1 - mu / m1 * change, v2 + mu / m2 * change
-        self._set(pair, left, right, v, (v1, v2), out, mu, release.kind)
+        for body, speed in ((left, out[0]), (right, out[1])):
+            for k in body:
+                v[k] = speed
+        warmed = 0.5 * mu * (v1 - v2 + apart) * (v1 - v2 - apart)
+        self.blows.append(Blow(release.kind, pair, (v1, v2), out, mu * change, warmed))
 
     def fall_off(self, pair: Pair, s: Row, v: Row, *, now: bool = False) -> None:
         """Springs that have their full length push no more; `now`: the longest has it."""
@@ -140,24 +184,6 @@ class Impacts:
         if self.field.fixed(body):
             return math.inf, body, 0.0
         return sum(self.field.mass[k] for k in body), body, v[cart]
-
-    def _set(
-        self,
-        pair: Pair,
-        left: list[int],
-        right: list[int],
-        v: Row,
-        before: tuple[float, float],
-        out: tuple[float, float],
-        mu: float,
-        release: str = "",
-    ) -> None:
-        for body, speed in ((left, out[0]), (right, out[1])):
-            for k in body:
-                v[k] = speed
-        u, w = before[0] - before[1], out[1] - out[0]
-        warmed = 0.5 * mu * (u - w) * (u + w)
-        self.blows.append(Blow(release, pair, before, out, mu * (u + w), warmed))
 
 
 def outgoing_of(m1: float, m2: float, v1: float, v2: float, e: float) -> tuple[float, float]:

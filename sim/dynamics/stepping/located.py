@@ -86,7 +86,7 @@ class Located:
         """The formulas of these guards have come to their end; `v` is changed in place."""
         field = self.field
         assert field.modes is not None
-        slipping = []
+        slipping, hit = [], []
         for kind, number, which in keys:
             if kind == NEAR:
                 continue  # a step ends here, and is told of
@@ -105,13 +105,14 @@ class Located:
                     )
                     if mode == "press" and held.stays_pressed(field, pair, t, s, v):
                         held.hold(field, pair, v)
-                elif rate > 0.0:
-                    self.impacts.strike(pair, v)
+                else:
+                    hit.append(pair)
             elif field.sliding.get(number, 0):
                 for k in next(body for body in field.bodies if number in body):
                     v[k] = 0.0
             else:
                 slipping.append(number)
+        self.impacts.strike(sorted(hit, key=lambda pair: pair.gap), s, v)
         self._grip(t, s, v, slipping)
 
     def _grip(self, t: float, s: Row, v: Row, slipping: list[int] | None = None) -> None:

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.dynamics.given.random_effects import ELASTIC, acted_on, mirrored
+from tests.dynamics.given.random_effects import ELASTIC, acted_on
 from tests.dynamics.given.random_runs import FEW, FEWER, HALF, finished
+from tests.fuzz.mirror import mirrored
 
 GROWN = 1e-8
 """m/s. What rounding, 1e-16, may have grown to after a dozen contacts."""

@@ -165,9 +165,8 @@ def _converged(
     length = min(step_length(row), limit)
     if row.nonlinear:
         length = converged_step(row, series, speed, length)
-    path = [integral(v) for v in speed]
     return Step(
-        bodies, gaps, branches, length, series.over, series.force, series.pull, speed, path,
+        bodies, gaps, branches, length, series.over, series.force, series.pull, speed, [],
         row.steady, row.nonlinear,
     )  # fmt: skip
 

@@ -53,9 +53,8 @@ def led_step(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Ste
     if length < WORTH * step_length(row) or not _is_on_it(row, over, stiff, step_length(row)):
         return None
     speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
-    path = [integral(v) for v in speed]
     return Step(
-        bodies, gaps, row.branches, length, over, series.force, series.pull, speed, path,
+        bodies, gaps, row.branches, length, over, series.force, series.pull, speed, [],
         row.steady, short=False,
     )  # fmt: skip
 

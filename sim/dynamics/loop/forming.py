@@ -1,0 +1,61 @@
+"""A run in progress: its state, and how rows of bodies are settled and formed anew."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from sim.dynamics.loop import synchronise
+from sim.dynamics.loop.calendar import Calendar
+from sim.dynamics.loop.predictions import Predictions
+from sim.dynamics.loop.select_solver import select_solvers
+from sim.dynamics.loop.strikes import Strikes
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.state import flips
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain
+from sim.dynamics.state.clock import ZERO, Time, elapsed
+from sim.dynamics.state.loads import Forces
+from sim.scene.model import Scene
+
+
+class Forming:
+    """The state of a run in progress."""
+
+    def __init__(self, scene: Scene, record: Record) -> None:
+        self.scene, self.record = scene, record
+        self.forces = Forces(scene) if scene.effects else None
+        self.chain = Chain(scene, self.forces)
+        self.calendar = Calendar(len(self.chain.gaps))
+        self.ledger = Ledger(scene)
+        self.solvers: defaultdict[str, int] = defaultdict(int)
+        self.end: Time = (scene.until, 0.0)
+        self.predictions = Predictions(self.chain, self.calendar, self.end)
+        self.instant = flips.AT_ONE_INSTANT * scene.until
+        self.strikes = Strikes(self.chain, record, self.ledger, self.instant, self.solvers)
+        self.happened = self.steps = 0
+
+    def settle(self, bodies: list[Body], now: Time) -> tuple[list[Body], list[Gap]]:
+        """Settle the components of these bodies; the free gaps around them are brought to `now`."""
+        return synchronise.components(self.chain, bodies, now, self.record, self.ledger)
+
+    def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
+        """What still belongs together gets new solvers; everything around is predicted anew."""
+        bodies = sorted(bodies, key=lambda body: body.carts)
+        ready = elapsed(now, self.end) > 0.0
+        held = [body.held for body in bodies]
+        for body in bodies:
+            self.calendar.void(body)
+        for solver in select_solvers(bodies, gaps, now, self.end, self.forces, self.record):
+            self.solvers[solver.name] += 1
+            if solver.tier > 1:
+                self.steps += 1
+            if ready and solver.members:
+                self.calendar.gap(solver.members[0], now, solver.duration)
+            elif ready:
+                self.calendar.body(solver.bodies[0], now, solver.duration)
+        for body, before in zip(bodies, held, strict=True):
+            if body.held != before and now != ZERO:
+                self.record.moment("stop" if body.held else "start", body, now)
+                self.happened += 1
+        self.predictions.members(bodies, gaps, now)

@@ -1,0 +1,65 @@
+"""Impacts without a duration that come at once, or in turn for ever, against plain arithmetic."""
+
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+
+import pytest
+
+from sim.dynamics.motion.hit_in_turn import at_once_for_ever, for_ever
+from sim.dynamics.motion.locked import impulses
+
+ROWS = {
+    "three alike": ([1, 1, 1], [1, 1], [Fraction(1, 2)] * 2),
+    "a light one between": ([2, Fraction(1, 10), 3], [1, 3], [Fraction(1, 5), 1]),
+    "a wall on the left": ([None, 1, 4], [2, 1], [Fraction(3, 10), 0]),
+    "five": ([1, 2, 3, 4, 5], [1, 1, 2, 1], [0, Fraction(1, 2), 1, Fraction(1, 4)]),
+}
+
+
+@pytest.mark.parametrize("what", ROWS)
+def test_impulses_at_once_leave_each_pair_with_e_times_its_closing_speed(what: str) -> None:
+    masses, closing, e = ROWS[what]
+    inverse = [0.0 if m is None else float(1 / Fraction(m)) for m in masses]
+    found = impulses(inverse, list(map(float, closing)), list(map(float, e)))
+    assert min(found) >= 0.0
+    change = [
+        (left - right) * inv
+        for inv, left, right in zip(inverse, [0.0, *found], [*found, 0.0], strict=True)
+    ]
+    opened = [b - a for a, b in itertools.pairwise(change)]
+    assert opened == pytest.approx(
+        [float((1 + one) * u) for one, u in zip(e, closing, strict=True)], rel=1e-14
+    )
+
+
+def rounds_end(masses: list[int], closing: list[int], e: Fraction, rounds: int) -> bool:
+    """Do impacts in the two gaps in turn end? Exact fractions: no rounding decides."""
+    m = [Fraction(one) for one in masses]
+    passed_on = [m[0] / (m[0] + m[1]), m[2] / (m[1] + m[2])]
+    u, k = [Fraction(one) for one in closing], 0
+    for _ in range(rounds):
+        if u[k] <= 0:
+            return True
+        u[1 - k] += (1 + e) * u[k] * passed_on[k]
+        u[k] *= -e
+        k = 1 - k
+        u = [one.limit_denominator(10**30) for one in u]
+    return False
+
+
+@pytest.mark.parametrize("masses", [[1, 1, 1], [1, 5, 1], [5, 1, 3], [1, 2, 30]])
+@pytest.mark.parametrize("closing", [[1, 0], [1, -2], [1, 1]])
+@pytest.mark.parametrize("e", ["0.02", "0.07", "0.08", "0.2", "0.5", "0.9"])
+def test_three_are_hit_in_turn_for_ever_where_exact_rounds_do_not_end(
+    masses: list[int], closing: list[int], e: str
+) -> None:
+    told = for_ever([1.0 / m for m in masses], list(map(float, closing)), [float(e)] * 2)
+    assert told is not rounds_end(masses, closing, Fraction(e), 60)
+
+
+def test_for_ever_whichever_is_first_asks_both_sides() -> None:
+    assert at_once_for_ever([1.0, 1.0, 1.0], [1.0, 1.0], [0.05, 0.05])
+    assert not at_once_for_ever([1.0, 1.0, 1.0], [1.0, 1.0], [0.3, 0.3])
+    assert not at_once_for_ever([1.0, 0.0, 1.0], [1.0, 1.0], [0.0, 0.0])
