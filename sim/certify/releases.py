@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from sim.certify.bodies import Body, Gap
 from sim.certify.contacts import Contacts
+from sim.certify.foresight import at_once, called
 from sim.certify.impacts import common_velocity, reduced_mass
 from sim.certify.instants import Instant
 from sim.certify.loads import Burst
@@ -39,6 +40,15 @@ class Releases(Contacts):
             for burst in bursts[:1]
             for gap in [self._gap(burst)]
         ]
+
+    def nothing_strikes_first(self, burst: Burst) -> None:
+        """At the start impacts come before an exploder: none may be due. Raises NoBoundError."""
+        for gap in self.gaps:
+            struck = gap.contact.sudden and not gap.joined and not lower(gap.room) > 0
+            opens = gap.rate > 0 or (is_zero(gap.rate) and not gap.contact.joins)
+            if struck and not opens:
+                apart = self._gap(burst).names
+                raise NoBoundError(at_once(called("touch", gap.names), called("burst", apart)))
 
     def set_free(self, burst: Burst, now: Instant) -> None:
         """The energy goes into the two, or a spring lies between them from now on."""

@@ -36,6 +36,7 @@ class BallRun(Releases):
         self._start()
         switches, bursts = self.switches(), list(self.inputs.bursts)
         while bursts and is_zero(bursts[0].when.ball):
+            self.nothing_strikes_first(bursts[0])
             self.set_free(bursts.pop(0), self.zero)
         self.running = True
         while True:

@@ -1,0 +1,42 @@
+"""A run ends where its certificate says: two programs that share no code, and the conventions of
+what comes first at one instant, which no oracle knows better."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from sim.certify.certificate import certify, document
+from sim.dynamics.loop.run import run
+from sim.scene import SceneError, read_scene
+from tests.certify.random_scenes import letting_go, plain, swinging, touching
+
+SEEDS = range(20_000, 20_060)
+ROUNDING = 1e-9
+"""Of 1 m/s and 1 m: what rounding may do to a run of some dozen events. A convention that differs
+makes a thousandth and more."""
+MOST_REFUSED = 20
+"""Of the seeds. More, and this would look at nothing."""
+
+
+@pytest.mark.parametrize("written", [plain, touching, swinging, letting_go])
+def test_a_run_ends_within_its_certificate(written: Callable[[int], dict[str, Any]]) -> None:
+    outside, refused = {}, 0
+    for seed in SEEDS:
+        try:
+            scene = read_scene(written(seed))
+        except SceneError:
+            continue
+        proved = document(certify(scene))["final"]
+        if not proved["x"]:
+            refused += 1
+            continue
+        finished = run(scene)
+        for quantity, values in (("x", finished.x), ("v", finished.v)):
+            for value, (low, high) in zip(values, proved[quantity].values(), strict=True):
+                if not float(low) - ROUNDING <= value <= float(high) + ROUNDING:
+                    outside[seed] = (quantity, value, low, high)
+    assert outside == {}
+    assert refused <= MOST_REFUSED
