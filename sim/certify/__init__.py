@@ -23,7 +23,8 @@ a ball does not decide, the certificate says so instead of guessing: `NotProvabl
     touches       the stages of a contact law; impacts: without a duration
     peaks         when a contact pushes most
     row           all of it at one moment
-    foresight     what comes next, and what of it is provably first
+    foresight     what comes next
+    order         what of it is provably first
     forming       what is pressed together, and which motion moves it
     contacts, run what then happens
     certificate   the interface: text bounds, order, reason

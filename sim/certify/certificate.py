@@ -12,7 +12,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from sim.certify.band import Seen, Spans, pieces, united, united_seen
-from sim.certify.foresight import at_once, called
 from sim.certify.inputs import inputs
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import ctx
@@ -28,6 +27,7 @@ from sim.certify.numbers.balls import (
     lower,
     upper,
 )
+from sim.certify.order import at_once, called
 from sim.certify.row import Told
 from sim.certify.run import BallRun, Limit
 from sim.scene.model import Scene

@@ -88,6 +88,9 @@ class Contacts(Forming):
                 other.right = one
         held = (left if left.carts else right).held  # the joint goes on as this one
         if self._touches(one):
+            for near in self.gaps:  # who is beside it, and not pressed, sees another velocity
+                if one in (near.left, near.right) and not (near.joined or near.bound):
+                    near.rate = near.right.speed(now) - near.left.speed(now)
             one.held = held
             return
         self.fly((one,), now)

@@ -1,13 +1,6 @@
-"""What comes next: for every gap, every sliding cart and every contact, and which of it is first.
-
-Of all that may happen next, an event is taken only if it is proved to come before every other that
-shares a body or a gap with it. Two that have nothing to do with each other may come in either
-order: the end is the same, and only the order of the list is then not proved.
-"""
+"""What comes next: for every gap, every sliding cart and every contact."""
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 from sim.certify.bodies import Gap
 from sim.certify.instants import Instant, instant
@@ -18,41 +11,9 @@ from sim.certify.numbers.balls import (
     is_zero,
 )
 from sim.certify.numbers.roots import Function, falls_to_zero, first_root
-from sim.certify.row import Next, Row
-from sim.scene.said import Said, listed, said
-
-WORDS = {
-    "touch": said("the touch"),
-    "contact": said("the touch"),
-    "clear": said("the recovery"),
-    "recovery": said("the recovery"),
-    "end": said("the end of the contact"),
-    "separate": said("the end of the contact"),
-    "peak": said("the greatest force"),
-    "halt": said("the stop"),
-    "stop": said("the stop"),
-    "start": said("the start"),
-    "stick": said("the joining"),
-    "release": said("the release"),
-    "burst": said("the release"),
-}
-"""What comes next or has come, as a reason calls it."""
-
-
-def called(kind: str, names: Sequence[str]) -> Said:
-    """An event, for a reason."""
-    return said("{event} of {carts}", event=WORDS.get(kind, kind), carts=listed(names))
-
-
-def at_once(one: Said, other: Said) -> Said:
-    """Of two events neither is provably first."""
-    return said(
-        "{one} and {other} come at one instant, as far as can be told", one=one, other=other
-    )
-
-
-def _soft(one: Next) -> bool:
-    return one.gap is not None and not one.gap.contact.sudden
+from sim.certify.order import Order
+from sim.certify.row import Next
+from sim.scene.said import Said, said
 
 
 def _opening(gap: Gap) -> Function | None:
@@ -62,57 +23,8 @@ def _opening(gap: Gap) -> Function | None:
     return lambda t: gap.pull_at(gap.since.after(t))
 
 
-class Foresight(Row):
+class Foresight(Order):
     """What is still to come of a row."""
-
-    def first(self, coming: list[Next]) -> Next | None:
-        """The provably first; None if nothing comes before the end."""
-        for one in coming:
-            if one.when is self.present and one.kind == "touch" and _soft(one):
-                return one  # nothing can come before now, and such touches change no velocity
-        known = [(*one.when.ends(), one) for one in coming]
-        end = self.until.ends()[1]
-        known = [row for row in known if not row[0] > end]
-        if not known:
-            return None
-        low, high, first = min(known, key=lambda row: (row[1], row[0]))
-        if high > end:
-            raise NotProvableError(said("whether something still happens before the end"))
-        around = self._around(first)
-        for other_low, other_high, other in known:
-            if other is first or other_low > high:
-                continue
-            exactly = low == high == other_low == other_high
-            if self._around(other) & around and not (exactly and self._apart(first, other)):
-                raise NotProvableError(
-                    said(
-                        "what comes first: {one} or {other}",
-                        one=self._called(first),
-                        other=self._called(other),
-                    )
-                )
-            if not exactly:
-                self.doubt = self.doubt or at_once(self._called(first), self._called(other))
-        return first
-
-    def _around(self, one: Next) -> set[int]:
-        """Gaps that an event changes."""
-        found = set() if one.gap is None else {one.gap.index}
-        for gap in self.gaps:
-            if gap.left in one.bodies or gap.right in one.bodies:
-                found.add(gap.index)
-        return found
-
-    def _apart(self, one: Next, other: Next) -> bool:
-        """At exactly one instant: is either order the same, as no body takes part in both?"""
-        if one.kind == other.kind == "touch" and _soft(one) and _soft(other):
-            return True
-        return not set(map(id, one.bodies)) & set(map(id, other.bodies))
-
-    def _called(self, one: Next) -> Said:
-        if one.gap is not None:
-            return called(one.kind, one.gap.names)
-        return called(one.kind, [self.names[k] for body in one.bodies for k in body.carts])
 
     def presses(self, gap: Gap, now: Instant) -> bool:
         """Do two that touch at rest to each other press at once?"""

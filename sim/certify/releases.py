@@ -10,11 +10,11 @@ from fractions import Fraction
 
 from sim.certify.bodies import Body, Gap
 from sim.certify.contacts import Contacts
-from sim.certify.foresight import at_once, called
 from sim.certify.impacts import common_velocity, reduced_mass
 from sim.certify.instants import Instant
 from sim.certify.loads import Burst
 from sim.certify.numbers.balls import ZERO, NoBoundError, NotProvableError, is_zero, lower
+from sim.certify.order import at_once, called
 from sim.certify.oscillation import Line
 from sim.certify.row import Next
 from sim.scene.said import said
