@@ -20,8 +20,6 @@ MOST_RUNTIME = 14_000_000  # bytes on disk, once per site, without packages
 MOST_CLASSROOM = 306_000
 MOST_MEASURED = 170_000
 MOST_PROOF = 106_000  # read when a reader asks for a proof; exploders brought it to 105 kB
-    106_000  # read when a reader asks for a proof; grew with coupled carts (96), exploders (104)
-)
 MOST_FILM = 130_000  # bytes as gzip
 MOST_TEACHER = 1_450_000  # with YAML, Markdown and templates; loaded by teachers only
 # More: numpy because a page has a map, scipy because one has balls; and what those and teacher mode
