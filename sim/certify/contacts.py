@@ -50,6 +50,10 @@ class Contacts(Forming):
             for body in both:
                 if body not in free:  # who touches others is judged with them
                     body.held, body.sliding = body in held, 0
+        self.form_beside(gap, pressed, now)
+
+    def form_beside(self, gap: Gap, pressed: Iterable[Gap], now: Instant) -> None:
+        """What was pressed goes on after velocities have changed at once at a gap."""
         for one in pressed:
             if one is not gap:
                 one.rate = one.right.v - one.left.v

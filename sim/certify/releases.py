@@ -106,12 +106,7 @@ class Releases(Contacts):
         both = (gap.left, gap.right)
         self.fly([body for body in both if not self._touches(body)], now)
         gap.rate = rate
-        for one in pressed:
-            if one is not gap:
-                one.rate = one.right.v - one.left.v
-                if one.touching:
-                    self.touches[one.index].still_pushes(now)
-        self.form(pressed, now)
+        self.form_beside(gap, pressed, now)
 
     def _split(self, gap: Gap, now: Instant) -> None:
         """One body becomes two, left and right of a gap that held it together."""
