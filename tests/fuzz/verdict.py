@@ -8,9 +8,6 @@ to agree within what the same run makes of inputs moved in the last figures.
 from __future__ import annotations
 
 import math
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
@@ -21,6 +18,7 @@ from sim.scene import SceneError, read_scene
 from tests.fuzz.mirror import mirrored
 from tests.fuzz.rows import Plain
 from tests.fuzz.units import scaled
+from tests.processor_time import TooSlowError, budget
 from tests.reference.contact_branches import UnsupportedError
 from tests.reference.effects import integrate
 
@@ -50,26 +48,6 @@ CLOSES = 1e-10
 
 MOST_CHANGES = 400
 """Changes of formula up to which the oracle follows."""
-
-
-class TooSlowError(BaseException):
-    """The budget is used up. No Exception: whoever catches those must not catch this."""
-
-
-@contextmanager
-def budget(seconds: float) -> Iterator[None]:
-    """Raise TooSlowError once the process has worked for so long inside."""
-
-    def stop(_number: int, _frame: Any) -> None:
-        raise TooSlowError
-
-    before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
-        signal.signal(signal.SIGVTALRM, before)
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ def touches(gap: Gap, now: Time) -> bool:
     if gap.solver is not None:  # at rest, pressed together
         return gap.touching is not None
     if gap.room > 0.0:
-        return abs(elapsed(gap.due, now)) <= AT_ONCE * now[0]
+        return _is_due(gap, now)
     return gap.room + moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now) <= 0.0
 
 
