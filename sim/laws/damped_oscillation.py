@@ -55,6 +55,11 @@ class Swing:
         a = -twice * v - square * y
         return y + self.centre, v, a, -twice * a - square * v
 
+    def strongest_from(self, t: float) -> float:
+        """m/s². |d''| is nowhere greater from `t` on: see `greatest_bend`."""
+        _, _, a, j = self.at(t)
+        return greatest_bend(self.rate, a, j)
+
     @property
     def d0(self) -> float:
         """m. Overlap at start."""
@@ -81,6 +86,18 @@ def solve(rate: Rate, y0: float, v0: float, t: float) -> tuple[float, float]:
     slow, fast = math.exp((w - beta) * t), math.exp(-(w + beta) * t)  # cosh alone would overflow
     cosh, sinh = (slow + fast) / 2.0, (slow - fast) / (2.0 * w)
     return y0 * cosh + (v0 + beta * y0) * sinh, v0 * cosh - c * sinh
+
+
+def greatest_bend(rate: Rate, a: float, j: float) -> float:
+    """m/s². Bound on |y''| from an instant on at which y'' = a and y''' = j.
+
+    y'' solves the equation of y, which only loses of  y'''² + w0² y''²  (beta ≥ 0, w0 > 0).
+    """
+    return math.hypot(a, j / rate.w0) * SLACK
+
+
+SLACK = 1.0 + 1e-9
+"""Relative. A bound is itself computed: a little more keeps it one."""
 
 
 def first_zero(rate: Rate, y0: float, v0: float) -> float:

@@ -40,6 +40,7 @@ CLEARLY = 1e4
 def next_touch(gap: Gap, own_separation: bool = False) -> float:
     """Seconds from now to the touch of two free neighbours; inf if there is none in sight."""
     law = gap.law
+    gap.clear_at = None  # what was foreseen while one of them moved otherwise
     if gap.rate < 0.0:
         room = gap.room
         if room < 0.0:

@@ -24,8 +24,11 @@ BISECTED = 1e-15
 
 
 def pushes(law: ContactLaw, mu: float, room: float, rate: float) -> bool:
-    """Is the force of an overlap positive, by more than rounding?"""
-    return law.force(mu, -room, -rate) > PUSH_ROUNDING * law.stiffness * -room
+    """Is there an overlap, and its force positive, by more than rounding?
+
+    Between two looks a pair may clear for a moment: spring and damper of a room push nobody.
+    """
+    return room < 0.0 and law.force(mu, -room, -rate) > PUSH_ROUNDING * law.stiffness * -room
 
 
 def is_pressed(room: float, rate: float) -> bool:

@@ -106,9 +106,8 @@ class LinearPair:
         return min(ends) - reach, max(ends) + reach
 
     def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound over the phase."""
-        rate = self.between.rate
-        swing = (rate.w0 + 2.0 * rate.beta) * self.between.fastest()
+        """m/s². Bound from `now` on."""
+        swing = self.between.strongest_from(elapsed(self.begun, now))
         return abs(self.drift[1]) + abs(self.side(body)) * swing
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 
 from sim.dynamics.motion.threshold import first_fall_to
-from sim.laws.damped_oscillation import Rate, first_turn, solve
+from sim.laws.damped_oscillation import Rate, first_turn, greatest_bend, solve
 
 FADED = 1e-4
 """Of the first swing. Fainter ones are not drawn one by one."""
@@ -56,6 +56,14 @@ class Oscillation:
     def over(self, t: float) -> tuple[float, float]:
         """Overlap and its rate; the bits of the start are kept at t = 0."""
         return (self.o0, self.u) if t == 0.0 else self.at(t)[:2]
+
+    def strongest_from(self, t: float) -> float:
+        """m/s². Bound on |o''| from t on: where it fades, that of the start would bound nothing."""
+        rate = self.rate
+        start = (rate.w0 + 2.0 * rate.beta) * self.fastest()
+        if t <= 0.0 or rate.beta <= 0.0 or rate.w0 == 0.0:
+            return start
+        return min(start, greatest_bend(rate, *self.at(t)[2:]))
 
     def deepest(self, t: float) -> float:
         """m. Greatest overlap up to t."""

@@ -22,10 +22,7 @@ from typing import ClassVar
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
 from sim.laws.contact_law import ContactLaw, Figures
-from sim.laws.damped_oscillation import Rate, Swing, first_turn, greatest_force
-
-SLACK = 1.0 + 1e-9
-"""The bound on the acceleration is itself computed: a little more keeps it a bound."""
+from sim.laws.damped_oscillation import SLACK, Rate, Swing, first_turn, greatest_force
 
 FAR = 1e300
 """s. In place of infinity for a contact that never ends: everything has faded there."""
@@ -159,9 +156,13 @@ class PairContact:
         return self.velocity_of_centre - reach, self.velocity_of_centre + reach
 
     def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound over the contact."""
-        end = abs(self.at(min(self.duration, FAR))[2])
-        return abs(self.side(body)) * max(self.peak()[1] / self.mu, end) * SLACK
+        """m/s². Bound from `now` on: where it fades, what was at first would bound nothing."""
+        tau, swings = elapsed(self.begun, now), self.stretches
+        if swings and swings[-1].rate.beta > 0.0 and tau > swings[-1].start:
+            bend = swings[-1].strongest_from(tau)
+        else:
+            bend = SLACK * max(self.peak()[1] / self.mu, abs(self.at(min(self.duration, FAR))[2]))
+        return abs(self.side(body)) * bend
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body with that side, tau s after the start."""
