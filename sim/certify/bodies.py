@@ -46,7 +46,8 @@ class Body:
     held: bool = False  # by friction
     sliding: int = 0
     phase: Phase | None = None
-    balanced: Instant | None = None  # when it slipped with no net force, exactly
+    slips: Instant | None = None  # when the force on it outgrew friction
+    balanced: Instant | None = None  # when it did so with no net force, exactly
 
     @property
     def still(self) -> bool:

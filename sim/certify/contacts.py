@@ -187,7 +187,7 @@ class Contacts(Forming):
             if body in (gap.left, gap.right):
                 push = self.push(gap)
                 total = total - push if body is gap.left else total + push
-        body.v, body.held = ZERO, False
+        body.v, body.held, body.slips = ZERO, False, now
         body.balanced = now if all(one.even for one in body.load) else None
         if not total > 0 and not total < 0:
             raise NotProvableError(said("which way a cart begins to slide"))

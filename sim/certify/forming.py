@@ -28,11 +28,14 @@ from sim.scene.said import said
 class Forming(Foresight):
     """Motions of bodies that touch."""
 
-    def interrupt(self, bodies: Iterable[Body], now: Instant) -> list[Gap]:
-        """End the motions of these bodies at `now`; returns the gaps that they pushed in."""
+    def interrupt(self, bodies: Iterable[Body], now: Instant, *, stuck: bool = False) -> list[Gap]:
+        """End the motions of these bodies at `now`; returns the gaps that they pushed in.
+
+        What pushes carts that stick to a wall goes on, unless `stuck`: these may come loose.
+        """
         found: list[Gap] = []
-        mine = {body for body in bodies if body.mass is not None}
-        for key in [k for k, (phase, _) in self.phases.items() if mine & {*phase.bodies}]:
+        mine = {body for body in bodies if body.mass is not None or (stuck and body.carts)}
+        for key in [k for k, (phase, _) in self.phases.items() if mine & _beside(phase)]:
             phase, _ = self.phases[key]
             for gap in phase.gaps:
                 if phase.begun is not now and gap.touching:
@@ -96,12 +99,17 @@ class Forming(Foresight):
                 if body.mass is not None:
                     pushes[body] = pushes.get(body, ZERO) + way * force
         for body, push in pushes.items():
-            if not (body.sliding and is_zero(body.v)):
+            if body.slips is not now or not is_zero(body.v):  # else its force is that of friction
                 held = body.held
                 body.fly(now, push)
                 if held != body.held and self.running:
-                    self.tell_carts(now, "stop" if body.held else "start", body)
+                    self._tell_grip(body, now)
             body.phase = None
+
+    def _tell_grip(self, body: Body, now: Instant) -> None:
+        """Friction lets go of it, or takes hold; but not for one of two touches of an instant."""
+        if not self.untell_carts(now, "start" if body.held else "stop", body):
+            self.tell_carts(now, "stop" if body.held else "start", body)
 
     def push(self, gap: Gap) -> Ball:
         """N. Of all that acts in a gap, at its `since`."""
@@ -209,6 +217,11 @@ class Forming(Foresight):
             if not is_zero(term):
                 break
         raise NotProvableError(said("whether {pair} meet", pair=gap.shown))
+
+
+def _beside(phase: ContactPhase | CoupledPhase) -> set[Body]:
+    """Its bodies, and what does not move and is pushed by them."""
+    return {*phase.bodies, *(body for gap in phase.gaps for body in (gap.left, gap.right))}
 
 
 def rest_against(gap: Gap) -> None:

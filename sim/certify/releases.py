@@ -54,7 +54,7 @@ class Releases(Contacts):
         """The energy goes into the two, or a spring lies between them from now on."""
         gap = self._gap(burst)
         latched = gap.joined
-        pressed = self.interrupt((gap.left, gap.right), now)
+        pressed = self.interrupt((gap.left, gap.right), now, stuck=latched)
         self.forget((gap.left, gap.right))
         self.settle((gap.left, gap.right), now)
         if latched:

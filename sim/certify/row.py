@@ -166,3 +166,11 @@ class Row:
     def tell_carts(self, when: Instant, kind: str, body: Body) -> None:
         """An event of every cart of a body."""
         self.tell(when, kind, tuple(self.names[k] for k in body.carts))
+
+    def untell_carts(self, when: Instant, kind: str, body: Body) -> bool:
+        """Take back an event that more of the same instant has undone; was there one?"""
+        told = Told(when, kind, tuple(self.names[k] for k in body.carts))
+        if told not in self.told:
+            return False
+        self.told.remove(told)
+        return True

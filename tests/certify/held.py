@@ -77,7 +77,7 @@ def _events(certificate: dict[str, Any], oracle: Digits) -> list[str]:
     mine = [event for event in certificate["events"] if event["kind"] not in LEFT_OUT]
     theirs = sorted(oracle.events, key=lambda e: _listed(e, oracle))
     if certificate["order"] != "proved":  # those of one instant may come in either order
-        mine = sorted(mine, key=lambda e: (e["bodies"], float(e["t"][0])))
+        mine = sorted(mine, key=lambda e: (e["bodies"], float(e["t"][0]), ORDER.index(e["kind"])))
         theirs = sorted(theirs, key=lambda e: (list(e[2]), e[0]))
     names = [(event["kind"], tuple(event["bodies"])) for event in mine]
     if names != [(kind, bodies) for _, kind, bodies in theirs]:

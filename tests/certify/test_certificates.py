@@ -136,62 +136,6 @@ def test_a_proof_ends_at_its_moment_and_says_so() -> None:
     assert certify(scene, limit=Limit(moment=monotonic() + 60)).proved
 
 
-def test_a_cart_that_a_wall_stops_dead_is_told_to_stop_where_friction_holds_it() -> None:
-    """As a run tells it: found among ten thousand random scenes."""
-    scene = read_scene({
-        "carts": {"A": {"mass": 2, "position": 0.25, "velocity": -1}},
-        "track": {"left": "wall"}, "contact": {"law": "instant", "restitution": 0}, "until": 1,
-        "effects": [{"push": {"cart": "A", "force": 0.1, "from": 0.5}},
-                    {"friction": {"coefficient": 0.04}}],
-    })  # fmt: skip
-    found = document(certify(scene))
-    assert [event["kind"] for event in found["events"]] == ["contact", "stop", "end"]
-    assert misses(scene, found) == []
-
-
-def test_friction_that_holds_one_of_a_pair_changes_the_damping_of_the_other() -> None:
-    """Critical for two masses is not critical for one: found among ten thousand random scenes."""
-    scene = read_scene({
-        "carts": {"A": {"mass": 6.606, "position": 0.2},
-                  "B": {"mass": 0.396, "position": 0.586, "velocity": -0.5}},
-        "track": {"right": "wall", "length": 1.31}, "until": 1.2,
-        "contact": {"law": "paper", "restitution": 0, "stiffness": 112},
-        "effects": [{"friction": {"coefficient": 0.0125, "static": 0.0232}}],
-    })  # fmt: skip
-    found = document(certify(scene))
-    assert [event["kind"] for event in found["events"]] == ["contact", "start", "stop", "end"]
-    assert misses(scene, found) == []
-
-
-def test_a_cart_that_turned_round_and_one_that_stops_later_do_not_stay_together() -> None:
-    """Both had stood still once, at two times: found among ten thousand random scenes."""
-    scene = read_scene({
-        "carts": {"A": {"mass": 3.5, "position": 0.2, "velocity": -0.142},
-                  "B": {"mass": 0.15, "position": 0.45, "velocity": 0.5}},
-        "contact": {"law": "velcro"}, "until": 3,
-        "effects": [{"friction": {"coefficient": 0.04}},
-                    {"push": {"cart": "B", "force": -0.95, "from": 0.22, "until": 0.39}}],
-    })  # fmt: skip
-    found = document(certify(scene))
-    assert found["order"] == "proved" and misses(scene, found) == []
-
-
-def test_an_impact_at_one_of_two_that_have_just_parted_brings_their_force_back() -> None:
-    """Their dashpot had not recovered: found among ten thousand random scenes."""
-    scene = read_scene({
-        "carts": {"A": {"mass": 2.442, "position": 0.2, "velocity": 1.438},
-                  "B": {"mass": 1.999, "position": 0.4, "velocity": 0.188},
-                  "C": {"mass": 0.213, "position": 0.65, "velocity": -0.5}},
-        "contact": {"law": "velcro", "pairs": {
-            "A-B": {"law": "push-only-uncorrected", "restitution": 0.02, "stiffness": 4922}}},
-        "until": 0.5,
-    })  # fmt: skip
-    found = document(certify(scene))
-    told = [(event["kind"], event["bodies"]) for event in found["events"]]
-    assert told.count(("contact", ["A", "B"])) == 2
-    assert misses(scene, found) == []
-
-
 def test_most_random_scenes_are_certified() -> None:
     scenes = [scene for seed in range(40) if (scene := maybe(seed)) is not None]
     proved = [scene for scene in scenes if certify(scene).proved]

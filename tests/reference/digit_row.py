@@ -183,4 +183,12 @@ class DigitRow:
                 group.held, group.sliding = False, int(mp.sign(group.v))
             if tell and was != group.held:
                 names = tuple(self.scene.carts[k].name for k in group.carts)
-                self.tell("stop" if group.held else "start", names)
+                self._tell_grip(group.held, names)
+
+    def _tell_grip(self, held: bool, names: tuple[str, ...]) -> None:
+        """One of two touches of an instant may let go, and the other hold: that is no event."""
+        kind, undone = ("stop", "start") if held else ("start", "stop")
+        if (self.t, undone, names) in self.events:
+            self.events.remove((self.t, undone, names))
+        else:
+            self.tell(kind, names)
