@@ -27,7 +27,7 @@ Report = Callable[[str], None]
 LOADER = "pyodide.js"
 STDLIB = "python.zip"
 SNAPSHOT = "memory.snapshot"
-AT_ONCE = min(4, os.cpu_count() or 1)
+AT_ONCE = min(2, os.cpu_count() or 1)
 """Programs that run at once while packing; each takes 200 MB."""
 
 
