@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
+from typing import Any
 
 from sim.scene import quantity
 from sim.scene.notation import same_unit, written_like
-from sim.scene.quantity import Dimension
+from sim.scene.quantity import Dimension, unit_of
 
 MOMENTUM = Dimension(
     "momentum",
@@ -46,6 +48,14 @@ def dimension_of(unit: str) -> Dimension | None:
     if not unit or unit == "%":
         return RATIO
     return next((d for d in DIMENSIONS if d.factor(unit) is not None), None)
+
+
+def of_others(values: Iterable[Any], dimension: Dimension) -> str:
+    """The unit of all these numbers, where they measure one thing, and not this; else nothing."""
+    found = [unit_of(str(value)) for value in values if value is not None]
+    measured = [(unit, dimension_of(unit)) for unit in found if unit not in ("", "%")]
+    kinds = {id(kind) for _, kind in measured if kind is not None}
+    return measured[0][0] if len(kinds) == 1 and id(dimension) not in kinds else ""
 
 
 def factors(unit: str, dimension: Dimension) -> dict[str, float]:

@@ -186,7 +186,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
                 said(
                     "{quantity} takes {units}; for example {example}",
                     quantity=quantity,
-                    units=", ".join(dimension.units) or said("no unit"),
+                    units=", ".join(filter(None, dimension.units)) or said("no unit"),
                     example=dimension.example,
                 ),
             )

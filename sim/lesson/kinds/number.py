@@ -72,6 +72,11 @@ class Number(Question):
         """The answer's unit is the question's; a tolerance that nobody can meet is a problem."""
         before = len(problems)
         unit, dimension = read_unit(table, "answer", path, problems)
+        if other := units.of_others(_numbers(table), dimension):
+            given = f"in {unit}" if unit else "a plain number"
+            message = f"the answer is {given}, the other numbers of this question are in {other}"
+            here = (*path, "answer")
+            problems.append(Problem(here, "wrong-unit", message, f"answer: 0.25 {other}"))
         if len(problems) > before:  # whatever is said about the rest would follow from this
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
         exact = read_number(table, "answer", dimension, path, problems)
@@ -142,6 +147,13 @@ def mark_number(
             beliefs = (known.belief,) if known.belief else ()
             return all_or_nothing(False, False, of, shown=shown, beliefs=beliefs)
     return all_or_nothing(False, False, of)
+
+
+def _numbers(table: Mapping[str, Any]) -> list[Any]:
+    """Tolerance and known wrong answers, as far as they are written."""
+    rows = table.get("wrong")
+    rows = [row for row in rows if isinstance(row, dict)] if isinstance(rows, list) else []
+    return [table.get("tolerance"), *(row.get("value") for row in rows)]
 
 
 def read_unit(
@@ -217,13 +229,14 @@ def _wrong(
     hint = "wrong:\n    - {value: 0.60 m/s, feedback: That is the speed before.}"
     found = []
     for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
+        before = len(problems)
         value = read_number(row, "value", dimension, here, problems)
         tolerance = (
             read_tolerance(row, value, dimension, here, problems)
             if "tolerance" in row
             else right[0]
         )
-        if abs(value - right[1]) <= right[0]:
+        if len(problems) == before and abs(value - right[1]) <= right[0]:
             message = "this wrong answer lies within the tolerance of the right one"
             problems.append(Problem((*here, "value"), "unreachable", message, "narrow it"))
         found.append(
