@@ -3065,9 +3065,7 @@
       /** @type {HTMLElement} */
       link.parentElement
     );
-    const asked = place2.querySelector("input");
-    asked?.focus();
-    if (asked) return Promise.resolve(false);
+    if (place2.querySelector("form")) return Promise.resolve(false);
     const form2 = document.createElement("form");
     const label2 = html("label", "", `${tr("Your teacher's word")} `);
     const box = document.createElement("input");

@@ -72,9 +72,7 @@ const KEY = "carts-teacher-word"; // its checksum, once it was given in this tab
 /** Resolves when the word was given. @param {HTMLElement} link @param {string} sum @returns {Promise<boolean>} */
 function ask(link, sum) {
   const place = /** @type {HTMLElement} */ (link.parentElement);
-  const asked = place.querySelector("input");
-  asked?.focus(); // the link's own #teacher took the focus away
-  if (asked) return Promise.resolve(false);
+  if (place.querySelector("form")) return Promise.resolve(false);
   const form = document.createElement("form");
   const label = html("label", "", `${tr("Your teacher's word")} `);
   const box = document.createElement("input");
