@@ -108,8 +108,9 @@ class Forming(Foresight):
 
     def _tell_grip(self, body: Body, now: Instant) -> None:
         """Friction lets go of it, or takes hold; but not for one of two touches of an instant."""
-        if not self.untell_carts(now, "start" if body.held else "stop", body):
-            self.tell_carts(now, "stop" if body.held else "start", body)
+        kind, undone = ("stop", "start") if body.held else ("start", "stop")
+        if not self.untell_carts(now, undone, body):
+            self.tell_carts(now, kind, body)
 
     def push(self, gap: Gap) -> Ball:
         """N. Of all that acts in a gap, at its `since`."""

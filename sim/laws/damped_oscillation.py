@@ -89,15 +89,11 @@ def solve(rate: Rate, y0: float, v0: float, t: float) -> tuple[float, float]:
 
 
 def greatest_bend(rate: Rate, a: float, j: float) -> float:
-    """m/s². Bound on |y''| from an instant on at which y'' = a and y''' = j.
+    """m/s². Bound on |y''| from an instant on at which y'' = a and y''' = j, but for rounding.
 
     y'' solves the equation of y, which only loses of  y'''² + w0² y''²  (beta ≥ 0, w0 > 0).
     """
-    return math.hypot(a, j / rate.w0) * SLACK
-
-
-SLACK = 1.0 + 1e-9
-"""Relative. A bound is itself computed: a little more keeps it one."""
+    return math.hypot(a, j / rate.w0)
 
 
 def first_zero(rate: Rate, y0: float, v0: float) -> float:

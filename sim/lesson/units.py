@@ -53,9 +53,11 @@ def dimension_of(unit: str) -> Dimension | None:
 def of_others(values: Iterable[Any], dimension: Dimension) -> str:
     """The unit of all these numbers, where they measure one thing, and not this; else nothing."""
     found = [unit_of(str(value)) for value in values if value is not None]
-    measured = [(unit, dimension_of(unit)) for unit in found if unit not in ("", "%")]
-    kinds = {id(kind) for _, kind in measured if kind is not None}
-    return measured[0][0] if len(kinds) == 1 and id(dimension) not in kinds else ""
+    found = [unit for unit in found if unit != "%"]  # of the answer, whatever that is
+    kinds = [dimension_of(unit) for unit in found]
+    if not found or kinds[0] in (None, RATIO, dimension) or any(k is not kinds[0] for k in kinds):
+        return ""
+    return found[0]
 
 
 def factors(unit: str, dimension: Dimension) -> dict[str, float]:

@@ -39,5 +39,11 @@ def test_one_wrong_answer_in_another_unit_is_the_mistake_itself() -> None:
     assert [problem.path[-1] for problem in caught.value.problems] == ["value"]
 
 
+def test_numbers_that_do_not_agree_among_themselves_are_told_one_by_one() -> None:
+    with pytest.raises(LessonError) as caught:
+        read_question({**FORCE, "answer": "5 kg", "tolerance": 0.1})
+    assert [problem.path[-1] for problem in caught.value.problems] == ["value"]
+
+
 def test_percent_of_an_answer_is_no_unit_of_its_own() -> None:
     assert read_question({**FORCE, "answer": "2 N", "tolerance": "1 %"}).KIND == "number"

@@ -12,13 +12,11 @@ from dataclasses import dataclass
 from typing import ClassVar, Protocol, runtime_checkable
 
 from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.damped_oscillation import Rate
-
-SLACK = 1.0 + 1e-9
-"""A bound that is itself computed stays one."""
 
 
 class Course(Protocol):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.motion.threshold import first_fall_to
 from sim.laws.damped_oscillation import Rate, first_turn, greatest_bend, solve
 
@@ -63,7 +64,7 @@ class Oscillation:
         start = (rate.w0 + 2.0 * rate.beta) * self.fastest()
         if t <= 0.0 or rate.beta <= 0.0 or rate.w0 == 0.0:
             return start
-        return min(start, greatest_bend(rate, *self.at(t)[2:]))
+        return min(start, greatest_bend(rate, *self.at(t)[2:]) * SLACK)
 
     def deepest(self, t: float) -> float:
         """m. Greatest overlap up to t."""

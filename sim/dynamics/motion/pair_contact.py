@@ -19,10 +19,11 @@ import math
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
 from sim.laws.contact_law import ContactLaw, Figures
-from sim.laws.damped_oscillation import SLACK, Rate, Swing, first_turn, greatest_force
+from sim.laws.damped_oscillation import Rate, Swing, first_turn, greatest_force
 
 FAR = 1e300
 """s. In place of infinity for a contact that never ends: everything has faded there."""
@@ -161,8 +162,8 @@ class PairContact:
         if swings and swings[-1].rate.beta > 0.0 and tau > swings[-1].start:
             bend = swings[-1].strongest_from(tau)
         else:
-            bend = SLACK * max(self.peak()[1] / self.mu, abs(self.at(min(self.duration, FAR))[2]))
-        return abs(self.side(body)) * bend
+            bend = max(self.peak()[1] / self.mu, abs(self.at(min(self.duration, FAR))[2]))
+        return abs(self.side(body)) * bend * SLACK
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body with that side, tau s after the start."""

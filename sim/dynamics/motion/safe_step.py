@@ -15,6 +15,9 @@ import math
 SAFE_STEPS = 400
 """Steps of the guarded search. Ten do for a crossing; only a near miss takes more, and ends."""
 
+SLACK = 1.0 + 1e-9
+"""Relative. A bound on the second derivative is itself computed: a little more keeps it one."""
+
 
 def safe_step(here: float, rate: float, bound: float) -> float:
     """Longest time in which `here` >= 0, changing at `rate`, cannot fall below zero.

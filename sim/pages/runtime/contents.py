@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import json
-import os
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import pins
 from .cache import Cache, key_of, sha256
 from .classic import classic_script
-from .extra_wheel import ExtraWheel, make_extra_wheel
+from .extra_wheel import make_extra_wheel
 from .lock import make_lock
 from .node import code_key, node_version
 from .ours import ENTRY, NAME, Ours
@@ -27,8 +25,6 @@ Report = Callable[[str], None]
 LOADER = "pyodide.js"
 STDLIB = "python.zip"
 SNAPSHOT = "memory.snapshot"
-AT_ONCE = min(2, os.cpu_count() or 1)
-"""Programs that run at once while packing; each takes 200 MB."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +42,7 @@ def make_contents(
     originals: dict[str, Path],
     cache: Cache,
     report: Report,
-    extras: Sequence[Ours] = (),
+    extras: Iterable[Ours] = (),
 ) -> Contents:
     """Return the runtime with `ours` and the wheels `originals` (package name -> verified file).
 
@@ -65,25 +61,21 @@ def make_contents(
     if start.used.later:
         wheels[REST] = make_rest_wheel(start.wheel, start.used.later, ours, cache)
     more: list[str] = []
-    ours_too = {NAME, REST, *(extra.name for extra in extras)}
-    with ThreadPoolExecutor(AT_ONCE) as pool:  # each is a program of its own, and needs no other
-
-        def of_extra(extra: Ours) -> ExtraWheel:
-            return make_extra_wheel(core, stdlib, start.wheel, extra, cache)
-
-        made = pool.map(of_extra, extras)
-        if originals:
-            packages = make_packages(originals, core, stdlib, cache, report)
-            wheels |= packages.wheels
-            more += packages.used
-        for extra, built in zip(extras, made, strict=True):
-            wheels[extra.name] = built.wheel
-            more += built.used
-        table_at = 0
-        if more:
-            table_at, files[MORE] = more_of_stdlib(stdlib, more, start.stdlib)
-        files |= {path.name: path.read_bytes() for path in wheels.values()}
-        payloads = list(pool.map(lambda file: _scripts(*file, cache), files.items()))
+    if originals:
+        packages = make_packages(originals, core, stdlib, cache, report)
+        wheels |= packages.wheels
+        more += packages.used
+    ours_too = {NAME, REST}
+    for extra in extras:
+        ours_too.add(extra.name)
+        made = make_extra_wheel(core, stdlib, start.wheel, extra, cache)
+        wheels[extra.name] = made.wheel
+        more += made.used
+    table_at = 0
+    if more:
+        table_at, files[MORE] = more_of_stdlib(stdlib, more, start.stdlib)
+    files |= {path.name: path.read_bytes() for path in wheels.values()}
+    payloads = [_scripts(name, data, cache) for name, data in files.items()]
     lock = make_lock(core / pins.LOCK, wheels, cache)
     info = lock["info"]
     python = str(info["python"]) if isinstance(info, dict) else ""
