@@ -72,7 +72,7 @@ class Number(Question):
         """The answer's unit is the question's; a tolerance that nobody can meet is a problem."""
         before = len(problems)
         unit, dimension = read_unit(table, "answer", path, problems)
-        if other := units.of_others(_numbers(table), dimension):
+        if len(problems) == before and (other := units.of_others(_numbers(table), dimension)):
             given = f"in {unit}" if unit else "a plain number"
             message = f"the answer is {given}, the other numbers of this question are in {other}"
             here = (*path, "answer")
