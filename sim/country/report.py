@@ -101,9 +101,10 @@ def _flags(counts: Counts) -> list[Flag]:
     foreign = sum(cell["n"] for cell in counts.totals if cell["foreign"])
     if foreign:
         text = counted(
-            "1 file holds answers to another wording of a question. It is listed and not counted.",
-            "{n} files hold answers to another wording of a question. They are listed and not "
-            "counted.",
+            "1 file answers another text of some questions: these answers are not counted and the "
+            "file has no total; its other answers are counted.",
+            "{n} files answer another text of some questions: these answers are not counted and "
+            "the files have no total; their other answers are counted.",
             n=foreign,
         )
         flags.append(Flag("foreign-version", text, ()))

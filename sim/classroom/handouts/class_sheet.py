@@ -14,7 +14,7 @@ from sim.classroom.handouts.wording import FORMS, cut, numbers
 from sim.classroom.report.numerals import number, students
 from sim.classroom.report.sentences import left_open
 from sim.classroom.show.html_parts import Tell, table, text
-from sim.scene.said import Said, said, template
+from sim.scene.said import Said, counted, said, template
 
 Row = Mapping[str, Any]
 SHADES = 4
@@ -65,6 +65,8 @@ def _parts(form: Row, tell: Tell) -> Iterator[str]:
         )  # fmt: skip
         told = [*said_, *filter(None, [left_open(form["items"])])]
         yield f"<p>{'<br>'.join(map(tell, told))}</p>"
+    if other := sum(bool(one["foreign"]) for one in form["students"]):
+        yield f"<p>{tell(_without_total(other))}</p>"
     if form["talk"]:
         rows = "".join(f"<li>{tell(row['sentence'])}</li>" for row in form["talk"])
         yield f"<h3>{tell(template('What to talk about first'))}</h3><ol>{rows}</ol>"
@@ -79,6 +81,15 @@ def _parts(form: Row, tell: Tell) -> Iterator[str]:
     yield _counted(template("First ideas"), _ideas(form["items"]), tell)
     before = template("Predicted before the run")
     yield _counted(before, _predictions(form["predictions"]), tell)
+
+
+def _without_total(students_: int) -> str:
+    return counted(
+        "1 student had another text of some questions: no total, and these answers do not count.",
+        "{n} students had another text of some questions: no totals, and these answers do not "
+        "count.",
+        n=students_,
+    )
 
 
 def _questions(items: Sequence[tuple[int, Row]], tell: Tell) -> str:

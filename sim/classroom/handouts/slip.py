@@ -47,8 +47,9 @@ class Given:
 class FormSlip:
     """One form of one student. Numbers are those that students know, from 1.
 
-    `marks` of `of` so far; None without a key, or where another wording was answered. `sure`: how
-    many answers the student was sure of, and how many of these are right; None where not asked.
+    `marks` of `of` so far; None without a key. `sure`: how many answers the student was sure of,
+    and how many of these are right; None where not asked. `foreign`: answered in another wording
+    than the key's, not marked; then there is no total.
     """
 
     form: str
@@ -62,6 +63,7 @@ class FormSlip:
     waiting: tuple[int, ...] = ()
     given: tuple[Given, ...] = ()
     sure: tuple[int, int] | None = None
+    foreign: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,10 +105,10 @@ def slips(counted: Sequence[Marked], keys: Keys, groups: Sequence[str]) -> list[
 
 def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
     """What is said about one file."""
-    if key is None or file.foreign:
+    if key is None:
         return FormSlip(form=file.file.form, saved=file.file.saved, marks=None, of=0)
     marked = [(k, key.items[name], file.answers[name]) for k, name in enumerate(key.items, 1)]
-    worth = [(k, item, a) for k, item, a in marked if a.mark and a.mark.of
+    worth = [(k, item, a) for k, item, a in marked if a.mark and a.mark.of and not a.foreign
              and not (a.optional and _verdict(a) == "empty")]  # fmt: skip
     wrong = [one for one in worth if _verdict(one[2]) in ("wrong", "partly", "unclear")
              and not one[1].question.free]  # fmt: skip
@@ -126,6 +128,7 @@ def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
         given=tuple(_given(k, item, a, key.items, file.answers) for k, item, a in worth
                     if _tells(item, a)),
         sure=(len(sure), sum(_verdict(a) == "right" for a in sure)) if sure else None,
+        foreign=file.foreign_numbers,
     )  # fmt: skip
 
 

@@ -39,7 +39,7 @@ def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
     if form.marks is None:
         yield _line(tell(template("These answers were not marked.")))
         return
-    if form.of and not form.waiting:
+    if form.of and not form.waiting and not form.foreign:
         marks = said("{marks} of {of} marks", marks=f"{form.marks}", of=f"{form.of}")
         yield f'<p class="carts-slip-marks">{tell(marks)}</p>'
     if form.right:
@@ -58,6 +58,10 @@ def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
     if form.waiting:
         reads = said("Your teacher still reads {questions}", questions=numbers(form.waiting))
         yield _line(tell(reads))
+    if form.foreign:
+        other = said("You had another text of these questions, so they are not marked: {questions}",
+                     questions=numbers(form.foreign))  # fmt: skip
+        yield _line(tell(other))
     if form.given:
         yield f"<h4>{tell(template('Your own words'))}</h4>"
         yield f"<ol>{''.join(_given(one, tell) for one in form.given)}</ol>"

@@ -9,26 +9,12 @@ from sim.classroom.report.marked import Marked
 from sim.scene.said import counted, said
 
 NAMED = 5
-"""Items or sites that a question names."""
+"""Sites that a question names."""
 
 
 def foreign(files: Sequence[Marked]) -> list[Flag]:
     """Answers to other wordings, and files of other sites."""
-    flags = []
-    other = [file for file in files if file.foreign]
-    if other:
-        items = sorted({name for file in other for name in file.foreign})
-        named = ", ".join(items[:NAMED])
-        text = counted(
-            "1 file holds answers to another wording of {items}. Do file and key come from the "
-            "same version of the lesson? This file is listed and not counted.",
-            "{n} files hold answers to another wording of {items}. Do file and key come from the "
-            "same version of the lesson? These files are listed and not counted.",
-            n=len(other),
-            items=said("{items} and others", items=named) if len(items) > NAMED else named,
-        )  # fmt: skip
-        flags.append(Flag("foreign-version", text, tuple(file.name for file in other)))
-    flags += _versions(files)
+    flags = [*_wordings(files), *_versions(files)]
     sites = sorted({file.file.site for file in files})
     if len(sites) > 1:
         most = max(sites, key=lambda site: sum(f.file.site == site for f in files))
@@ -39,6 +25,31 @@ def foreign(files: Sequence[Marked]) -> list[Flag]:
             n=f"{len(sites)}", sites=", ".join(sites[:NAMED]),
         )  # fmt: skip
         flags.append(Flag("foreign-site", text, strangers))
+    return flags
+
+
+def _wordings(files: Sequence[Marked]) -> list[Flag]:
+    """Files that answer another text than the key's, form by form: what fits is counted."""
+    by_form: dict[tuple[str, str, str], list[Marked]] = {}
+    for file in files:
+        if file.foreign:
+            f = file.file
+            by_form.setdefault((f.site, f.lesson, f.form), []).append(file)
+    flags = []
+    for (_, lesson, form), found in by_form.items():
+        asked = sorted({number for file in found for number in file.foreign_numbers})
+        text = counted(
+            "1 file ({lesson}, form {form}) answers another text of these questions than the key "
+            "has: {questions}. These answers are not counted and the file has no total; its other "
+            "answers are counted. Was the lesson changed meanwhile? Add the key file of the other "
+            "text too: each file is marked by the key that fits it.",
+            "{n} files ({lesson}, form {form}) answer another text of these questions than the key "
+            "has: {questions}. These answers are not counted and the files have no total; their "
+            "other answers are counted. Was the lesson changed meanwhile? Add the key file of the "
+            "other text too: each file is marked by the key that fits it.",
+            n=len(found), lesson=lesson, form=form, questions=", ".join(map(str, asked)),
+        )  # fmt: skip
+        flags.append(Flag("foreign-version", text, tuple(file.name for file in found)))
     return flags
 
 

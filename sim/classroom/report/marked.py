@@ -80,6 +80,11 @@ class Marked:
         return tuple(a.id for a in self.answers.values() if a.foreign)
 
     @property
+    def foreign_numbers(self) -> tuple[int, ...]:
+        """The same, as students number the questions, from 1."""
+        return tuple(k for k, a in enumerate(self.answers.values(), 1) if a.foreign)
+
+    @property
     def open(self) -> tuple[str, ...]:
         """Items left open, of those that are worth marks."""
         return tuple(
@@ -96,8 +101,8 @@ class Marked:
         )
 
     def total(self, items: Sequence[str]) -> int:
-        """Marks in these items."""
-        return sum(self.answers[name].marks for name in items)
+        """Marks in these items; the key of an earlier text may not have them all."""
+        return sum(self.answers[name].marks for name in items if name in self.answers)
 
 
 class Keys:
@@ -168,17 +173,21 @@ def lesson_title(lesson: str, keys: Iterable[KeyedForm | None]) -> str:
 
 
 def counted_items(files: Sequence[Marked]) -> tuple[str, ...]:
-    """Items that are worth marks and wait for nobody, in any of these files: what totals are of."""
+    """Items that are worth marks and wait for nobody, in any of these files: what totals are of.
+
+    Files of an earlier text, with a key of their own, share some items only: those count.
+    """
     if not files:
         return ()
     waiting = {name for file in files for name in file.waiting}
-    first = files[0].answers
-    return tuple(name for name, a in first.items() if a.worth and name not in waiting)
+    shared = set.intersection(*(set(file.answers) for file in files)) - waiting
+    return tuple(name for name, a in files[0].answers.items() if a.worth and name in shared)
 
 
 def worth(files: Sequence[Marked], items: Sequence[str]) -> int:
     """What these items are worth together."""
-    return sum(files[0].answers[name].worth for name in items) if files else 0
+    first = ((f.answers[name].worth for f in files if name in f.answers) for name in items)
+    return sum(next(worths, 0) for worths in first)
 
 
 def _unmarked(item: Item) -> Answer:

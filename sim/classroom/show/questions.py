@@ -104,18 +104,25 @@ def _item(item: Row, tell: Tell) -> str:
 
 
 def _students(form: Row, tell: Tell) -> str:
+    known = {item["id"]: f"{k}" for k, item in enumerate(form["items"], 1) if form["has_key"]}
+
+    def named(items: Sequence[str]) -> str:
+        return text(", ".join(known.get(name, name) for name in items)) or "–"
+
+    others = any(row["foreign"] for row in form["students"])
     rows = [
         [
             person(row["student"], tell), person(row["group"], tell),
             "–" if row["total"] is None else f"{row['total']}",
-            text(", ".join(row["open"])) or "–", text(", ".join(row["waiting"])) or "–",
-            person(row["file"], tell),
+            named(row["open"]), named(row["waiting"]),
+            *([named(row["foreign"])] if others else []), person(row["file"], tell),
         ]
         for row in form["students"]
     ]  # fmt: skip
     marks = template("marks") if form["of"] is None else said("marks of {of}", of=f"{form['of']}")
     head = [template("code word"), template("group"), marks, template("left open"),
-            template("to be read"), template("file")]  # fmt: skip
+            template("to be read"), *([template("another text")] if others else []),
+            template("file")]  # fmt: skip
     title = tell(said("Who left what open: form {form}", form=form["form"]))
     made = table(list(map(tell, head)), rows, kind="students")
     return f"<details><summary>{title}</summary>{made}</details>"

@@ -14,8 +14,14 @@ LATE = 300  # ms; what moves late, by an element of ours, moves within this
 OURS = "[...document.querySelectorAll('*')].some((one) => one.localName.startsWith('carts-'))"
 COUNT_SHIFTS = """
   window.shifted = 0;
+  window.moved = [];
   new PerformanceObserver((list) => {
-    for (const entry of list.getEntries()) window.shifted += entry.value;
+    for (const entry of list.getEntries()) {
+      window.shifted += entry.value;
+      for (const { node, previousRect: from, currentRect: to } of entry.sources)
+        window.moved.push(`${node?.nodeName} ${node?.className}: ${Math.round(entry.startTime)} ms, `
+          + `${[from.x, from.y, from.width, from.height]} to ${[to.x, to.y, to.width, to.height]}`);
+    }
   }).observe({ type: "layout-shift", buffered: true });
 """
 

@@ -70,7 +70,7 @@ def found(site: Path, browser: Browser) -> Found:
         look(page, *VIEWS[0])
         page.goto((site / name).as_uri())
         if (shift := shift_of(page)) > MOST_SHIFT:
-            all_.jumps.append((name, shift))
+            all_.jumps.append((name, (shift, page.evaluate("window.moved"))))
         all_.said += [(name, said) for said in heard]
         heard.clear()
         for view in VIEWS if name in first_of_kind else FEWER:
