@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from playwright.sync_api import expect
 
 from sim.cli import main
 from sim.cli.site.build import build_site
@@ -46,7 +47,12 @@ def test_with_a_teachers_word_nothing_is_opened_before_it_is_given(
     page.on("request", lambda request: asked.append(request.url))
     page.goto((site / "worksheets" / f"{LESSON}.html").as_uri() + "#teacher")
     word = page.locator(".carts-teach-door input")
-    word.fill("OWL")
+    expect(word).to_be_focused()
+    page.goto((site / "index.html").as_uri())
+    page.goto((site / "worksheets" / f"{LESSON}.html").as_uri())
+    page.locator(".carts-teach-door a").click()
+    expect(word).to_be_focused()  # also after the address has become #teacher
+    page.keyboard.type("OWL")
     word.press("Enter")
     assert page.locator(".carts-teach-door [role=alert]").inner_text() == "That is not the word."
     parts = ("assets/carts/teacher.", "assets/carts/lessons/")

@@ -3035,7 +3035,11 @@
       return !sum || recall(KEY) === sum || ask(link, sum);
     };
     const wanted = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
-    link.addEventListener("click", () => void open2());
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      history.pushState(null, "", link.href);
+      void open2();
+    });
     addEventListener("hashchange", () => {
       if (location.hash === "#teacher") void open2();
     });
@@ -3065,7 +3069,9 @@
       /** @type {HTMLElement} */
       link.parentElement
     );
-    if (place2.querySelector("form")) return Promise.resolve(false);
+    const asking = place2.querySelector("input");
+    asking?.focus();
+    if (asking) return Promise.resolve(false);
     const form2 = document.createElement("form");
     const label2 = html("label", "", `${tr("Your teacher's word")} `);
     const box = document.createElement("input");
@@ -3077,6 +3083,8 @@
     form2.append(label2, " ", button2, " ", wrong2);
     place2.append(form2);
     box.focus();
+    if (document.readyState !== "complete")
+      addEventListener("load", () => requestAnimationFrame(() => box.focus()), { once: true });
     return new Promise((resolve) => {
       form2.addEventListener("submit", (event) => {
         event.preventDefault();

@@ -19,8 +19,9 @@ COUNT_SHIFTS = """
     for (const entry of list.getEntries()) {
       window.shifted += entry.value;
       for (const { node, previousRect: from, currentRect: to } of entry.sources)
-        window.moved.push(`${node?.nodeName} ${node?.className}: ${Math.round(entry.startTime)} ms, `
-          + `${[from.x, from.y, from.width, from.height]} to ${[to.x, to.y, to.width, to.height]}`);
+        window.moved.push(`${node?.nodeName} ${node?.className}: ${entry.startTime} ms, `
+          + `${[from.x, from.y, from.width, from.height]} to `
+          + `${[to.x, to.y, to.width, to.height]}`);
     }
   }).observe({ type: "layout-shift", buffered: true });
 """

@@ -36,7 +36,12 @@ export function teacherDoor() {
   };
   const wanted = () =>
     location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
-  link.addEventListener("click", () => void open());
+  link.addEventListener("click", (event) => {
+    // The link leads to its own paragraph, which would take the focus from the field below.
+    event.preventDefault();
+    history.pushState(null, "", link.href);
+    void open();
+  });
   addEventListener("hashchange", () => {
     if (location.hash === "#teacher") void open();
   });
@@ -72,7 +77,9 @@ const KEY = "carts-teacher-word"; // its checksum, once it was given in this tab
 /** Resolves when the word was given. @param {HTMLElement} link @param {string} sum @returns {Promise<boolean>} */
 function ask(link, sum) {
   const place = /** @type {HTMLElement} */ (link.parentElement);
-  if (place.querySelector("form")) return Promise.resolve(false);
+  const asking = place.querySelector("input");
+  asking?.focus();
+  if (asking) return Promise.resolve(false);
   const form = document.createElement("form");
   const label = html("label", "", `${tr("Your teacher's word")} `);
   const box = document.createElement("input");
@@ -84,6 +91,9 @@ function ask(link, sum) {
   form.append(label, " ", button, " ", wrong);
   place.append(form);
   box.focus();
+  if (document.readyState !== "complete")
+    // An address with #teacher takes the focus to its paragraph when the page has been read in.
+    addEventListener("load", () => requestAnimationFrame(() => box.focus()), { once: true });
   return new Promise((resolve) => {
     form.addEventListener("submit", (event) => {
       event.preventDefault();
