@@ -2532,6 +2532,11 @@
   var LONGEST3 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
+  var BARE = /^[\s+\-−–\d.,eE]*$/;
+  function withUnit(typed, unit) {
+    const text = typed.trim();
+    return text && unit && BARE.test(text) ? `${text} ${unit}` : text;
+  }
   function readNumber(typed, units) {
     const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
@@ -2682,7 +2687,7 @@
       },
       said: () => filled2().map((place2) => {
         const { unit } = facts.cells[name(place2)] ?? { unit: "" };
-        return `${box(place2).getAttribute("aria-label")}: ${box(place2).value.trim()} ${unit}`.trim();
+        return `${box(place2).getAttribute("aria-label")}: ${withUnit(box(place2).value, unit)}`;
       }).join("; "),
       problem: () => {
         for (const place2 of filled2()) {
@@ -2774,10 +2779,7 @@
       enable: (on) => {
         box.readOnly = !on;
       },
-      said: () => {
-        const bare = /^[\s+\-−–\d.,eE]*$/.test(box.value);
-        return box.value.trim() && bare && facts.unit ? `${box.value.trim()} ${facts.unit}` : box.value.trim();
-      },
+      said: () => withUnit(box.value, facts.unit),
       recall: (said) => {
         const unit = facts.unit ? ` ${facts.unit}` : "";
         box.value = unit && said.endsWith(unit) ? said.slice(0, -unit.length) : said;

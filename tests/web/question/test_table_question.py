@@ -53,6 +53,9 @@ def test_cells_are_marked_one_by_one_and_drawn_and_come_back(
     saved(page, "gains")
     (item,) = saved_file(page)["items"]
     assert item["value"] == {"1-2": 0.4, "2-2": 0.8}
+    # What has a unit gets no second one.
+    first, second = item["said"].split("; ")
+    assert first.endswith(": 40 cm/s") and second.endswith(": 0.8 m/s")
     page.reload()
     ready(page)
     expect(cells.nth(0)).to_have_value("0.4")

@@ -4,7 +4,7 @@ import { tr } from "../../../../view/language.js";
 import { fixed, px } from "../../../../view/numbers.js";
 import { axis, axisDecimals, ticks } from "../../../../view/scales.js";
 import { put, svg } from "../../shared/dom.js";
-import { readNumber } from "../marking/typed-number.js";
+import { readNumber, withUnit } from "../marking/typed-number.js";
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [50, 305, 15, 160]; // of the plot, as the template draws its axes
 const COUNT = 4; // numbers on an axis, about
@@ -55,7 +55,7 @@ export function tableForm(root, changed, facts) {
       filled()
         .map((place) => {
           const { unit } = facts.cells[name(place)] ?? { unit: "" };
-          return `${box(place).getAttribute("aria-label")}: ${box(place).value.trim()} ${unit}`.trim();
+          return `${box(place).getAttribute("aria-label")}: ${withUnit(box(place).value, unit)}`;
         })
         .join("; "),
     problem: () => {

@@ -1,6 +1,6 @@
 /** Answers that are typed: a number with a unit, a few words, several sentences. */
 
-import { readNumber } from "../marking/typed-number.js";
+import { readNumber, withUnit } from "../marking/typed-number.js";
 
 /** @typedef {import("../element.js").Form} Form */
 
@@ -37,12 +37,7 @@ export function numberForm(root, changed, facts) {
     enable: (on) => {
       box.readOnly = !on;
     },
-    said: () => {
-      const bare = /^[\s+\-−–\d.,eE]*$/.test(box.value);
-      return box.value.trim() && bare && facts.unit
-        ? `${box.value.trim()} ${facts.unit}`
-        : box.value.trim();
-    },
+    said: () => withUnit(box.value, facts.unit),
     recall: (said) => {
       const unit = facts.unit ? ` ${facts.unit}` : "";
       box.value = unit && said.endsWith(unit) ? said.slice(0, -unit.length) : said;

@@ -8,6 +8,14 @@ const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
 const GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
 
+const BARE = /^[\s+\-−–\d.,eE]*$/; // a number without a unit
+
+/** What was typed, in words: a bare number with the question's unit. @param {string} typed @param {string} unit */
+export function withUnit(typed, unit) {
+  const text = typed.trim();
+  return text && unit && BARE.test(text) ? `${text} ${unit}` : text;
+}
+
 /**
  * @param {string} typed @param {Record<string, number>} units how many of the question's unit each allowed unit is
  * @returns {{value: number} | {problem: string}}
