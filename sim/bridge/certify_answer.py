@@ -48,11 +48,12 @@ def certify_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[fl
     exact = _seconds(scene)
     begun = perf_counter()
     limit = Limit(MOST_CHANGES, monotonic() + PATIENCE)
-    found = certify(scene, limit=limit, instants=_instants(scene))
-    if scene.tolerances and (edges := _edges(scene, found)):
-        instants = sorted({*_instants(scene), *edges})
+    found = certify(scene, limit=limit)
+    if scene.tolerances:
+        # The band is drawn in a second proof, which knows where the first found its steps.
+        instants = sorted({*_instants(scene), *_edges(scene, found)})
         finer = certify(scene, limit=limit, instants=instants)
-        found = finer if finer.x else found
+        found = finer if finer.x or not found.x else found
     told = document(found)
     told["reason"] = wire(told["reason"])
     seconds = {"exact": exact, "proof": perf_counter() - begun}
@@ -70,7 +71,7 @@ def _seconds(scene: Scene) -> float:
 
 def _instants(scene: Scene) -> list[float]:
     """s. At which the band of a tolerant scene is drawn."""
-    return [scene.until * k / INSTANTS for k in range(INSTANTS + 1)] if scene.tolerances else []
+    return [scene.until * k / INSTANTS for k in range(INSTANTS + 1)]
 
 
 def _edges(scene: Scene, found: Certificate) -> set[float]:

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from sim.bridge.certify_answer import PATIENCE
 from sim.bridge.protocol import answer
 from sim.pages.text.yaml_source import load
 from sim.scene import read_fence
@@ -17,7 +18,7 @@ from tests.web.scene.given.widget_site import LIVE, in_node, live, on_scene
 pytestmark = pytest.mark.browser
 
 ROOT = Path(__file__).parents[3]
-PROVED = 3 * LIVE  # ms; intervals of tolerant inputs, on a loaded computer in the slower browser
+PROVED = 1000 * PATIENCE + LIVE  # ms; as long as the page itself goes on, and its start
 
 
 def weighed() -> dict[str, Any]:
