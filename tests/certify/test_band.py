@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+import pytest
+
+from sim.bridge import certify_answer
 from sim.bridge.protocol import answer
 from sim.certify.band import MOST_PIECES, pieces
+from sim.certify.certificate import Certificate, certify
+from sim.certify.run import Limit
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
-from sim.scene import read_scene
+from sim.scene import Scene, read_scene
 
 PAIR: dict[str, Any] = {
     "carts": {
@@ -50,6 +57,24 @@ def test_every_run_that_the_tolerances_allow_lies_in_the_band() -> None:
                 for name, number in zip(PAIR["carts"], numbers, strict=True):
                     low, high = band[kind][name][k]
                     assert low - ROUNDING <= number <= high + ROUNDING, (name, kind, t)
+
+
+@pytest.mark.parametrize("ends", [True, False], ids=["with an end", "without an end"])
+def test_a_band_for_which_there_is_no_time_takes_nothing_from_what_was_proved(
+    ends: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def hurried(scene: Scene, *, limit: Limit, instants: Sequence[float] = ()) -> Certificate:
+        if instants:  # the proof of the band begins when the time is over
+            return certify(scene, limit=Limit(limit.changes, 0.0), instants=instants)
+        found = certify(scene, limit=limit)
+        return found if ends else replace(found, x={}, v={})
+
+    monkeypatch.setattr(certify_answer, "certify", hurried)
+    told = proved(PAIR)
+    kinds = [event["kind"] for event in told["certificate"]["events"]]
+    assert (kinds[0], kinds[-2:]) == ("contact", ["separate", "end"])
+    assert bool(told["certificate"]["final"]["x"]) is ends
+    assert told["band"] is None
 
 
 def test_within_an_events_own_time_the_band_holds_before_and_after() -> None:

@@ -31,9 +31,9 @@ def of_another_text() -> dict[str, Any]:
     return file
 
 
-def class_of(files: list[dict[str, Any]], *made: str) -> tuple[list[Any], Keys]:
+def class_of(files: list[dict[str, Any]], *made: str) -> tuple[list[Any], list[Any]]:
     read = [(one, "class") for one in Reading.of(sources(files)).files]
-    return read, Keys(key for text in made for key in read_key_file(text))
+    return read, [key for text in made for key in read_key_file(text)]
 
 
 def a_class() -> list[dict[str, Any]]:
@@ -41,9 +41,7 @@ def a_class() -> list[dict[str, Any]]:
 
 
 def its_report(files: list[dict[str, Any]], *made: str) -> dict[str, Any]:
-    read, known = class_of(files, *made)
-    of = [key for found in known.wordings.values() for key in found]
-    return class_report(read, of, (), Asked(groups=("class",)))
+    return class_report(*class_of(files, *made), (), Asked(groups=("class",)))
 
 
 def test_answers_to_an_unchanged_question_are_counted_and_the_others_are_not() -> None:
@@ -69,7 +67,8 @@ def test_tables_slips_and_the_page_of_the_class_say_the_same() -> None:
     made, tell = its_report(files, keys(BANK)), telling({})
     assert "<td>1, 4</td>" in report_html(made)
     assert "1 student had another text of some questions: no total" in sheet_html(made, tell)
-    read, known = class_of(files, keys(BANK))
+    read, its_keys = class_of(files, keys(BANK))
+    known = Keys(its_keys)
     counted = sorted_files(read, known, Asked(groups=("class",))).counted
     made_slips = slips(counted, known, ("class",))
     (fox,) = [slip for slip in made_slips if slip.student == "FOX"]

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sim.classroom.handouts.belief_map import belief_map
-from sim.classroom.handouts.wording import FORMS, cut, numbers
-from sim.classroom.report.numerals import number, students
+from sim.classroom.handouts.wording import FORMS, cut
+from sim.classroom.report.numerals import number, numbers, students
 from sim.classroom.report.sentences import left_open
 from sim.classroom.show.html_parts import Tell, table, text
 from sim.scene.said import Said, counted, said, template
@@ -83,12 +83,12 @@ def _parts(form: Row, tell: Tell) -> Iterator[str]:
     yield _counted(before, _predictions(form["predictions"]), tell)
 
 
-def _without_total(students_: int) -> str:
+def _without_total(n: int) -> str:
     return counted(
         "1 student had another text of some questions: no total, and these answers do not count.",
         "{n} students had another text of some questions: no totals, and these answers do not "
         "count.",
-        n=students_,
+        n=n,
     )
 
 

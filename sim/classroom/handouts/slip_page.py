@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from sim.classroom.handouts.slip import FormSlip, Given, Look, Slip
-from sim.classroom.handouts.wording import FORMS, cut, numbers
+from sim.classroom.handouts.wording import FORMS, cut
+from sim.classroom.report.numerals import numbers
 from sim.classroom.show.html_parts import Tell, text, who
 from sim.scene.said import said, template
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from sim.classroom.report.sentences import begins
 from sim.classroom.show.prose import prose
 from sim.scene.said import template
@@ -21,8 +19,3 @@ LONGEST = 220
 def cut(words: str, most: int = LONGEST) -> str:
     """The beginning of an author's or a student's text, up to the end of a word."""
     return begins(prose(words), most)
-
-
-def numbers(found: Iterable[int]) -> str:
-    """1, 2, 5."""
-    return ", ".join(map(str, found))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from sim.classroom.report.flag import Flag
 from sim.classroom.report.marked import Marked
+from sim.classroom.report.numerals import numbers
 from sim.scene.said import counted, said
 
 NAMED = 5
@@ -47,7 +48,7 @@ def _wordings(files: Sequence[Marked]) -> list[Flag]:
             "has: {questions}. These answers are not counted and the files have no total; their "
             "other answers are counted. Was the lesson changed meanwhile? Add the key file of the "
             "other text too: each file is marked by the key that fits it.",
-            n=len(found), lesson=lesson, form=form, questions=", ".join(map(str, asked)),
+            n=len(found), lesson=lesson, form=form, questions=numbers(asked),
         )  # fmt: skip
         flags.append(Flag("foreign-version", text, tuple(file.name for file in found)))
     return flags

@@ -186,8 +186,7 @@ def counted_items(files: Sequence[Marked]) -> tuple[str, ...]:
 
 def worth(files: Sequence[Marked], items: Sequence[str]) -> int:
     """What these items are worth together."""
-    first = ((f.answers[name].worth for f in files if name in f.answers) for name in items)
-    return sum(next(worths, 0) for worths in first)
+    return sum(files[0].answers[name].worth for name in items) if files else 0
 
 
 def _unmarked(item: Item) -> Answer:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from sim.scene.said import counted
 
 
@@ -25,3 +27,8 @@ def students(count: int) -> str:
 def runs(count: int) -> str:
     """1 run, 2 runs."""
     return counted("1 run", "{n} runs", n=count)
+
+
+def numbers(found: Iterable[int]) -> str:
+    """1, 2, 5."""
+    return ", ".join(map(str, found))

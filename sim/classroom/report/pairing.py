@@ -38,8 +38,9 @@ def pair_up(
 
     A file that answers another version of the lesson is not paired. `only`: items to count.
     """
-    first = {f.student: f for f in earlier if f.group == group and not f.foreign}
-    second = {f.student: f for f in later if f.group == group and not f.foreign}
+    earlier, later = ([f for f in files if not f.foreign] for files in (earlier, later))
+    first = {f.student: f for f in earlier if f.group == group}
+    second = {f.student: f for f in later if f.group == group}
     # What counts must not depend on the group: all files of the form decide.
     items = _counted(earlier, only)
     others = _counted(later, only)
@@ -61,5 +62,5 @@ def pair_up(
 
 
 def _counted(files: Sequence[Marked], only: Collection[str] | None) -> tuple[str, ...]:
-    items = counted_items([file for file in files if not file.foreign])
+    items = counted_items(files)
     return items if only is None else tuple(name for name in items if name in only)
