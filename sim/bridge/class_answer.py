@@ -28,8 +28,10 @@ from sim.classroom.files.marks_file import given_marks, marks_file
 from sim.classroom.files.reading import Outcome, Read, Reading, Refused, Source, outcomes
 from sim.classroom.files.records import as_record, from_record
 from sim.classroom.handouts.paper import Handout, handout
-from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.report.report import Asked, class_report
+from sim.classroom.report.sentences import TITLES
+from sim.classroom.show.class_csv import items_csv, students_csv
+from sim.classroom.show.prose import prose
 from sim.classroom.show.report_page import report_html
 from sim.classroom.show.standalone import standalone
 from sim.classroom.tables.dropped import dropped_report
@@ -137,7 +139,7 @@ def _report(request: Mapping[str, Any]) -> dict[str, Any]:
         return {"html": report_html(report, told), "words": []}
     report = _made(request)
     words = [
-        {"lesson": lesson["lesson"], "form": form["form"], **_shown(question, told)}
+        _to_read(lesson, form, question, told)
         for lesson in report["lessons"]
         for form in lesson["forms"]
         for question in form["words"]
@@ -147,10 +149,22 @@ def _report(request: Mapping[str, Any]) -> dict[str, Any]:
             "words": words, "inference": report["inference"]}  # fmt: skip
 
 
-def _shown(question: dict[str, Any], words: Mapping[str, str]) -> dict[str, Any]:
-    """A question to be read, with what each student is called in the language of the page."""
-    return {**question, "answers": [{**one, "shown": in_words(one["student"], words)}
-                                    for one in question["answers"]]}  # fmt: skip
+def _to_read(
+    lesson: Mapping[str, Any],
+    form: Mapping[str, Any],
+    row: dict[str, Any],
+    words: Mapping[str, str],
+) -> dict[str, Any]:
+    """Answers to be read, with what their question and each student are called on the page."""
+    label = next(item["label"] for item in form["items"] if item["id"] == row["id"])
+    names = (lesson["title"], TITLES.get(form["form"], form["form"]), label)
+    return {
+        **row, "lesson": lesson["lesson"], "form": form["form"],
+        "title": " · ".join(in_words(name, words) for name in names),
+        "ask": prose(row["ask"]),
+        "rubric": {marks: prose(text) for marks, text in row["rubric"].items()},
+        "answers": [{**one, "shown": in_words(one["student"], words)} for one in row["answers"]],
+    }  # fmt: skip
 
 
 def _save(request: Mapping[str, Any]) -> dict[str, Any]:

@@ -11,9 +11,9 @@ import re
 from collections.abc import Iterable, Sequence
 
 # A formula may begin with these, also as wide letters, and behind marks that nobody sees. A text
-# that begins with a space, a tab or a new line is suspect too.
+# that begins with a space, a tab or a new line is suspect too. A % alone is a unit.
 _RISKY = re.compile(
-    r"\s|[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff\"']*[=+\-@|%\uff1d\uff0b\uff0d\uff20]"
+    r"\s|(?!%\Z)[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff\"']*[=+\-@|%\uff1d\uff0b\uff0d\uff20]"
 )
 
 

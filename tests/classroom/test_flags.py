@@ -122,3 +122,16 @@ def test_of_questions_of_one_kind_the_first_are_asked_in_full_and_the_others_on_
     before, folded, after = report_html(made).partition("<details><summary>4 more like these")
     assert folded and [sentence in before for sentence in asked] == [True] * 2 + [False] * 4
     assert all(sentence in after for sentence in asked[2:])
+
+
+def test_a_file_without_an_answer_is_counted_and_named() -> None:
+    made = report(
+        answers(BANK, "FOX", "pre", ALL),
+        answers(BANK, "OWL", "pre", {}),
+        answers(BANK, "BEE", "pre", {"item-0": ""}),
+    )
+    (flag,) = made["flags"]
+    assert flag["code"] == "unanswered"
+    assert flag["files"] == ("1.json", "2.json")
+    assert "Nothing is answered in 2 files" in report_html(made)
+    assert made["files"]["counted"] == 3

@@ -13,8 +13,10 @@ from sim.classroom.files.reading import Reading
 from sim.classroom.handouts.belief_map import belief_map
 from sim.classroom.handouts.paper import Handout, handout, handout_file
 from sim.classroom.handouts.slip import MOST_TOLD, FormSlip, Slip, slips
+from sim.classroom.handouts.slip_page import slips_html
 from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import WHOLE, Asked, class_report, sorted_files
+from sim.classroom.show.html_parts import telling
 from sim.classroom.show.prose import prose
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.beliefs import BELIEFS
@@ -199,3 +201,10 @@ def test_the_map_counts_beliefs_by_question_and_leaves_out_what_nobody_chose() -
 )
 def test_an_authors_markdown_becomes_plain_words(markdown: str, plain: str) -> None:
     assert prose(markdown) == plain
+
+
+def test_a_slip_of_a_file_without_an_answer_says_so_and_gives_no_marks() -> None:
+    (slip,) = made_slips([answers(BANK, "FOX-1", "pre", {})], BANK)
+    told = slips_html([slip], telling({}))
+    assert "Nothing is answered in this file." in told
+    assert "carts-slip-marks" not in told and "Left open" not in told

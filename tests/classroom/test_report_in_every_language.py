@@ -10,8 +10,8 @@ import pytest
 from click.testing import CliRunner
 
 from sim.classroom.files.reading import Reading
-from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.report.report import Asked, class_report
+from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.report_page import report_html
 from sim.classroom.show.standalone import standalone
 from sim.cli import main

@@ -49,7 +49,7 @@ class FormSlip:
 
     `marks` of `of` so far; None without a key. `sure`: how many answers the student was sure of,
     and how many of these are right; None where not asked. `foreign`: answered in another wording
-    than the key's, not marked; then there is no total.
+    than the key's, not marked; then there is no total. `unanswered`: nothing was answered at all.
     """
 
     form: str
@@ -64,6 +64,7 @@ class FormSlip:
     given: tuple[Given, ...] = ()
     sure: tuple[int, int] | None = None
     foreign: tuple[int, ...] = ()
+    unanswered: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -129,6 +130,7 @@ def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
                     if _tells(item, a)),
         sure=(len(sure), sum(_verdict(a) == "right" for a in sure)) if sure else None,
         foreign=file.foreign_numbers,
+        unanswered=file.unanswered,
     )  # fmt: skip
 
 

@@ -11,6 +11,9 @@ from sim.classroom.show.html_parts import Tell, text, who
 from sim.scene.said import said, template
 
 LOOK = template("Look at these again")
+UNANSWERED = template(
+    "Nothing is answered in this file. If you did answer, hand in the file with your answers."
+)
 
 
 def slips_html(found: Sequence[Slip], tell: Tell, *, answers: bool = False) -> str:
@@ -39,6 +42,9 @@ def _form(form: FormSlip, tell: Tell, *, answers: bool) -> str:
 def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
     if form.marks is None:
         yield _line(tell(template("These answers were not marked.")))
+        return
+    if form.unanswered:
+        yield _line(tell(UNANSWERED))
         return
     if form.of and not form.waiting and not form.foreign:
         marks = said("{marks} of {of} marks", marks=f"{form.marks}", of=f"{form.of}")

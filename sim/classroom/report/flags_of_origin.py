@@ -1,4 +1,4 @@
-"""Where files come from: other wordings, other versions, other sites, nobody."""
+"""Where files come from: other wordings, other versions, other sites, nobody, or a mistake."""
 
 from __future__ import annotations
 
@@ -89,3 +89,18 @@ def nameless(files: Sequence[Marked]) -> list[Flag]:
         n=len(names),
     )
     return [Flag("no-code", text, names)]
+
+
+def unanswered(files: Sequence[Marked]) -> list[Flag]:
+    """Files in which nothing is answered: a file saved by mistake counts as a test with no marks."""
+    names = tuple(file.name for file in files if file.unanswered)
+    if not names:
+        return []
+    text = counted(
+        "Nothing is answered in 1 file; it is counted, with no marks. Did this student hand in the "
+        "wrong file? Then leave it out, or ask for the right one.",
+        "Nothing is answered in {n} files; they are counted, with no marks. Did these students "
+        "hand in the wrong file? Then leave them out, or ask for the right ones.",
+        n=len(names),
+    )
+    return [Flag("unanswered", text, names)]

@@ -94,6 +94,11 @@ class Marked:
         )
 
     @property
+    def unanswered(self) -> bool:
+        """Whether nothing is answered in it, no prediction either."""
+        return all(is_empty(item.value) for item in self.file.latest().values())
+
+    @property
     def waiting(self) -> tuple[str, ...]:
         """Answers that a person has to read."""
         return tuple(

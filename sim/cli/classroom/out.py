@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.standalone import standalone
 from sim.classroom.summary.sums import LessonSums
 from sim.cli.classroom.summary import write_summary

@@ -729,7 +729,7 @@
     "last",
     "hash"
   ];
-  var RISKY = /^\s|^[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff"']*[=+\-@|%＝＋－＠]/u;
+  var RISKY = /^\s|^(?!%$)[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff"']*[=+\-@|%＝＋－＠]/u;
   function csvCell(value) {
     if (typeof value === "number" && Number.isFinite(value)) return String(value);
     const text = typeof value === "string" ? value : value === null || value === void 0 ? "" : JSON.stringify(value);

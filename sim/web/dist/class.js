@@ -549,7 +549,7 @@
         html("select", "carts-class-question")
       );
       pick.setAttribute("aria-label", tr("Question"));
-      pick.append(...questions.map((q) => new Option(name(q), name(q), false, q === one)));
+      pick.append(...questions.map((q) => new Option(q.title, name(q), false, q === one)));
       pick.addEventListener("change", () => {
         chosen = pick.value;
         at = 0;

@@ -9,7 +9,7 @@ import re
 from html.parser import HTMLParser
 from typing import Any
 
-from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.report_page import report_html
 
 FORMULA = re.compile(r"[\s\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff\"']*[=+@＝＋＠]")

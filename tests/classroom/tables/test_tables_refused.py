@@ -7,7 +7,7 @@ import random
 
 import pytest
 
-from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.report_page import report_html
 from sim.classroom.tables.cells import TableError
 from sim.classroom.tables.read import read_table

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -162,6 +163,8 @@ def test_one_question_is_read_and_marked_by_keys_and_the_marks_are_saved(page: P
     expect(reader).to_be_visible(timeout=60_000)
     complete(page)
     reader.locator("summary").click()
+    asked = reader.locator("option").first
+    expect(asked).to_have_text(re.compile(r"^Carts · before \(pre\) · Question \d+$"))
     count = int((reader.locator(".carts-class-quiet").last.inner_text()).split()[2])
     reader.locator(".carts-class-answer").focus()
     for key in "21" * (count // 2) + "0" * (count % 2):

@@ -20,8 +20,8 @@ const COLUMNS = [
   "hash",
 ];
 // A formula may begin with these, also as wide letters, and behind marks that nobody sees. A text that
-// begins with a space, a tab or a new line is suspect too.
-const RISKY = /^\s|^[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff"']*[=+\-@|%＝＋－＠]/u;
+// begins with a space, a tab or a new line is suspect too. A % alone is a unit.
+const RISKY = /^\s|^(?!%$)[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff"']*[=+\-@|%＝＋－＠]/u;
 
 /** @param {any} value @returns {string} one cell, quoted */
 export function csvCell(value) {

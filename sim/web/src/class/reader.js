@@ -6,7 +6,7 @@ import { html, say } from "../shared/dom.js";
 import { plain } from "./classroom.js";
 
 /**
- * @typedef {{lesson: string, form: string, id: string, ask: string, worth: number,
+ * @typedef {{lesson: string, form: string, id: string, title: string, ask: string, worth: number,
  *   rubric: Record<string, string>, answers: {student: string, shown: string, text: string, marks: number | null}[]}} Words
  */
 
@@ -50,7 +50,7 @@ export function reader(classroom, marked) {
     say(title, counted("Read and mark: 1 question", "Read and mark: {n} questions", n));
     const pick = /** @type {HTMLSelectElement} */ (html("select", "carts-class-question"));
     pick.setAttribute("aria-label", tr("Question"));
-    pick.append(...questions.map((q) => new Option(name(q), name(q), false, q === one)));
+    pick.append(...questions.map((q) => new Option(q.title, name(q), false, q === one)));
     pick.addEventListener("change", () => {
       chosen = pick.value;
       at = 0;

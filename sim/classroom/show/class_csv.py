@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.classroom.show.prose import prose
 from sim.lesson.csv_text import csv_text
 from sim.scene.said import in_words, template
 
 STUDENT_COLUMNS = ("lesson", "form", "group", "student", "marks", "of", "open", "to read", "file")
 ITEM_COLUMNS = (
     "lesson", "form", "item", "answered by", "right", "partly", "wrong", "open", "to read",
-    "difficulty", "discrimination", "point-biserial", "chosen",
+    "difficulty", "discrimination", "point-biserial", "chosen", "asked",
 )  # fmt: skip
 
 
@@ -23,7 +24,7 @@ HEADS = {
     "right": template("answered right"), "partly": template("partly right"),
     "wrong": template("wrong"), "difficulty": template("difficulty"),
     "discrimination": template("discrimination"), "point-biserial": template("point-biserial"),
-    "chosen": template("chosen"),
+    "chosen": template("chosen"), "asked": template("text of the question"),
 }  # fmt: skip
 """What a column is called in another language; programs read the English names."""
 
@@ -50,13 +51,13 @@ def students_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) 
 
 
 def items_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:
-    """Numbers by item and form; full precision."""
+    """Numbers by item and form, and what it asks; full precision."""
     rows = [
         [
             lesson["lesson"], form["form"], item["id"], item["answered"], item["right"],
             item["partly"], item["wrong"], item["empty"], item["unread"], item["difficulty"],
             item["discrimination"], item["point_biserial"],
-            " ".join(f"{c['option']}:{c['count']}" for c in item["choices"]),
+            " ".join(f"{c['option']}:{c['count']}" for c in item["choices"]), prose(item["ask"]),
         ]
         for lesson in report["lessons"]
         for form in lesson["forms"]
