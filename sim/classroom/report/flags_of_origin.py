@@ -92,7 +92,7 @@ def nameless(files: Sequence[Marked]) -> list[Flag]:
 
 
 def unanswered(files: Sequence[Marked]) -> list[Flag]:
-    """Files in which nothing is answered: a file saved by mistake counts as a test with no marks."""
+    """Files in which nothing is answered: saved by mistake, one counts as a test with no marks."""
     names = tuple(file.name for file in files if file.unanswered)
     if not names:
         return []
