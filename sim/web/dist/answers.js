@@ -1924,7 +1924,7 @@
   var Feedback = class {
     /**
      * @param {HTMLElement} root the question, with its facts
-     * @param {() => {value: any, own: number | null, tries: number} | null} attempt
+     * @param {() => Tried | null} attempt
      * @param {(shown: string[], verdict: string) => void} marked what was found: parts that are marked one by one, and the whole
      */
     constructor(root, attempt, marked = () => {
@@ -1934,7 +1934,9 @@
       this.place = need(root, ".carts-q-feedback");
       root.querySelector(".carts-q-check")?.addEventListener("click", () => {
         const tried = attempt();
-        if (tried) this.#show(tried);
+        if (!tried) return;
+        this.place.removeAttribute("aria-live");
+        this.marked(...this.#show(tried));
       });
       const hints = (
         /** @type {HTMLElement[]} */
@@ -1955,7 +1957,12 @@
       this.place.replaceChildren();
       delete this.root.dataset.verdict;
     }
-    /** @param {{value: any, own: number | null, tries: number}} tried */
+    /** Says once more what was said to this answer, as when a page is opened again; not aloud. @param {Tried} tried @returns {string[]} the parts marked one by one */
+    again(tried) {
+      this.place.setAttribute("aria-live", "off");
+      return this.#show(tried)[0];
+    }
+    /** @param {Tried} tried @returns {[string[], string]} the parts marked one by one, and the whole */
     #show({ value, own, tries }) {
       const facts = (
         /** @type {any} */
@@ -1963,7 +1970,6 @@
       );
       const found2 = mark(facts, value, own);
       this.root.dataset.verdict = found2.verdict;
-      this.marked(found2.shown, found2.verdict);
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
       this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found2.verdict]));
@@ -1987,6 +1993,7 @@
           this.place.append(part2);
         }
       }
+      return [found2.shown, found2.verdict];
     }
   };
 
@@ -2915,6 +2922,9 @@
           else this.#form.value = found2.value;
           for (const radio of this.#certainty()) radio.checked = radio.value === found2.sure;
           this.#say(isEmpty(found2.value) ? "" : this.#keptWord());
+          const shown = found2.judged && this.#feedback?.again(this.#tried());
+          if (shown) this.#form.marked?.(shown);
+          else this.#feedback?.stale();
         }
         this.#print();
         showEarlier(this, earlier, this.facts.hash);
@@ -2925,6 +2935,7 @@
         const sure = this.#certainty().find((radio) => radio.checked)?.value;
         const entry = {
           ...changing(this, this.#entry),
+          judged: false,
           hash: this.facts.hash,
           value: this.#form?.value ?? null,
           said: this.#form?.said() ?? "",
@@ -2971,18 +2982,21 @@
           this.#complain(problem || tr("Answer first."));
           return null;
         }
-        let own = null;
         if (this.facts.type === "reading") {
-          const found2 = ownReading(this.facts);
-          own = found2.own;
+          const { own, set } = ownReading(this.facts);
           if (own === null) {
             this.#complain(tr("Run the scene first: lock your prediction there."));
             return null;
           }
-          this.#entry = { ...this.#entry, own, set: found2.set };
+          this.#entry = { ...this.#entry, own, set };
         }
-        this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 });
-        return { value: this.#form?.value, own, tries: this.#entry.tries };
+        this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
+        return this.#tried();
+      }
+      /** The answer as it was checked. */
+      #tried() {
+        const { own = null, tries = 0 } = this.#entry;
+        return { value: this.#form?.value, own, tries };
       }
       /** @param {string[]} shown @param {string} verdict */
       #marked(shown, verdict) {

@@ -114,6 +114,34 @@ def test_check_says_what_fits_the_answer_and_hints_come_one_by_one(
     assert "Larger force on the light cart" not in page.content()  # the rubric is the teacher's
 
 
+@pytest.mark.one_browser
+def test_what_was_said_to_a_checked_answer_is_there_after_a_reload_until_it_changes(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    one = page.locator("#pick-one")
+    said = one.locator(".carts-q-feedback")
+    page.get_by_label("The one on the van").check()
+    for _ in range(3):  # then the explanation is told as well
+        one.locator(".carts-q-check").click()
+    told = said.inner_text()
+    assert "Compare the two arrows." in told and "The two forces are a pair." in told
+    saved(page, "pick-one")
+    page.reload()
+    ready(page)
+    expect(said).to_have_text(told, use_inner_text=True)
+    page.get_by_label("They are equal").check()
+    expect(said).to_be_empty()
+    saved(page, "pick-one")
+    page.reload()
+    ready(page)
+    expect(page.get_by_label("They are equal")).to_be_checked()
+    expect(said).to_be_empty()
+    items = {item["id"]: item for item in saved_file(page)["items"]}
+    assert items["pick-one"]["tries"] == 3
+    assert "judged" not in items["pick-one"]
+
+
 def test_the_keyboard_is_enough(open_page: OpenPage, question_site: Path) -> None:
     page = ready(open_page(question_site / "kinds.html"))
     page.locator("#pick-one input").first.focus()

@@ -141,6 +141,9 @@ export function questionElement(book) {
         else this.#form.value = found.value;
         for (const radio of this.#certainty()) radio.checked = radio.value === found.sure;
         this.#say(isEmpty(found.value) ? "" : this.#keptWord());
+        const shown = found.judged && this.#feedback?.again(this.#tried());
+        if (shown) this.#form.marked?.(shown);
+        else this.#feedback?.stale();
       }
       this.#print();
       showEarlier(this, earlier, this.facts.hash);
@@ -152,6 +155,7 @@ export function questionElement(book) {
       const sure = this.#certainty().find((radio) => radio.checked)?.value;
       const entry = {
         ...changing(this, this.#entry),
+        judged: false,
         hash: this.facts.hash,
         value: this.#form?.value ?? null,
         said: this.#form?.said() ?? "",
@@ -202,18 +206,22 @@ export function questionElement(book) {
         this.#complain(problem || tr("Answer first."));
         return null;
       }
-      let own = null;
       if (this.facts.type === "reading") {
-        const found = ownReading(this.facts);
-        own = found.own;
+        const { own, set } = ownReading(this.facts);
         if (own === null) {
           this.#complain(tr("Run the scene first: lock your prediction there."));
           return null;
         }
-        this.#entry = { ...this.#entry, own, set: found.set };
+        this.#entry = { ...this.#entry, own, set };
       }
-      this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 });
-      return { value: this.#form?.value, own, tries: this.#entry.tries };
+      this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
+      return this.#tried();
+    }
+
+    /** The answer as it was checked. */
+    #tried() {
+      const { own = null, tries = 0 } = this.#entry;
+      return { value: this.#form?.value, own, tries };
     }
 
     /** @param {string[]} shown @param {string} verdict */

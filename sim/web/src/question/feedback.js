@@ -15,10 +15,12 @@ const WORDS = {
 };
 const SHOW_AFTER = 3; // tries until the explanation is shown all the same
 
+/** @typedef {{value: any, own: number | null, tries: number}} Tried an answer that was checked */
+
 export class Feedback {
   /**
    * @param {HTMLElement} root the question, with its facts
-   * @param {() => {value: any, own: number | null, tries: number} | null} attempt
+   * @param {() => Tried | null} attempt
    * @param {(shown: string[], verdict: string) => void} marked what was found: parts that are marked one by one, and the whole
    */
   constructor(root, attempt, marked = () => {}) {
@@ -27,7 +29,9 @@ export class Feedback {
     this.place = need(root, ".carts-q-feedback");
     root.querySelector(".carts-q-check")?.addEventListener("click", () => {
       const tried = attempt();
-      if (tried) this.#show(tried);
+      if (!tried) return;
+      this.place.removeAttribute("aria-live");
+      this.marked(...this.#show(tried));
     });
     const hints = /** @type {HTMLElement[]} */ ([...need(root, ".carts-q-hints").children]);
     const more = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-q-hint"));
@@ -44,12 +48,17 @@ export class Feedback {
     delete this.root.dataset.verdict;
   }
 
-  /** @param {{value: any, own: number | null, tries: number}} tried */
+  /** Says once more what was said to this answer, as when a page is opened again; not aloud. @param {Tried} tried @returns {string[]} the parts marked one by one */
+  again(tried) {
+    this.place.setAttribute("aria-live", "off");
+    return this.#show(tried)[0];
+  }
+
+  /** @param {Tried} tried @returns {[string[], string]} the parts marked one by one, and the whole */
   #show({ value, own, tries }) {
     const facts = /** @type {any} */ (this.root).facts;
     const found = mark(facts, value, own);
     this.root.dataset.verdict = found.verdict;
-    this.marked(found.shown, found.verdict);
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
     this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found.verdict]));
@@ -73,5 +82,6 @@ export class Feedback {
         this.place.append(part);
       }
     }
+    return [found.shown, found.verdict];
   }
 }
