@@ -85,6 +85,9 @@ def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
     line = source()[: source().index("mass: 0.5 kg")].count("\n") + 1
     mistake = page.locator(".carts-teach-mistakes li:visible")
     expect(mistake).to_contain_text("mass must be greater than 0")
+    expect(mistake).to_contain_text("Cart A, mass: mass")  # by the name of its field
+    page.click(".carts-teach-save")
+    expect(page.locator(".carts-teach-status")).to_contain_text("There are mistakes in it")
     assert re.fullmatch(rf".*:{line}:\d+", mistake.get_attribute("data-place") or "")
     at_its_field = page.locator(".carts-teach-note:visible")
     expect(at_its_field.filter(has_text="mass must be greater than 0")).to_have_count(1)
@@ -95,6 +98,7 @@ def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
     settled(page)
     assert saved(page).decode() == withhold(source())
     expect(page.locator("#third-pushed-along svg").first).to_contain_text("0.5 kg")
+    expect(page.locator(".carts-teach-status")).not_to_contain_text("mistake")
     assert complaints == []
 
 

@@ -20,12 +20,14 @@ from typing import Any
 
 from sim.pages.scene_block import Lesson
 from sim.pages.teach.edit import CannotWriteError, with_value
-from sim.pages.teach.fields import fields
+from sim.pages.teach.fields import TRUTH, fields
 from sim.pages.teach.pieces import Piece, pieces
 from sim.pages.teach.preview import NUMERICS, Desk, Shown, Site
+from sim.pages.teach.right_answers import is_rightness, with_right
 from sim.pages.teach.spans import values
 from sim.pages.teach.take_home import zipped
 from sim.pages.teach.withheld import restore
+from sim.pages.text.yaml_source import KeyPath
 
 DESK = "lesson-desk"
 """A folder in the memory of the page's Python: files that the lesson names lie there."""
@@ -78,11 +80,19 @@ def lesson_of(told: Mapping[str, Any]) -> Lesson:
 
 def _set(request: Mapping[str, Any]) -> dict[str, Any]:
     try:
-        path = tuple(request["path"])
-        text = with_value(str(request["text"]), int(request["block"]), path, str(request["value"]))
+        text = _changed(
+            str(request["text"]), int(request["block"]), tuple(request["path"]),
+            str(request["value"]),
+        )  # fmt: skip
     except CannotWriteError as error:
         return {"refused": str(error)}
     return {"text": text}
+
+
+def _changed(text: str, block: int, path: KeyPath, value: str) -> str:
+    if is_rightness(path) and value in TRUTH:
+        return with_right(text, block, int(path[1]), right=value == "true")
+    return with_value(text, block, path, value)
 
 
 def _restore(request: Mapping[str, Any]) -> dict[str, Any]:

@@ -24,9 +24,9 @@ def with_value(text: str, index: int, path: KeyPath, wanted: str) -> str:
     It is tried plain, then in quotes, until reading it again gives `wanted` there and the old
     values everywhere else. Raises CannotWriteError.
     """
-    before = _block(text, index)
+    before = block_at(text, index)
     old = next((v for v in values(text, before) if v.path == path), None) if before else None
-    plain = _read(before) if before else None
+    plain = read(before) if before else None
     if before is None or old is None or plain is None:
         raise CannotWriteError("this value is no longer there")
     if old.value.rstrip("\n") == wanted.rstrip("\n"):
@@ -34,20 +34,22 @@ def with_value(text: str, index: int, path: KeyPath, wanted: str) -> str:
     line = text[old.start : text.find("\n", old.start) + 1]
     for way in _ways(old, wanted, "\r\n" if line.endswith("\r\n") else "\n"):
         made = text[: old.start] + way + text[old.end :]
-        after = _block(made, index)
+        after = block_at(made, index)
         if after and len(blocks(made)) == len(blocks(text)):
-            again = _read(after)
+            again = read(after)
             if again is not None and _same(again, plain, path, wanted):
                 return made
     raise CannotWriteError(CANNOT)
 
 
-def _block(text: str, index: int) -> Block | None:
+def block_at(text: str, index: int) -> Block | None:
+    """Block number `index` of the lesson, if there is one."""
     found = blocks(text)
     return found[index] if 0 <= index < len(found) else None
 
 
-def _read(block: Block) -> Any:
+def read(block: Block) -> Any:
+    """What stands in a block, as plain values; None where it cannot be read."""
     try:
         return load(block.body).plain
     except YamlError:

@@ -6,10 +6,12 @@ changed often, and by what name a teacher knows it. All else is changed in the b
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
+from itertools import zip_longest
 from typing import Any, Literal
 
+from sim.pages.teach.right_answers import may_be_right
 from sim.pages.teach.spans import values
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, Place
@@ -86,7 +88,8 @@ class Field:
 def fields(text: str, block: Block) -> tuple[Field, ...]:
     """The fields of a scene or question, in the order of its text."""
     named = {"scene": _in_scene, "question": _in_question}.get(block.name)
-    return tuple(_fields(text, block, named)) if named else ()
+    found = tuple(_fields(text, block, named)) if named else ()
+    return tuple(_with_rightness(found, may_be_right(block)))
 
 
 def _fields(text: str, block: Block, named: Any) -> Iterator[Field]:
@@ -106,6 +109,20 @@ def _fields(text: str, block: Block, named: Any) -> Iterator[Field]:
             long = (key in LONG and block.name == "question") or "\n" in shown or len(shown) > 60
             kind: Kind = "area" if long else "line"
             yield Field(value.path, group, label, kind, shown, value.place)
+
+
+def _with_rightness(found: Sequence[Field], answers: int) -> Iterator[Field]:
+    """The fields, and whether an answer is right also where it does not say so."""
+    said = {field.path for field in found}
+    for field, after in zip_longest(found, found[1:]):
+        yield field
+        k = field.path[1] if field.path[0] == "options" else answers
+        last = after is None or after.path[:2] != field.path[:2]
+        path = ("options", k, "correct")
+        if isinstance(k, int) and k < answers and last and path not in said:
+            nowhere = field.place[0], 0  # no finding can stand here
+            yield Field(path, f"Answer {letter(k)}", OPTION["correct"], "choice", "false",
+                        nowhere, TRUTH)  # fmt: skip
 
 
 def _in_scene(path: KeyPath) -> tuple[str, str] | None:

@@ -2038,8 +2038,8 @@ ${table2(facts)}
     return name;
   }
   function agent(effect) {
-    const named2 = effect.by || effect.agent;
-    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told(named2) : nameOf(effect));
+    const named3 = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named3 ? told(named3) : nameOf(effect));
   }
   function kindsOnOne({ effects }) {
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
@@ -3187,8 +3187,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         row.field = field;
         const [line, col] = field.place;
         const wrong = findings.find((one) => one.line === line && one.col === col);
-        const said = wrong?.message.replace(/^[\w.-]+: /, "");
-        if (wrong) this.#say(row, [said, wrong.hint].filter(Boolean).join(" – "));
+        if (wrong) this.#say(row, [withoutPath(wrong), wrong.hint].filter(Boolean).join(" – "));
         else if (row.wrong) this.#say(row, "");
         row.wrong = wrong !== void 0;
         if (row.control !== document.activeElement && row.control.value !== field.value) {
@@ -3263,6 +3262,13 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       control2.setAttribute("aria-invalid", String(text2 !== ""));
     }
   };
+  var withoutPath = ({ message }) => message.replace(/^[\w.-]+: /, "");
+  function named2(fields, finding) {
+    const { line, col, message } = finding;
+    const field = fields.find(({ place: place4 }) => place4[0] === line && place4[1] === col);
+    if (!field) return message;
+    return `${[field.group, field.label].filter(Boolean).join(", ")}: ${withoutPath(finding)}`;
+  }
   function controlFor(field) {
     if (field.kind === "choice") {
       const select = document.createElement("select");
@@ -3419,7 +3425,11 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         const go = html("button", "carts-button", `line ${finding.line}`);
         go.setAttribute("type", "button");
         go.addEventListener("click", () => this.goTo(finding));
-        row.append(go, " ", html("span", "carts-teach-message", finding.message));
+        row.append(
+          go,
+          " ",
+          html("span", "carts-teach-message", named2(this.piece.fields ?? [], finding))
+        );
         if (finding.hint) row.append(" ", html("span", "carts-teach-hint", finding.hint));
         row.dataset.place = `${finding.file}:${finding.line}:${finding.col}`;
         return row;
@@ -3453,12 +3463,18 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     const root = html("div", "carts-teach-tools");
     const undo = button("Undo", () => session2.undo(), "carts-teach-undo");
     const redo = button("Redo", () => session2.redo(), "carts-teach-redo");
-    const warn = () => session2.look?.findings.length ? " There are mistakes in it: the build would stop at them." : "";
+    const saved = (words) => {
+      const faulty = Boolean(session2.look?.findings.length);
+      tell(
+        faulty ? `${words} There are mistakes in it: the build would stop at them.` : words,
+        faulty
+      );
+    };
     const save = button(
       "Save lesson",
       () => {
         download(session2.name, session2.text, "text/markdown");
-        tell(`Saved as ${session2.name}: look in your folder “Downloads”.${warn()}`);
+        saved(`Saved as ${session2.name}: look in your folder “Downloads”.`);
       },
       "carts-teach-save"
     );
@@ -3469,7 +3485,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         try {
           const bytes = Uint8Array.from(atob(await session2.zip()), (letter) => letter.charCodeAt(0));
           downloadBlob(name, new Blob([bytes], { type: "application/zip" }));
-          tell(`Saved as ${name}, with a list of what was changed.${warn()}`);
+          saved(`Saved as ${name}, with a list of what was changed.`);
         } catch (error) {
           tell(
             /** @type {Error} */
@@ -3518,6 +3534,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     /** @type {Set<string>} texts of the published pieces */
     #published = /* @__PURE__ */ new Set();
     #base = "";
+    #faulty = false;
+    // whether the status speaks of mistakes
     /** @param {import("./session.js").Session} session */
     constructor(session2) {
       this.session = session2;
@@ -3534,7 +3552,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       this.note.setAttribute("role", "status");
       this.state = html("p", "carts-teach-state");
       this.state.setAttribute("role", "status");
-      this.tools = toolbar(session2, (text2) => this.status(text2));
+      this.tools = toolbar(session2, (text2, faulty) => this.status(text2, faulty));
       this.notices = html("div", "carts-teach-notices");
       this.list = html("div", "carts-teach-pieces");
       const body2 = html("div", "carts-teach-body");
@@ -3555,8 +3573,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     focus() {
       this.heading.focus();
     }
-    /** @param {string} text */
-    status(text2) {
+    /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
+    status(text2, faulty = false) {
+      this.#faulty = faulty;
       say(this.note, text2);
     }
     /** Whether the draft is on this computer. @param {boolean} kept */
@@ -3597,8 +3616,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       const count = findings.length;
       this.root.dataset.mistakes = String(count);
       const words = count === 1 ? "1 mistake" : `${count} mistakes`;
-      if (count) this.status(`${words}: the page shows these parts as they were before.`);
-      else if (this.note.textContent?.includes("the page shows these parts")) this.status("");
+      if (count) this.status(`${words}: the page shows these parts as they were before.`, true);
+      else if (this.#faulty) this.status("");
       if (!this.state.textContent) say(this.state, this.#unchanged);
       this.tools.draw();
     }

@@ -29,8 +29,7 @@ export class Fields {
       row.field = field;
       const [line, col] = field.place;
       const wrong = findings.find((one) => one.line === line && one.col === col);
-      const said = wrong?.message.replace(/^[\w.-]+: /, ""); // the field itself says where
-      if (wrong) this.#say(row, [said, wrong.hint].filter(Boolean).join(" – "));
+      if (wrong) this.#say(row, [withoutPath(wrong), wrong.hint].filter(Boolean).join(" – "));
       else if (row.wrong) this.#say(row, "");
       row.wrong = wrong !== undefined;
       // What is being typed is not overwritten.
@@ -105,6 +104,17 @@ export class Fields {
     note.textContent = text;
     control.setAttribute("aria-invalid", String(text !== ""));
   }
+}
+
+/** A finding without the keys that lead to it: its field says where. @param {import("./types.js").Finding} finding */
+const withoutPath = ({ message }) => message.replace(/^[\w.-]+: /, "");
+
+/** A finding as a teacher reads it, by the name of its field: "Effect 1: friction, mu: …". @param {Field[]} fields @param {import("./types.js").Finding} finding */
+export function named(fields, finding) {
+  const { line, col, message } = finding;
+  const field = fields.find(({ place }) => place[0] === line && place[1] === col);
+  if (!field) return message;
+  return `${[field.group, field.label].filter(Boolean).join(", ")}: ${withoutPath(finding)}`;
 }
 
 /** @param {Field} field */

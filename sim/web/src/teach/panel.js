@@ -16,6 +16,7 @@ export class Panel {
   /** @type {Set<string>} texts of the published pieces */
   #published = new Set();
   #base = "";
+  #faulty = false; // whether the status speaks of mistakes
 
   /** @param {import("./session.js").Session} session */
   constructor(session) {
@@ -33,7 +34,7 @@ export class Panel {
     this.note.setAttribute("role", "status");
     this.state = html("p", "carts-teach-state");
     this.state.setAttribute("role", "status");
-    this.tools = toolbar(session, (text) => this.status(text));
+    this.tools = toolbar(session, (text, faulty) => this.status(text, faulty));
     this.notices = html("div", "carts-teach-notices");
     this.list = html("div", "carts-teach-pieces");
     const body = html("div", "carts-teach-body");
@@ -58,8 +59,9 @@ export class Panel {
     this.heading.focus();
   }
 
-  /** @param {string} text */
-  status(text) {
+  /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
+  status(text, faulty = false) {
+    this.#faulty = faulty;
     say(this.note, text);
   }
 
@@ -106,8 +108,8 @@ export class Panel {
     const count = findings.length;
     this.root.dataset.mistakes = String(count);
     const words = count === 1 ? "1 mistake" : `${count} mistakes`;
-    if (count) this.status(`${words}: the page shows these parts as they were before.`);
-    else if (this.note.textContent?.includes("the page shows these parts")) this.status("");
+    if (count) this.status(`${words}: the page shows these parts as they were before.`, true);
+    else if (this.#faulty) this.status("");
     if (!this.state.textContent) say(this.state, this.#unchanged);
     this.tools.draw();
   }

@@ -1,7 +1,7 @@
 /** The editor of one piece of a lesson: a block with its fields and its text, or Markdown. */
 
 import { html, say } from "../shared/dom.js";
-import { Fields } from "./fields.js";
+import { Fields, named } from "./fields.js";
 import { Gutter } from "./gutter.js";
 
 /** @typedef {import("./types.js").Piece} Piece */
@@ -99,7 +99,11 @@ export class PieceEditor {
       const go = html("button", "carts-button", `line ${finding.line}`);
       go.setAttribute("type", "button");
       go.addEventListener("click", () => this.goTo(finding));
-      row.append(go, " ", html("span", "carts-teach-message", finding.message));
+      row.append(
+        go,
+        " ",
+        html("span", "carts-teach-message", named(this.piece.fields ?? [], finding)),
+      );
       if (finding.hint) row.append(" ", html("span", "carts-teach-hint", finding.hint));
       row.dataset.place = `${finding.file}:${finding.line}:${finding.col}`;
       return row;

@@ -4,18 +4,23 @@ import { askingButton, button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 import { download, downloadBlob } from "../shared/download.js";
 
-/** @param {import("./session.js").Session} session @param {(text: string) => void} tell */
+/** @param {import("./session.js").Session} session @param {(text: string, faulty?: boolean) => void} tell faulty: it speaks of mistakes */
 export function toolbar(session, tell) {
   const root = html("div", "carts-teach-tools");
   const undo = button("Undo", () => session.undo(), "carts-teach-undo");
   const redo = button("Redo", () => session.redo(), "carts-teach-redo");
-  const warn = () =>
-    session.look?.findings.length ? " There are mistakes in it: the build would stop at them." : "";
+  const saved = (/** @type {string} */ words) => {
+    const faulty = Boolean(session.look?.findings.length);
+    tell(
+      faulty ? `${words} There are mistakes in it: the build would stop at them.` : words,
+      faulty,
+    );
+  };
   const save = button(
     "Save lesson",
     () => {
       download(session.name, session.text, "text/markdown");
-      tell(`Saved as ${session.name}: look in your folder “Downloads”.${warn()}`);
+      saved(`Saved as ${session.name}: look in your folder “Downloads”.`);
     },
     "carts-teach-save",
   );
@@ -26,7 +31,7 @@ export function toolbar(session, tell) {
       try {
         const bytes = Uint8Array.from(atob(await session.zip()), (letter) => letter.charCodeAt(0));
         downloadBlob(name, new Blob([bytes], { type: "application/zip" }));
-        tell(`Saved as ${name}, with a list of what was changed.${warn()}`);
+        saved(`Saved as ${name}, with a list of what was changed.`);
       } catch (error) {
         tell(/** @type {Error} */ (error).message);
       }
