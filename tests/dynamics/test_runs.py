@@ -180,8 +180,8 @@ def test_a_cart_at_half_a_millimetre_per_second_never_stops():
     assert finished.x[0] == pytest.approx(0.50, abs=1e-16)
 
 
-@pytest.mark.parametrize("until", [1e3, 1e6])
-def test_a_million_seconds_of_bouncing_keep_their_rhythm(until):
+@pytest.mark.parametrize("until", [1e3, 1e5])
+def test_a_hundred_thousand_seconds_of_bouncing_keep_their_rhythm(until):
     plain = {
         "carts": {"A": {"mass": 1, "position": "0.5", "velocity": "0.9"}},
         "track": {"left": "wall", "right": "wall", "length": "1.5"},

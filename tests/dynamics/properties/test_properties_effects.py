@@ -24,6 +24,7 @@ def energy_scale(ledger: Any) -> float:
     return math.fsum(map(abs, parts)) + math.fsum(stored) + 1e-3
 
 
+@HALF
 @given(acted_on())
 def test_energy_changes_only_by_named_work_and_by_what_warmed_the_bumpers(
     plain: dict[str, Any],

@@ -74,6 +74,7 @@ def test_it_prints_without_its_controls_and_fits_a_phone(page: Page) -> None:
         expect(page.locator(".carts-class-table.means")).to_be_visible()
 
 
+@pytest.mark.one_browser
 def test_on_the_real_page_a_worksheet_needs_no_key_and_the_report_is_what_prints(
     site: Path, open_page: OpenPage
 ) -> None:

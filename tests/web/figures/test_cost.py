@@ -19,6 +19,7 @@ LOADED = 90_000
 """ms. numpy and scipy on a machine that others use too, and the first rows."""
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 @pytest.mark.slow
 def test_methods_run_and_are_measured_in_the_readers_browser(

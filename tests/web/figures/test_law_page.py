@@ -50,6 +50,7 @@ def press(page: Page, name: str) -> None:
     )
 
 
+@pytest.mark.one_browser
 def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown(
     open_page: OpenPage, bench: Path
 ) -> None:

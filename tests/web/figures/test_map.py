@@ -62,6 +62,7 @@ def test_numpy_comes_when_a_map_is_opened_and_not_before(
     assert len(names) == before
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 @pytest.mark.slow
 def test_a_map_shows_and_runs_the_values_of_its_points(site: Path, open_page: OpenPage) -> None:

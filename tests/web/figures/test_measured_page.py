@@ -41,6 +41,7 @@ def known(page: Page, key: str) -> dict[str, float]:
     return dict(found)
 
 
+@pytest.mark.one_browser
 def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
     benches: Path, open_page: OpenPage, browser_name: str
 ) -> None:

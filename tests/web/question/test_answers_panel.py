@@ -125,6 +125,7 @@ def bring_back(page: Page, name: str, text: str) -> None:
     )
 
 
+@pytest.mark.one_browser
 def test_a_file_brings_answers_back_without_losing_what_is_there(
     open_page: OpenPage, question_site: Path
 ) -> None:

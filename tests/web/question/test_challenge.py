@@ -45,6 +45,7 @@ def test_a_challenge_that_makes_no_sense_is_refused(block: str, code: str) -> No
     assert code in {finding.code for finding in refused.value.findings}
 
 
+@pytest.mark.one_browser
 def test_runs_are_counted_once_and_the_first_that_reaches_the_goal_is_told(
     site: Path, open_page: OpenPage
 ) -> None:

@@ -45,6 +45,7 @@ def find(page: Page, typed: str, name: str = "hidden", which: str = "B, while it
     return note.inner_text() if note.count() else ""
 
 
+@pytest.mark.one_browser
 def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_site: Path) -> None:
     path = write_page(widget_site, "hidden", HIDDEN)
     page = live(open_page(path), "hidden")

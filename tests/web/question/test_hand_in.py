@@ -32,6 +32,7 @@ def hand_in(page: Page, form: str) -> None:
     expect(quiz.locator(".carts-quiz-done")).to_contain_text("Handed in on")
 
 
+@pytest.mark.one_browser
 def test_a_form_is_taken_before_and_after_and_handed_in(
     open_page: OpenPage, question_site: Path
 ) -> None:

@@ -58,6 +58,7 @@ def add(page: Page, one: str, how: str, other: str) -> None:
     page.locator("#book .carts-q-add button").click()
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_a_diagram_is_drawn_marked_and_comes_back(open_page: OpenPage, question_site: Path) -> None:
     page = ready(open_page(write_page(question_site, "book", DIAGRAM)))

@@ -18,6 +18,7 @@ __all__ = ["widget_site"]  # a fixture
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.one_browser
 def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site: Path) -> None:
     page = open_page(widget_site / "arrows.html")
     page.locator(".carts-guess [type=text]:enabled").first.wait_for()

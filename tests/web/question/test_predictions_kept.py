@@ -35,6 +35,7 @@ scene: bump
 """
 
 
+@pytest.mark.one_browser
 def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes(
     open_page: OpenPage, question_site: Path
 ) -> None:

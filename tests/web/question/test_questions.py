@@ -219,6 +219,7 @@ rubric:
 """
 
 
+@pytest.mark.one_browser
 def test_a_first_idea_is_kept_never_marked_and_stands_beside_the_last_answer(
     open_page: OpenPage, question_site: Path
 ) -> None:

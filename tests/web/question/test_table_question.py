@@ -28,6 +28,7 @@ plot: [push, velocity]
 """
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_cells_are_marked_one_by_one_and_drawn_and_come_back(
     open_page: OpenPage, question_site: Path

@@ -69,6 +69,7 @@ def test_after_the_lock_a_graph_says_what_it_cannot_draw(
     expect(page.locator('#guessed [data-body="A"] [data-quantity="F"]')).to_have_text("0.00")
 
 
+@pytest.mark.one_browser
 def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "arrows.html"), "arrows")
     page.locator("#arrows .carts-lock").click()
@@ -157,6 +158,7 @@ def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
     )
 
 
+@pytest.mark.one_browser
 def test_a_curve_is_typed_or_drawn_and_compared_by_features(
     open_page: OpenPage, widget_site: Path
 ) -> None:

@@ -32,6 +32,7 @@ ROUGH: dict[str, Any] = {
 }
 
 
+@pytest.mark.one_browser
 def test_without_friction_the_cart_goes_on(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(write_page(widget_site, "rough", ROUGH)), "rough")
     scene = page.locator("#rough")

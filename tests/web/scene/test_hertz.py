@@ -52,6 +52,7 @@ def heavy(page: Page) -> list[str]:
     return asked
 
 
+@pytest.mark.one_browser
 def test_balls_collide_in_the_page_as_they_do_natively(
     balls_site: Path, open_page: OpenPage
 ) -> None:

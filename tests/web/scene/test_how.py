@@ -97,6 +97,7 @@ def test_the_plan_and_its_cost_stand_there(open_page: OpenPage, widget_site: Pat
     assert len(offered) == 6 and not any("adaptive" in text for text in offered)  # no scipy here
 
 
+@pytest.mark.one_browser
 def test_a_stepping_method_plays_and_the_exact_run_stays_behind(
     open_page: OpenPage, widget_site: Path
 ) -> None:

@@ -21,6 +21,7 @@ MODULES = """() => new Promise((resolve) => setTimeout(() => resolve(
     [...document.querySelectorAll("#meeting .carts-ladder-box")].length), 300))"""
 
 
+@pytest.mark.one_browser
 def test_nothing_is_made_or_asked_before_a_reader_opens_the_model(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -46,6 +47,7 @@ def test_nothing_is_made_or_asked_before_a_reader_opens_the_model(
     assert all(text.startswith(w) for text, w in zip(texts, wanted, strict=True))
 
 
+@pytest.mark.one_browser
 def test_another_value_tells_it_anew_and_a_closed_one_is_left_alone(
     open_page: OpenPage, widget_site: Path
 ) -> None:

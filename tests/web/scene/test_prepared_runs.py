@@ -93,6 +93,7 @@ def test_without_python_the_sliders_go_from_one_exact_run_to_the_next(
     assert told["v"] == pytest.approx(1.8 * mass * speed / 3.6 / (mass + 1), rel=1e-9)
 
 
+@pytest.mark.one_browser
 def test_without_python_a_slider_is_moved_by_hand_and_its_box_says_the_value_of_the_run(
     open_page: OpenPage, prepared_site: Path
 ) -> None:
@@ -126,6 +127,7 @@ def test_without_python_what_was_not_prepared_is_refused_and_the_run_stays(
     assert on_scene(page, LAST, name="slides") < 0.8
 
 
+@pytest.mark.one_browser
 def test_without_python_a_prediction_is_locked_and_its_run_watched_and_changed(
     open_page: OpenPage, prepared_site: Path
 ) -> None:

@@ -53,6 +53,7 @@ def test_a_page_carries_and_reads_nothing_of_a_proof_before_it_is_asked_for(
     assert [src.rpartition("/")[2] for src in page.evaluate(read)] == ["proof.js"]
 
 
+@pytest.mark.one_browser
 def test_the_page_proves_what_the_program_proves_and_draws_what_tolerances_allow(
     open_page: OpenPage, site: Path
 ) -> None:

@@ -68,6 +68,7 @@ def test_before_it_is_played_the_page_holds_the_start_alone(watched: Page) -> No
     assert seen["right"] == pytest.approx(seen["cursor"], abs=0.5)
 
 
+@pytest.mark.one_browser
 def test_half_way_through_a_contact_nothing_is_there_of_what_comes_after(watched: Page) -> None:
     events = on_scene(watched, "return el.trajectory.events", name="watched")
     touch = next(event["t"] for event in events if event["kind"] == "contact")
@@ -85,6 +86,7 @@ def test_half_way_through_a_contact_nothing_is_there_of_what_comes_after(watched
     assert width == pytest.approx(100 * (half - touch) / whole, abs=0.01)
 
 
+@pytest.mark.one_browser
 def test_a_reader_goes_back_at_once_and_forth_as_far_as_was_seen(watched: Page) -> None:
     on_scene(watched, "el.time = 0.3", name="watched")
     watched.locator(".carts-scrub").focus()

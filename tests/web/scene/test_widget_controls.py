@@ -15,6 +15,7 @@ pytestmark = pytest.mark.browser
 __all__ = ["widget_site"]  # a fixture
 
 
+@pytest.mark.one_browser
 def test_a_slider_and_its_box_are_one(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "meeting.html"))
     control = page.locator('#meeting [data-set="A.mass"]')

@@ -57,6 +57,7 @@ def test_what_python_computes_is_what_was_baked(
     assert page.locator(f"#{name}").evaluate(STILL) == baked
 
 
+@pytest.mark.one_browser
 def test_nothing_jumps_and_the_marks_are_set(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "meeting.html"))
     marks = page.evaluate("performance.getEntriesByType('mark').map((mark) => mark.name)")

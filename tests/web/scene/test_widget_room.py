@@ -31,6 +31,7 @@ QUESTION: dict[str, Any] = {
 }
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize("width", [700, 1075])
 def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
     open_page: OpenPage, widget_site: Path, width: int
@@ -55,6 +56,7 @@ def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
     assert options.all_inner_texts() == ["It slows down"]
 
 
+@pytest.mark.one_browser
 def test_ten_events_stand_in_full_and_more_are_scrolled(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -129,8 +131,8 @@ OVERLAPS = """
   });"""
 
 
-@pytest.mark.parametrize("width", [360, 1000])
-@pytest.mark.parametrize("length", ["1.4", "4"])
+@pytest.mark.parametrize("width", [360, pytest.param(1000, marks=pytest.mark.one_browser)])
+@pytest.mark.parametrize("length", ["1.4", pytest.param("4", marks=pytest.mark.one_browser)])
 def test_signs_of_touching_carts_do_not_overlap_in_any_font(
     open_page: OpenPage, widget_site: Path, width: int, length: str
 ) -> None:
@@ -150,6 +152,7 @@ def test_signs_of_touching_carts_do_not_overlap_in_any_font(
     expect(torn).to_have_count(0)
 
 
+@pytest.mark.one_browser
 def test_names_of_forces_stay_between_the_walls(open_page: OpenPage, widget_site: Path) -> None:
     narrow = {
         "id": "between",

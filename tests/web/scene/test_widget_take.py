@@ -29,6 +29,7 @@ SAVED = """() => {
 }"""
 
 
+@pytest.mark.one_browser
 def test_a_link_restores_the_state_and_files_are_saved(
     open_page: OpenPage, widget_site: Path
 ) -> None:

@@ -70,6 +70,7 @@ def test_the_lens_is_ten_times_the_picture(third: Page) -> None:
     expect(third.locator("#third .carts-lens-note")).to_contain_text("squeezed by 17.")
 
 
+@pytest.mark.one_browser
 def test_the_reader_chooses_graphs_and_views(third: Page) -> None:
     scene = third.locator("#third")
     scene.locator(".carts-choose summary").click()

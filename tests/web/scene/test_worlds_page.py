@@ -35,6 +35,7 @@ def predict_and_watch(page: Page, on_a: str, on_b: str) -> None:
     scene.locator(".carts-end").click()
 
 
+@pytest.mark.one_browser
 def test_a_belief_is_taken_at_its_word_beside_the_real_run(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / LESSON, folder=site, viewport={"width": 1366, "height": 768})
     page.wait_for_selector(f"#{SCENE}[data-state=live]", timeout=60_000)

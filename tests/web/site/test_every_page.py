@@ -44,7 +44,7 @@ VIEWS = (
 )
 # Colours belong to the kind of a page: one of each kind is looked at in all views, the others in
 # those that differ most.
-FEWER = (VIEWS[0], VIEWS[2], VIEWS[4])
+FEWER = (VIEWS[0], VIEWS[2])
 
 
 @dataclass

@@ -110,6 +110,7 @@ def test_a_formula_of_the_build_is_as_large_as_one_that_katex_draws_in_the_page(
     assert [one for one in found if one["built"] != one["drawn"]] == []
 
 
+@pytest.mark.one_browser
 def test_the_palette_switches_and_is_remembered(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / "index.html")  # browsers under test prefer light
     body = page.locator("body")

@@ -74,6 +74,7 @@ def number_on_the_track(page: Page, text: str) -> float:
     return box["x"] + box["width"] / 2
 
 
+@pytest.mark.one_browser
 def test_the_ruler_agrees_with_the_numbers_under_the_track(page: Page) -> None:
     """Its ends are pulled to two numbers of the track: it reads their difference."""
     stage = page.locator("#after-the-hand .carts-stage-wide")
@@ -100,7 +101,7 @@ def test_the_ruler_agrees_with_the_numbers_under_the_track(page: Page) -> None:
 @pytest.mark.one_browser
 def test_the_ruler_is_moved_with_the_keyboard_too(page: Page) -> None:
     tool = page.locator("#after-the-hand [data-tool=ruler]")
-    before = float(tool.locator("output").inner_text())
+    before = float(tool.locator("output").text_content() or "")
     end = tool.get_by_label("right end of the ruler")
     end.focus()
     for _ in range(4):

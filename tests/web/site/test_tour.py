@@ -31,6 +31,7 @@ def hint(page: Page) -> Locator:
     return page.locator(".carts-tour .carts-tour-text")
 
 
+@pytest.mark.one_browser
 def test_hints_come_one_by_one_and_never_again_once_done(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / "index.html", viewport=LAPTOP)
     expect(hint(page)).to_contain_text("Pull the arrow")
