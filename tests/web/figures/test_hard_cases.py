@@ -28,7 +28,7 @@ FEW = tuple(
     (name, tuple(case for k, case in enumerate(cases, 1) if k < 3 or k % 6 == 0))
     for name, cases in GROUPS
 )
-"""A few of each group, one of them for scipy. In the page's Python all run in test_same_physics.py."""
+"""A few of each group, one of them for scipy. All of them run in test_same_physics.py."""
 CASES = [case for _, group in FEW for case in group]
 
 
