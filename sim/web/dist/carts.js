@@ -10483,8 +10483,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           this.#view?.enable(true);
           if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
           if (!own || this.#predict?.watched) this.#watch?.finish(true);
-          else if (this.#watch?.first) this.#view?.player.play();
-          else this.#watched();
+          else if (!this.#watch?.first) this.#watched();
+          else if (now) this.#view?.player.play();
         } catch (error) {
           const { message } = (
             /** @type {Error} */

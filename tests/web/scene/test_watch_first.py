@@ -119,6 +119,8 @@ def test_after_the_lock_it_plays_by_itself_and_is_compared_at_its_end(
     live(page, "asked")
     expect(scene.locator(".carts-play")).to_be_enabled(timeout=LIVE)
     expect(scene.locator(".carts-compared")).to_be_hidden()
+    expect(scene.locator(".carts-transport")).not_to_have_class(re.compile("carts-is-playing"))
+    assert on_scene(page, "return el.time", name="asked") == 0
     assert told(page, "asked")["events"] == 0
     scene.locator(".carts-end").click()
     expect(scene.locator(".carts-compared")).to_be_visible()

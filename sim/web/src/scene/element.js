@@ -223,8 +223,8 @@ export function sceneElement(client, folder) {
         this.#view?.enable(true);
         if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
         if (!own || this.#predict?.watched) this.#watch?.finish(true);
-        else if (this.#watch?.first) this.#view?.player.play();
-        else this.#watched();
+        else if (!this.#watch?.first) this.#watched();
+        else if (now) this.#view?.player.play(); // opened again, it waits to be played
       } catch (error) {
         const { message } = /** @type {Error} */ (error);
         this.#predict?.complain(`${message} ${words.PREDICTION_KEPT}`);
