@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
-from itertools import zip_longest
 from typing import Any, Literal
 
 from sim.pages.teach.right_answers import may_be_right
@@ -112,17 +111,17 @@ def _fields(text: str, block: Block, named: Any) -> Iterator[Field]:
 
 
 def _with_rightness(found: Sequence[Field], answers: int) -> Iterator[Field]:
-    """The fields, and whether an answer is right also where it does not say so."""
+    """The fields; after the text of an answer that does not say so, whether it is right."""
     said = {field.path for field in found}
-    for field, after in zip_longest(found, found[1:]):
+    for field in found:
         yield field
-        k = field.path[1] if field.path[0] == "options" else answers
-        last = after is None or after.path[:2] != field.path[:2]
-        path = ("options", k, "correct")
-        if isinstance(k, int) and k < answers and last and path not in said:
-            nowhere = field.place[0], 0  # no finding can stand here
-            yield Field(path, f"Answer {letter(k)}", OPTION["correct"], "choice", "false",
-                        nowhere, TRUTH)  # fmt: skip
+        match field.path:
+            case ("options", int(k)) | ("options", int(k), "text") if k < answers:
+                path = ("options", k, "correct")
+                if path not in said:
+                    nowhere = field.place[0], 0  # no finding can stand here
+                    yield Field(path, f"Answer {letter(k)}", OPTION["correct"], "choice",
+                                "false", nowhere, TRUTH)  # fmt: skip
 
 
 def _in_scene(path: KeyPath) -> tuple[str, str] | None:

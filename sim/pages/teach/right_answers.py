@@ -71,24 +71,25 @@ def _ways(
         if said:
             changes.append((said.start, said.end, "true" if wanted[k] else "false"))
         else:
-            new = list(_said_anew(text, block, k, at.get(("options", k))))
+            new = list(_said_anew(text, block, k, at))
     yield from ([*changes, one] for one in new) if new else [changes]
 
 
-def _said_anew(text: str, block: Block, k: int, alone: Value | None) -> Iterator[Change]:
+def _said_anew(text: str, block: Block, k: int, at: Mapping[KeyPath, Value]) -> Iterator[Change]:
     """Ways to write `correct: true` at an answer; the first that reads right is taken."""
+    alone = at.get(("options", k))
     if alone:  # - They are equal.
         quoted = alone.style in ('"', "'")
         words = text[alone.start : alone.end] if quoted else json.dumps(alone.value)
         yield alone.start, alone.end, f"{{text: {words}, correct: true}}"
-        return
-    for key in names(text, block):
-        if len(key.path) == 3 and key.path[:2] == ("options", k):
-            ends = "\r\n" if text[: text.find("\n", key.start) + 1].endswith("\r\n") else "\n"
-            line = text[text.rfind("\n", 0, key.start) + 1 : key.start]
-            yield key.start, key.start, "correct: true, "
-            yield key.start, key.start, f"correct: true{ends}{' ' * len(line)}"
-            return
+    path = ("options", k, "text")
+    key = next((name for name in names(text, block) if name.path == path), None)
+    if key and path in at:
+        end = at[path].end
+        ends = "\r\n" if text[: text.find("\n", end) + 1].endswith("\r\n") else "\n"
+        column = key.start - (text.rfind("\n", 0, key.start) + 1)
+        yield end, end, ", correct: true"
+        yield end, end, f"{ends}{' ' * column}correct: true"
 
 
 def _flags(table: Mapping[str, Any]) -> list[bool]:
