@@ -21,8 +21,8 @@ Change = tuple[int, int, str]
 
 def may_be_right(block: Block) -> int:
     """How many answers of this block may be right or wrong; 0 where none is chosen or judged."""
-    table = read(block)
-    if block.name != "question" or not isinstance(table, Mapping):
+    table = read(block) if block.name == "question" else None
+    if not isinstance(table, Mapping):
         return 0
     options = table.get("options")
     judged = table.get("type") in ("single", "multiple")

@@ -2806,7 +2806,7 @@
     return box;
   }
 
-  // src/question/element.js
+  // src/question/forms/kinds.js
   var FORMS3 = {
     single: choiceForm,
     multiple: choiceForm,
@@ -2822,6 +2822,8 @@
     drawn: drawnForm,
     idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed)
   };
+
+  // src/question/element.js
   var NOT_SAVED = tr("Not saved");
   var SOON = 400;
   var LATE = 4e3;

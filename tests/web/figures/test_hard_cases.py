@@ -50,7 +50,7 @@ def test_cases_come_out_in_the_browser_as_their_sources_say(
     row = hard.locator('[data-case="mass-ratio-1e+09"]')
     expect(row.locator('[data-verdict="wrong"]')).to_have_count(3)  # without Python
     hard.locator(".carts-hard-go").click()
-    # This site carries no scipy: the three cradles of balls, which come last, are told of.
+    # This site carries no scipy: a cradle of balls is told of.
     expect(hard.locator(".carts-note")).to_contain_text("as it is", timeout=RUNNING)
     answers = hard.evaluate("(el) => el.answers")
     here = [case for case in CASES if case.plain.get("contact", {}).get("law") != "hertz"]

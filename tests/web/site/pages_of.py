@@ -12,6 +12,7 @@ from sim.pages.language import language_folder
 MOST_SHIFT = 0.01  # cumulative layout shift: a tenth of what counts as good
 LATE = 300  # ms; what moves late, by an element of ours, moves within this
 OURS = "[...document.querySelectorAll('*')].some((one) => one.localName.startsWith('carts-'))"
+DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 COUNT_SHIFTS = """
   window.shifted = 0;
   window.moved = [];

@@ -17,6 +17,7 @@ from tests.web.runtime.boot_site import ROOT
 from tests.web.site.accessibility import PALE, RUN_AXE
 from tests.web.site.pages_of import (
     COUNT_SHIFTS,
+    DRAWN,
     MOST_SHIFT,
     listen,
     one_of_each_kind,
@@ -26,7 +27,6 @@ from tests.web.site.pages_of import (
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser, pytest.mark.slow]
 
-DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 OPEN_ALL = "for (const part of document.querySelectorAll('details')) part.open = true"
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 # The theme makes code that is wider than its place focusable a moment after it is laid out.

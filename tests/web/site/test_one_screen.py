@@ -10,6 +10,7 @@ from playwright.sync_api import Locator, Page
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import LIVE
 from tests.web.site.lessons_with_scenes import LESSONS
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -42,7 +43,6 @@ LETTERS = """() => [...document.querySelectorAll(".carts-stage text, .carts-plot
         return { name: `${one.closest("carts-scene").id} ${one.textContent}`,
             size: parseFloat(getComputedStyle(one).fontSize) * scale };
     })"""
-DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 LEAST_LETTER = 12.95  # px: 13, drawn in a picture that is a whole number of pixels wide
 
 

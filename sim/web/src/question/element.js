@@ -6,12 +6,8 @@ import { need, say } from "../shared/dom.js";
 import { atTheRun, changing, checked, whenWatched } from "./beside-run.js";
 import { showEarlier, showFirstIdea } from "./earlier.js";
 import { Feedback } from "./feedback.js";
-import { matchForm, orderForm } from "./forms/arrange.js";
-import { choiceForm } from "./forms/choice.js";
-import { interactionsForm } from "./forms/interactions.js";
-import { drawnForm, ownReading } from "./forms/run.js";
-import { tableForm } from "./forms/table.js";
-import { numberForm, wordsForm } from "./forms/typed.js";
+import { FORMS } from "./forms/kinds.js";
+import { ownReading } from "./forms/run.js";
 import { wait } from "./gate.js";
 import { plainText } from "./plain-text.js";
 
@@ -21,22 +17,6 @@ import { plainText } from "./plain-text.js";
  *   problem?: () => string, marked?: (shown: string[]) => void, follow?: (book: import("../answers/book.js").Book) => void}} Form
  */
 
-/** @type {Record<string, (root: HTMLElement, changed: () => void, facts: any) => Form>} */
-const FORMS = {
-  single: choiceForm,
-  multiple: choiceForm,
-  confidence: choiceForm,
-  number: numberForm,
-  reading: numberForm,
-  short: wordsForm,
-  long: wordsForm,
-  ordering: orderForm,
-  matching: matchForm,
-  table: tableForm,
-  interactions: interactionsForm,
-  drawn: drawnForm,
-  idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed),
-};
 const NOT_SAVED = tr("Not saved");
 const SOON = 400; // ms after which a page that still opens its store says so
 const LATE = 4000; // ms after which a browser that has not kept an answer is said not to have
