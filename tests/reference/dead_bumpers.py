@@ -14,7 +14,8 @@ from dataclasses import replace
 from typing import Any
 
 from tests.reference.contact_branches import DEAD, UnsupportedError
-from tests.reference.row_of_carts import NOTHING, Group, Row
+from tests.reference.one_body import Group
+from tests.reference.row_of_carts import NOTHING, Row
 
 PARTS = 1e-9
 """m/s. Two that open faster when they turn were never pressed: they grazed."""

@@ -12,7 +12,8 @@ from __future__ import annotations
 import numpy as np
 
 from tests.reference.contact_branches import UnsupportedError
-from tests.reference.row_of_carts import Group, Row
+from tests.reference.one_body import Group
+from tests.reference.row_of_carts import Row
 
 TOUCH = 1e-12
 """m. Rooms that the integration cannot tell from nought."""

@@ -7,25 +7,16 @@ of `sim.dynamics` is used.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from sim.scene import Scene
 from tests.reference.contact_branches import DEAD, Branch, UnsupportedError, begin
 from tests.reference.effects_acting import Acting
+from tests.reference.one_body import Group
 
 NOTHING = 1e-13
 """m or m/s. What rounding makes of nought: no sign."""
-
-
-@dataclass
-class Group:
-    """Carts that move as one."""
-
-    carts: list[int]
-    fixed: bool = False  # stuck to a wall
-    sliding: int = 0
-    held: bool = False
 
 
 class Row:

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import guess
-from tests.web.scene.given.widget_site import live, lock, on_scene, widget_site, write_page
+from tests.web.scene.given.widget_site import live, lock, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 
@@ -156,75 +156,6 @@ def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
     expect(page.locator("#arrows .carts-announcer")).to_contain_text(
         "force on A by B: you 2.0 N, the run 6.9 N."
     )
-
-
-@pytest.mark.one_browser
-def test_a_curve_is_typed_or_drawn_and_compared_by_features(
-    open_page: OpenPage, widget_site: Path
-) -> None:
-    page = live(open_page(widget_site / "curve.html"), "curve")
-    heights = page.locator("#curve .carts-height")
-    for k, height in enumerate((0, 5, 9, 5)):
-        heights.nth(k).fill(str(height))
-    page.locator("#curve .carts-pad").scroll_into_view_if_needed()
-    pad = page.locator("#curve .carts-pad").bounding_box()
-    assert pad
-    page.mouse.click(pad["x"] + pad["width"] * 350 / 360, pad["y"] + pad["height"] * 94 / 170)
-    expect(heights.nth(4)).to_have_value("3")
-    lock(page, "curve")
-    compared = page.locator("#curve .carts-compared")
-    expect(compared).to_contain_text("starts from zero: your curve yes, the run yes")
-    expect(compared).to_contain_text("is zero again at the end: your curve no, the run yes")
-
-
-@pytest.mark.one_browser
-def test_curves_of_velocity_and_position_have_a_direction_and_need_no_contact(
-    open_page: OpenPage, widget_site: Path
-) -> None:
-    page = live(open_page(widget_site / "speed.html"), "speed")
-    for k, height in enumerate((6, 4, 2, -2, -2)):
-        page.locator("#speed .carts-height").nth(k).fill(str(height))
-    lock(page, "speed")
-    compared = page.locator("#speed .carts-compared")
-    expect(compared).to_contain_text("stays the same from start to end: your curve no, the run yes")
-    expect(compared).to_contain_text("turns round: your curve yes, the run no")
-    drawn = page.locator("#speed .carts-pad [data-part=answer]").get_attribute("d") or ""
-    heights = {point.split()[1] for point in drawn.lstrip("M").split("L")}
-    assert heights == {"10"}, "one height, above the line of rest: to the right"
-
-
-PUSHED = {
-    "id": "pushed", "title": "A steady push, then none", "slow": "never", "until": "2.6 s",
-    "carts": {"A": {"mass": "0.5 kg", "position": "0.3 m"}}, "track": {"length": "2.4 m"},
-    "effects": [{"push": {"cart": "A", "force": "0.2 N", "until": "2 s"}}],
-    "predict": {"ask": "Draw the velocity of A.", "curve": "v.A"},
-}  # fmt: skip
-
-
-@pytest.mark.one_browser
-@pytest.mark.parametrize(
-    ("drawn", "evenly", "level"),
-    [
-        ((0, 3, 6, 9, 9), "yes", "yes"),
-        ((0, 9, 9, 9, 0), "no", "no"),
-        ((0, 5, 8, 9, 9), "no", "yes"),
-    ],
-    ids=["as the run", "as fast as pushed", "gains less and less"],
-)
-def test_a_velocity_that_goes_with_the_push_differs_from_one_that_grows_with_it(
-    open_page: OpenPage, widget_site: Path, drawn: tuple[int, ...], evenly: str, level: str
-) -> None:
-    page = live(open_page(write_page(widget_site, "pushed", PUSHED)), "pushed")
-    for k, height in enumerate(drawn):
-        page.locator("#pushed .carts-height").nth(k).fill(str(height))
-    lock(page, "pushed")
-    compared = page.locator("#pushed .carts-compared")
-    for feature, mine in (
-        ("changes evenly in the first half", evenly),
-        ("stays the same in the last quarter", level),
-    ):
-        expect(compared).to_contain_text(f"{feature}: your curve {mine}, the run yes")
-    expect(compared).not_to_contain_text("turns round")
 
 
 @pytest.mark.one_browser
