@@ -14,6 +14,7 @@ export const TOP = 8;
 export const BOTTOM = 129;
 export const WIDTH = 360;
 export const HEIGHT = 160;
+const LETTER = 8; // units, the width of a figure; a point takes half
 const BELOW_LINE = 5; // units, from a grid line to the foot of its number
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
 const PIECES = 8; // straight ones, in place of the part of a bend that was seen
@@ -112,10 +113,15 @@ function tail({ values, slopes }, times, plane, from, to) {
   return d;
 }
 
-/** @param {Plane} plane @returns {{at: string, label: string}[]} vertical grid lines */
+/** @param {Plane} plane @returns {{at: string, textX: string, label: string}[]} vertical grid lines; the last number stays in the picture */
 export function timeMarks(plane) {
   const decimals = axisDecimals(plane.time);
-  return ticks(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
+  return ticks(plane.time).map((t) => {
+    const at = timeX(plane, t);
+    const label = fixed(t, decimals);
+    const wide = LETTER * (label.length - (decimals > 0 ? 0.5 : 0));
+    return { at: px(at), textX: px(Math.min(at, WIDTH - wide / 2)), label };
+  });
 }
 
 /** @param {Plane} plane @returns {{at: string, textY: string, label: string, zero: boolean}[]} horizontal grid lines */

@@ -4,6 +4,7 @@ import { exponent } from "./numbers.js";
 
 export const STEP_SLACK = 1e-9; // of a step; nearer to a round number is rounding noise
 const HEADROOM = 0.05; // of the values, above and below: no curve lies on the frame
+const NOUGHT = 1e-12; // in SI units; what rounding leaves of nothing has no axis of its own
 
 /** @typedef {{low: number, high: number, step: number}} Axis */
 
@@ -32,8 +33,9 @@ export function niceAbove(value) {
 
 /** @param {number} low @param {number} high @param {number} count @returns {Axis} covers zero too, with some room */
 export function axis(low, high, count) {
-  const bottom = Math.min(0, low);
-  const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+  const bottom = low < -NOUGHT ? low : 0;
+  const above = high > NOUGHT ? high : 0;
+  const top = above === bottom ? 1 : above;
   const room = HEADROOM * (top - bottom);
   return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
 }

@@ -2624,6 +2624,7 @@
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
+  var NOUGHT = 1e-12;
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
@@ -2642,8 +2643,9 @@
     return 10 * power;
   }
   function axis(low, high, count) {
-    const bottom = Math.min(0, low);
-    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const bottom = low < -NOUGHT ? low : 0;
+    const above = high > NOUGHT ? high : 0;
+    const top = above === bottom ? 1 : above;
     const room = HEADROOM * (top - bottom);
     return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
   }

@@ -831,6 +831,7 @@
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
+  var NOUGHT = 1e-12;
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
@@ -849,8 +850,9 @@
     return 10 * power;
   }
   function axis(low, high, count2) {
-    const bottom = Math.min(0, low);
-    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const bottom = low < -NOUGHT ? low : 0;
+    const above = high > NOUGHT ? high : 0;
+    const top = above === bottom ? 1 : above;
     const room = HEADROOM * (top - bottom);
     return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count2) };
   }
@@ -7960,6 +7962,7 @@ ${lines4.join("\n")}
   var BOTTOM5 = 129;
   var WIDTH6 = 360;
   var HEIGHT3 = 160;
+  var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR2 = 0.7;
   var PIECES = 8;
@@ -8034,7 +8037,12 @@ ${lines4.join("\n")}
   }
   function timeMarks(plane) {
     const decimals = axisDecimals(plane.time);
-    return ticks2(plane.time).map((t3) => ({ at: px(timeX(plane, t3)), label: fixed(t3, decimals) }));
+    return ticks2(plane.time).map((t3) => {
+      const at3 = timeX(plane, t3);
+      const label = fixed(t3, decimals);
+      const wide = LETTER * (label.length - (decimals > 0 ? 0.5 : 0));
+      return { at: px(at3), textX: px(Math.min(at3, WIDTH6 - wide / 2)), label };
+    });
   }
   function valueMarks(plane) {
     const decimals = axisDecimals(plane.value);
@@ -8110,14 +8118,14 @@ ${lines4.join("\n")}
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
     marks2(need(root, '[data-part="times"]'), times2.length, (line2, text, i2) => {
-      const { at: at3, label } = (
-        /** @type {{at: string, label: string}} */
+      const { at: at3, textX, label } = (
+        /** @type {(typeof times)[number]} */
         times2[i2]
       );
       put(line2, "class", "carts-grid");
       put(line2, "d", `M${at3} ${TOP5}V${BOTTOM5}`);
       put(text, "class", "carts-tick-x");
-      put(text, "x", at3);
+      put(text, "x", textX);
       put(text, "y", String(BOTTOM5 + 15));
       say(text, label);
     });

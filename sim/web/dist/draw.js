@@ -10774,6 +10774,7 @@ ${rows.map(row)}</tbody>
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
+  var NOUGHT = 1e-12;
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
@@ -10792,8 +10793,9 @@ ${rows.map(row)}</tbody>
     return 10 * power2;
   }
   function axis(low, high, count) {
-    const bottom = Math.min(0, low);
-    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const bottom = low < -NOUGHT ? low : 0;
+    const above = high > NOUGHT ? high : 0;
+    const top = above === bottom ? 1 : above;
     const room = HEADROOM * (top - bottom);
     return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
   }
@@ -12165,6 +12167,7 @@ ${rows}</tbody></table></div>
   var BOTTOM4 = 129;
   var WIDTH4 = 360;
   var HEIGHT4 = 160;
+  var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR = 0.7;
   var PIECES = 8;
@@ -12239,7 +12242,12 @@ ${rows}</tbody></table></div>
   }
   function timeMarks(plane) {
     const decimals = axisDecimals(plane.time);
-    return ticks2(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
+    return ticks2(plane.time).map((t) => {
+      const at = timeX(plane, t);
+      const label = fixed(t, decimals);
+      const wide = LETTER * (label.length - (decimals > 0 ? 0.5 : 0));
+      return { at: px(at), textX: px(Math.min(at, WIDTH4 - wide / 2)), label };
+    });
   }
   function valueMarks(plane) {
     const decimals = axisDecimals(plane.value);
@@ -13841,14 +13849,14 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
     marks2(need(root, '[data-part="times"]'), times2.length, (line, text3, i) => {
-      const { at, label } = (
-        /** @type {{at: string, label: string}} */
+      const { at, textX, label } = (
+        /** @type {(typeof times)[number]} */
         times2[i]
       );
       put(line, "class", "carts-grid");
       put(line, "d", `M${at} ${TOP4}V${BOTTOM4}`);
       put(text3, "class", "carts-tick-x");
-      put(text3, "x", at);
+      put(text3, "x", textX);
       put(text3, "y", String(BOTTOM4 + 15));
       say(text3, label);
     });

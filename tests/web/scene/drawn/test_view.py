@@ -58,6 +58,29 @@ def test_every_tick_is_a_round_multiple_within_its_axis() -> None:
         )
 
 
+def test_what_rounding_leaves_of_nothing_has_the_axis_of_nothing() -> None:
+    axes = in_node(
+        """const s = await import(view + "/scales.js");
+        give(data.map(([a, b]) => s.axis(a, b, 4)));""",
+        [(0, 0), (-1.5e-17, 5e-18), (0, 2), (-1e-16, 2)],
+    )
+    assert axes[0] == axes[1]
+    assert axes[2] == axes[3]
+
+
+@pytest.mark.parametrize("until", [2, 3.5, 60, 600, 6000])
+def test_the_last_number_of_a_time_axis_stays_in_the_picture(until: float) -> None:
+    marks, width, letter = in_node(
+        """const g = await import(view + "/graph.js");
+        give([g.timeMarks(g.planeFor([0, 1], [0, data])), g.WIDTH, 8]);""",
+        until,
+    )
+    for mark in marks:
+        right = float(mark["textX"]) + letter * len(mark["label"].replace(".", "")) / 2
+        assert right <= width
+    assert [mark["at"] for mark in marks[:-1]] == [mark["textX"] for mark in marks[:-1]]
+
+
 def test_between_rows_a_cubic_is_met_exactly_and_a_jump_is_not_smoothed() -> None:
     times = [0.0, 1.0, 2.0, 2.0, 5.0]
     cubic = [0.0, 1.0, 8.0, -3.0, -9.0]  # t³ up to 2, then a jump and a straight line

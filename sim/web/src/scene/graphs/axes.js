@@ -8,11 +8,11 @@ export function drawAxes(root, plane) {
   const times = g.timeMarks(plane);
   const rows = g.valueMarks(plane);
   marks(need(root, '[data-part="times"]'), times.length, (line, text, i) => {
-    const { at, label } = /** @type {{at: string, label: string}} */ (times[i]);
+    const { at, textX, label } = /** @type {(typeof times)[number]} */ (times[i]);
     put(line, "class", "carts-grid");
     put(line, "d", `M${at} ${g.TOP}V${g.BOTTOM}`);
     put(text, "class", "carts-tick-x");
-    put(text, "x", at);
+    put(text, "x", textX);
     put(text, "y", String(g.BOTTOM + 15));
     say(text, label);
   });
