@@ -43,8 +43,8 @@ VIEWS = (
     (1280, "dark", "print"),
 )
 # Colours belong to the kind of a page: one of each kind is looked at in all views, the others in
-# those that differ most.
-FEWER = (VIEWS[0], VIEWS[2])
+# that which differs most from how they were read in.
+FEWER = (VIEWS[2],)
 
 
 @dataclass
@@ -77,7 +77,8 @@ def found(site: Path, browser: Browser) -> Found:
             look(page, *view)
             page.evaluate(DRAWN)
             all_.pale += [(name, (view, text)) for text in page.evaluate(PALE)]
-        look(page, *VIEWS[1])
+        if name in first_of_kind:
+            look(page, *VIEWS[1])
         page.evaluate(OPEN_ALL)
         page.wait_for_function(WIDE_CODE)
         page.evaluate(axe)
