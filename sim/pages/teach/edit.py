@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import Value, values
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, YamlError, load
+
+Change = tuple[int, int, str]
+"""Where a piece of the text begins and ends, and what takes its place."""
 
 CANNOT = "this cannot be written in this field; write it in the text of the block"
 
@@ -32,12 +35,28 @@ def with_value(text: str, index: int, path: KeyPath, wanted: str) -> str:
     if old.value.rstrip("\n") == wanted.rstrip("\n"):
         return text
     line = text[old.start : text.find("\n", old.start) + 1]
-    for way in _ways(old, wanted, "\r\n" if line.endswith("\r\n") else "\n"):
-        made = text[: old.start] + way + text[old.end :]
+    ways = _ways(old, wanted, "\r\n" if line.endswith("\r\n") else "\n")
+    return first_that_reads(
+        text,
+        index,
+        ([(old.start, old.end, way)] for way in ways),
+        lambda again: _same(again, plain, path, wanted),
+    )
+
+
+def first_that_reads(
+    text: str, index: int, ways: Iterable[Sequence[Change]], reads: Callable[[Any], bool]
+) -> str:
+    """The text changed in the first of these ways after which block number `index` reads as it
+    should, and no block is more or fewer. Raises CannotWriteError if there is none."""
+    for changes in ways:
+        made = text
+        for start, end, new in sorted(changes, reverse=True):
+            made = made[:start] + new + made[end:]
         after = block_at(made, index)
         if after and len(blocks(made)) == len(blocks(text)):
             again = read(after)
-            if again is not None and _same(again, plain, path, wanted):
+            if again is not None and reads(again):
                 return made
     raise CannotWriteError(CANNOT)
 

@@ -10,13 +10,10 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sim.pages.teach.edit import CANNOT, CannotWriteError, block_at, read
-from sim.pages.teach.pieces import blocks
+from sim.pages.teach.edit import CannotWriteError, Change, block_at, first_that_reads, read
 from sim.pages.teach.spans import Value, names, values
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath
-
-Change = tuple[int, int, str]
 
 
 def may_be_right(block: Block) -> int:
@@ -47,16 +44,12 @@ def with_right(text: str, index: int, answer: int, *, right: bool) -> str:
     if right and old["type"] == "single":
         wanted = [False] * len(wanted)
     wanted[answer] = right
-    for changes in _ways(text, block, _flags(old), wanted):
-        made = text
-        for start, end, new in sorted(changes, reverse=True):
-            made = made[:start] + new + made[end:]
-        after = block_at(made, index)
-        if after and len(blocks(made)) == len(blocks(text)):
-            again = read(after)
-            if again is not None and _rest(again) == _rest(old) and _flags(again) == wanted:
-                return made
-    raise CannotWriteError(CANNOT)
+    return first_that_reads(
+        text,
+        index,
+        _ways(text, block, _flags(old), wanted),
+        lambda again: _rest(again) == _rest(old) and _flags(again) == wanted,
+    )
 
 
 def _ways(
