@@ -106,9 +106,9 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
         if self.config.teacher_mode:
             names, settings = config.markdown_extensions, config.mdx_configs
-            self.build.doors = Doors(
-                root, self.folder, names, settings, word=self.config.teacher_word.strip()
-            )
+            alone = self.serving and config.dev_addr.host in ("127.0.0.1", "localhost")
+            word = self.config.teacher_word.strip()
+            self.build.doors = Doors(root, self.folder, names, settings, whole=alone, word=word)
         config.use_directory_urls = False
         config.markdown_extensions.append(CartsExtension())  # type: ignore[arg-type]
         config.watch.append(str(self.folder))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import base64
+import gzip
+import json
 import re
 import socket
 import threading
@@ -10,11 +13,13 @@ import urllib.error
 import urllib.request
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
+from sim.cli.site.build import build_site
 from sim.cli.site.serve import Previewer
 from sim.pages import runtime, site_files
 
@@ -74,6 +79,31 @@ def test_after_an_edit_the_pages_are_those_of_a_whole_build(
     whole.make()
     whole.close()
     assert pages(whole.site) == after
+
+
+def test_its_teacher_mode_has_notes_and_marking_guides_which_a_built_site_has_not(
+    root: Path, preview: Previewer, tmp_path: Path
+) -> None:
+    lesson = root / "worksheets" / "two.md"
+    with lesson.open("a", encoding="utf-8") as text:
+        text.write("\n```question\nid: why\ntype: long\nask: Why?\n")
+        text.write("rubric: {1: a reason, 0: none}\n```\n")
+    preview.make()
+    assert shipped(preview.site)["text"] == lesson.read_text(encoding="utf-8")
+    assert not shipped(preview.site)["withheld"]
+    built = build_site(root, hosted=False, strict=True, site_dir=tmp_path / "built")
+    assert built is not None
+    assert shipped(built)["withheld"]
+    assert "a reason" not in shipped(built)["text"]
+
+
+def shipped(site: Path) -> dict[str, Any]:
+    """What teacher mode gets of the lesson `two`."""
+    scripts = (site / "assets" / "carts" / "lessons").glob("two.*.js")
+    script = max(scripts, key=lambda path: path.stat().st_mtime_ns)  # those before it stay
+    packed = re.search(r'"([A-Za-z0-9+/=]{40,})"', script.read_text(encoding="utf-8"))
+    assert packed
+    return dict(json.loads(gzip.decompress(base64.b64decode(packed[1]))))
 
 
 def test_a_changed_bank_changes_the_lesson_that_draws_from_it(

@@ -55,6 +55,35 @@ def test_what_a_word_processor_leaves_behind_is_named_where_it_stands(
 
 
 @pytest.mark.parametrize(
+    ("text", "place", "said"),
+    [
+        ("ask: **Explain** it.", (1, 6), "a text cannot begin with *"),
+        ("id: a\nask: > 3 N?", (2, 6), "a text cannot begin with >"),
+        ("ask: - 3 N?", (1, 6), "a text cannot begin with -"),
+        (r'ask: "What is \(v\)?"', (1, 15), "a backslash means something else in double quotes"),
+        ("ask: 'What's the force?'", (1, 6), "the text goes on after a single quote"),
+        ('ask: "Normal" force', (1, 6), 'the text goes on after the closing "'),
+        ("ask: [Hard] Explain", (1, 6), "the text goes on after the closing ]"),
+        ('a: "x\nb: 1\nc: 2', (1, 4), "the closing quote is missing"),
+        (
+            'o:\n  - {text: "No", f: "Yes.}\n  - {text: "Yes"}',
+            (2, 21),
+            "the closing quote is missing",
+        ),
+        ('ask: "What\no:\n  - {text: "A b"}', (1, 6), "the closing quote is missing"),
+        ('ask: |\n  A 5" pipe\nx: [a, b\nd: 1', (3, 4), "a comma or the closing ] is missing"),
+    ],
+)
+def test_a_text_that_needs_quotes_is_named_where_it_begins(
+    text: str, place: tuple[int, int], said: str
+) -> None:
+    with pytest.raises(YamlError) as caught:
+        load(text)
+    assert (caught.value.line, caught.value.col) == place
+    assert caught.value.message == said
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "ask: |\n  – A dash, 10\u00a0000 km and a # in prose\n  go on\nid: a",
@@ -125,7 +154,7 @@ def test_a_number_keeps_its_exact_text(written: str, read: object) -> None:
         ("title: 'A cart", 1, 15, "the closing quote is missing"),
         ("mass: 1\nvelocity 2\nlength: 3", 2, 1, "a colon is missing"),
         ("- mass: 1", 1, 1, "expected lines of “key: value”"),
-        ("mass: @1", 1, 7, "cannot begin a value"),
+        ("mass: @1", 1, 7, "a text cannot begin with @"),
         ("mass: \x07", 1, 7, "cannot be read"),
         ("a: 1\n---\nb: 2", 2, 1, "a second text"),
         ("? [a]\n: 1", 1, 3, "cannot be a list"),

@@ -50,12 +50,8 @@ def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
     """
     root = site_folder.here().root
     started = time.monotonic()
-    found = check_paths([root / place for place in USUAL_PLACES], root)
-    if found:
-        report(found)
-        if strict:
-            click.echo("The site was not built. Mend what is named above and try again.")
-            ctx.exit(1)
+    if mistakes_told(root, strict=strict) and strict:
+        ctx.exit(1)
     site = build_site(root, hosted=hosted, strict=strict)
     if site is None:
         click.echo("The site was not built.", err=True)
@@ -66,6 +62,17 @@ def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
         click.echo(f"Put everything in this folder on your web server:\n  {site}")
     else:
         click.echo(f"Open it with a double click, no network needed:\n  {site / 'index.html'}")
+
+
+def mistakes_told(root: Path, *, strict: bool = True) -> bool:
+    """Whether there are mistakes in the lessons of a site, which are then printed as `carts check`
+    does. `strict`: nothing is built with them."""
+    found = check_paths([root / place for place in USUAL_PLACES], root)
+    if found:
+        report(found)
+        if strict:
+            click.echo("The site was not built. Mend what is named above and try again.")
+    return bool(found)
 
 
 def build_site(

@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 
 from sim.cli.site import site_folder
-from sim.cli.site.build import build_site
+from sim.cli.site.build import build_site, mistakes_told
 from sim.pages.classroom.scorm import scorm_files
 from sim.pages.open_me import NAME as OPEN_ME
 from sim.pages.open_me import open_me
@@ -63,6 +63,8 @@ def command(
     here = site_folder.here()
     if single and kind:
         raise click.UsageError(f"--single and --{kind} do not go together.")
+    if mistakes_told(here.root):
+        ctx.exit(1)
     if single:
         from sim.cli.site.pack_single import pack_lessons
 

@@ -12,24 +12,24 @@ from sim.lesson import keys, units
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.choice import read_belief
+from sim.lesson.kinds.measured_number import (
+    FIGURES,
+    TOLERANCE,
+    reachable,
+    read_number,
+    read_tolerance,
+    read_unit,
+)
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
-from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
+from sim.scene.quantity import Dimension
 
-FIGURES = 3  # what pages show and students type
 WRONG_KEYS = (
     Key("value", "a wrong answer that is often given", "0.60 m/s", NUMBER_OR_TEXT, True),
     Key("tolerance", "how near counts; default: the question's", "0.01 m/s", NUMBER_OR_TEXT),
     Key("belief", "tag of the belief behind it", "motion-needs-force", {"enum": sorted(BELIEFS)}),
     Key("feedback", "shown to who gave it", "That is the speed before the contact.", PROSE),
-)
-TOLERANCE = Key(
-    "tolerance",
-    "how far from the answer is still right: with a unit, or in % of the answer",
-    "0.01 m/s",
-    NUMBER_OR_TEXT,
-    True,
 )
 NEAR = 1 + 1e-9  # a number on the edge of the tolerance is inside, whatever its last bit
 
@@ -80,7 +80,7 @@ class Number(Question):
         if len(problems) > before:  # whatever is said about the rest would follow from this
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
         exact = read_number(table, "answer", dimension, path, problems)
-        tolerance = read_tolerance(table, exact, dimension, path, problems)
+        tolerance = read_tolerance(table, exact, (unit, dimension), path, problems)
         wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
         if len(problems) == before and not reachable(
             exact, tolerance, units.size_of(unit, dimension)
@@ -156,68 +156,6 @@ def _numbers(table: Mapping[str, Any]) -> list[Any]:
     return [table.get("tolerance"), *(row.get("value") for row in rows)]
 
 
-def read_unit(
-    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem]
-) -> tuple[str, Dimension]:
-    """The unit that stands behind a number, and what it measures; a plain number has none."""
-    unit = unit_of(str(table.get(name, ""))).replace("μ", "µ")
-    dimension = units.dimension_of(unit)
-    if dimension is None:
-        try:  # a comma in the number is no unit
-            read_quantity(table[name], units.RATIO)
-        except QuantityError as error:
-            if error.code != "wrong-unit":
-                problems.append(Problem((*path, name), error.code, error.message, error.hint))
-                return "", units.RATIO
-        message = f"“{unit[:20]}” is not a unit that is known here"
-        hint = "for example m/s, cm, N, kg, J, N s"
-        problems.append(Problem((*path, name), "wrong-unit", message, hint))
-        return "", units.RATIO
-    return unit, dimension
-
-
-def read_number(
-    table: Mapping[str, Any], name: str, dimension: Dimension, path: Path, problems: list[Problem]
-) -> Fraction:
-    """The exact SI value under `name`; 0 and a problem if there is none."""
-    if table.get(name) is None:
-        hint = f"{name}: {dimension.example}"
-        problems.append(Problem(path, "missing", f"{name} is missing", hint))
-        return Fraction(0)
-    try:
-        return read_quantity(table[name], dimension)
-    except QuantityError as error:
-        problems.append(Problem((*path, name), error.code, error.message, error.hint))
-        return Fraction(0)
-
-
-def read_tolerance(
-    table: Mapping[str, Any],
-    exact: Fraction,
-    dimension: Dimension,
-    path: Path,
-    problems: list[Problem],
-) -> Fraction:
-    """The SI tolerance, given with a unit or in percent of the answer; never negative."""
-    value = table.get("tolerance")
-    relative = isinstance(value, str) and value.strip().endswith("%") and dimension is not (
-        units.RATIO
-    )  # fmt: skip
-    kind = units.RATIO if relative else dimension
-    found = read_number(table, "tolerance", kind, path, problems)
-    if found < 0:
-        message = "a tolerance is not negative"
-        problems.append(Problem((*path, "tolerance"), "out-of-range", message, "tolerance: 1 %"))
-    return abs(found * exact) if relative else abs(found)
-
-
-def reachable(exact: Fraction, tolerance: Fraction, unit: Fraction) -> bool:
-    """Whether a number of three figures, in this unit, lies within the tolerance."""
-    answer = float(exact / unit)
-    shown = float(f"{answer:.{FIGURES}g}")
-    return abs(Fraction(repr(shown)) * unit - exact) <= tolerance
-
-
 def _wrong(
     table: Mapping[str, Any],
     right: tuple[Fraction, Fraction],
@@ -232,9 +170,7 @@ def _wrong(
         before = len(problems)
         value = read_number(row, "value", dimension, here, problems)
         tolerance = (
-            read_tolerance(row, value, dimension, here, problems)
-            if "tolerance" in row
-            else right[0]
+            read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[0]
         )
         if len(problems) == before and abs(value - right[1]) <= right[0]:
             message = "this wrong answer lies within the tolerance of the right one"

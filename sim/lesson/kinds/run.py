@@ -9,7 +9,8 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
 from sim.lesson.keys import NUMBER_OR_TEXT, TEXT, Key
-from sim.lesson.kinds.number import TOLERANCE, mark_number, read_number
+from sim.lesson.kinds.measured_number import TOLERANCE, lacks_unit, read_number
+from sim.lesson.kinds.number import mark_number
 from sim.lesson.mark import Mark, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -69,6 +70,8 @@ class Reading(Question):
         relative = str(table.get("tolerance", "")).strip().endswith("%")
         kind = units.RATIO if relative else dimension
         exact = read_number(table, "tolerance", kind, path, problems)
+        if lacks_unit(table, (unit, dimension), path, problems):
+            exact = Fraction(1)
         if "tolerance" in table and exact <= 0:
             message = "a reading needs some tolerance: nobody reads a graph exactly"
             problems.append(

@@ -17,7 +17,8 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
-from sim.lesson.kinds.number import TOLERANCE, mark_number, read_number, read_tolerance, read_unit
+from sim.lesson.kinds.measured_number import TOLERANCE, read_number, read_tolerance, read_unit
+from sim.lesson.kinds.number import mark_number
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -163,7 +164,7 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
     unknown_keys(cell, keys.names(CELL_KEYS), path, problems)
     unit, dimension = read_unit(cell, "answer", path, problems)
     exact = read_number(cell, "answer", dimension, path, problems)
-    tolerance = read_tolerance(cell, exact, dimension, path, problems)
+    tolerance = read_tolerance(cell, exact, (unit, dimension), path, problems)
     return Open(
         answer=units.tidy(exact, unit, dimension),
         tolerance=units.tidy(tolerance, unit, dimension),

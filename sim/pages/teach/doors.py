@@ -23,6 +23,7 @@ class Doors:
     configs: Mapping[str, Any] = field(default_factory=dict)
     lessons: dict[str, tuple[Path, str]] = field(default_factory=dict)
     made: dict[str, Published] = field(default_factory=dict)
+    whole: bool = False  # a preview, which its teacher alone sees: nothing is withheld
     word: str = ""  # of the teacher, that opens the door; empty: a click does
 
     def note(self, name: str, file: str, language: str) -> None:
@@ -43,6 +44,7 @@ class Doors:
             extensions=self.extensions,
             configs=self.configs,
             words=words(language),
+            whole=self.whole,
         )
         if made is None:
             return html

@@ -64,11 +64,13 @@ def published(
     extensions: Iterable[object],
     configs: Mapping[str, Any],
     words: Mapping[str, str],
+    whole: bool = False,
 ) -> Published | None:
     """What is shipped of the lesson at `path`; None if it is no text.
 
     `ids`: of all blocks of the site, with their places. `extensions`, `configs`: the generator's.
     `words`: the interface words in the lesson's language, as `sim.pages.language` has them.
+    `whole`: with what is for the teacher alone, where nobody else can see the page.
     """
     try:
         text = path.read_bytes().decode("utf-8")
@@ -77,12 +79,13 @@ def published(
     file = path.relative_to(root).as_posix()
     folders = scene_folders(path, root)
     closed = has_secrets(text)
+    shipped = text if whole else withhold(text)
     told = {
         "format": FORMAT,
         "file": file,
-        "text": None if closed else withhold(text),
+        "text": None if closed else shipped,
         "hash": hashlib.sha256(text.encode("utf-8")).hexdigest(),
-        "withheld": not closed and withhold(text) != text,
+        "withheld": not closed and shipped != text,
         "files": {} if closed else _named_files(text, Lesson(file, folders), root),
         "lesson": {
             "file": file,

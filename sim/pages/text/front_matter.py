@@ -51,6 +51,9 @@ def front_matter(text: str) -> Iterator[Found]:
     """Facts at the top that cannot be read: the page would print them and use none of them."""
     lines = text.splitlines(keepends=True)
     inside = lines[1 : max(1, after_front_matter(lines) - 1)]
+    if not inside and lines and lines[0].rstrip() == "---" and _KEY.match("".join(lines[1:2])):
+        hint = "write --- in a line of its own below them"
+        yield 0, "yaml", "the lines at the top are not closed: the page would print them", hint
     facts = "".join(inside)
     try:
         safe_load(facts)

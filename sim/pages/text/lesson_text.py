@@ -29,6 +29,12 @@ _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _MORE = re.compile(r"\{.*\.more\b")  # a part for who has time: the lesson is whole without it
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
 _FEW = re.compile(rf"^[ \t]*(?<!`)`{{1,2}}({'|'.join(KINDS)})[ \t]*$", re.MULTILINE)
+_OPEN_LIST = re.compile(r"^#{1,6} [^\n]*(\{:[^}\n]*)$", re.MULTILINE)
+_NO_MINUTES = re.compile(
+    r"^#{1,6} [^\n]*\bdata-minutes=(?!\"?\d+\"?(?:[ }]|$))([^}\s]*)", re.MULTILINE
+)
+_ROW = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)
+_ROW_FORMULA = re.compile(r"\\\((?:(?!\\\)).)*?(?<!\\)\|")
 _STATED = re.compile(AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
@@ -38,6 +44,7 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     prose = without_code(text)
     found = [*front_matter(text), *_few_backticks(prose)]
     found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *language(text)]
+    found += [*_headings(prose), *_formulas_in_rows(prose)]
     found += [*_minutes_of_questions(prose), *_held_back(prose)]
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
@@ -119,6 +126,25 @@ def _formulas(prose: str) -> Iterator[Found]:
                 opened = None
         if opened is not None:
             yield _at(paragraph, opened), *_open_formula(opened[0])
+
+
+def _formulas_in_rows(prose: str) -> Iterator[Found]:
+    """A bar in a formula ends the cell of a table, and both halves are printed as they stand."""
+    hint = r"write \lvert v \rvert, or \vert for a single bar"
+    for row in _ROW.finditer(prose):
+        for cut in _ROW_FORMULA.finditer(row[0]):
+            at = row.start() + cut.end() - 1
+            yield at, "unbalanced-formula", "a | in this formula ends the cell of the table", hint
+
+
+def _headings(prose: str) -> Iterator[Found]:
+    """Words for a heading that would be printed in it, or say nothing."""
+    for heading in _OPEN_LIST.finditer(prose):
+        message = "the closing } is missing behind this heading"
+        yield heading.start(1), "open-heading", message, "## A part {: data-minutes=8 }"
+    for heading in _NO_MINUTES.finditer(prose):
+        message = f"data-minutes: “{heading[1][:20]}” is not a whole number"
+        yield heading.start(1), "not-a-number", message, "for example {: data-minutes=8 }"
 
 
 def _at(paragraph: re.Match[str], mark: re.Match[str]) -> int:

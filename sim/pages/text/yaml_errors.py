@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 
@@ -24,6 +25,43 @@ class YamlError(ValueError):
 
 # What PyYAML notices only on a later line; the line where it began is the one to mend.
 FOUND_TOO_LATE = ("could not find expected ':'", "expected ',' or '}'", "expected ',' or ']'")
+
+_VALUE = re.compile(r"\s*(?:- +)?[\w.-]+: +(?P<text>(?P<first>[*&>!%@`|\"'\[-]).*)")
+"""A line `key: text` whose text begins with a sign that means something in YAML."""
+_GOES_ON = re.compile(r"""("[^"]*"|'[^']*'|\[[^\]]*\])\s*[^\s#,]""")
+
+
+def unclosed(lines: Sequence[str], last: int) -> tuple[int, int] | None:
+    """Line and column (from 0) of a double quote above line `last` that begins a text and that its
+    line does not close."""
+    for number, line in enumerate(lines[:last]):
+        at = line.rfind('"')
+        if line.replace('\\"', "").count('"') % 2 and line[:at].endswith((" ", "[", "{")):
+            return number, at
+    return None
+
+
+def of_first_sign(line: str, problem: str) -> tuple[int, str, str] | None:
+    """Column (from 0), message and hint, if the text of `key: text` begins with a sign that cannot
+    begin a text, or goes on after the quote or bracket with which it began."""
+    if "unknown escape character" in problem:
+        hint = r"a formula goes in single quotes: 'How large is \(v\)?'"
+        return line.index("\\"), "a backslash means something else in double quotes", hint
+    found = _VALUE.match(line)
+    if not found:
+        return None
+    first, at, text = found["first"], found.start("first"), found["text"].rstrip()
+    if first not in "\"'[":
+        return at, f"a text cannot begin with {first}", "put the whole text in quotes"
+    if not _GOES_ON.match(text):
+        return None
+    if first == "'":
+        hint = "with an apostrophe in it, the text goes in double quotes"
+        return at, "the text goes on after a single quote", hint
+    closing = "]" if first == "[" else first
+    hint = f"put the whole text in single quotes: '{text[:40]}'"
+    return at, f"the text goes on after the closing {closing}", hint
+
 
 # Part of what PyYAML says; the message and the hint that we give instead.
 EXPLAINED = (

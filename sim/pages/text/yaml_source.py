@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import yaml
 
-from sim.pages.text.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
+from sim.pages.text.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError, of_first_sign, unclosed
 from sim.pages.text.yaml_loader import RefusedError, composed
 from sim.pages.text.yaml_typos import typos
 
@@ -30,6 +31,7 @@ Plain = dict[str, "Plain"] | list["Plain"] | str | int | bool | None
 Place = tuple[int, int]  # line and column, both counted from 1
 
 _WHOLE = re.compile(r"[+-]?(0|[1-9][0-9]*)")
+_AFTER_COMMA = re.compile(r"\d+\s*[^\W\d]|\d+ ?%")  # with a unit: [1,2] may be two numbers
 _OTHER_BASE = re.compile(r"[+-]?0[xXoObB0-9][0-9a-fA-F]*")
 _HINT_TRUTH = "write true or false, or put the word in quotes"
 
@@ -126,14 +128,20 @@ class _Reader:
         mark = error.problem_mark or error.context_mark
         began = error.context_mark
         late = began and mark and began.line < mark.line
-        if late and str(error.problem).startswith(FOUND_TOO_LATE):
+        problem = error.problem or "this cannot be read"
+        if late and problem.startswith(FOUND_TOO_LATE):
             mark = began  # the line that lacks something, not the one after it
         line, col = (mark.line, mark.column) if mark else (0, 0)
         lines = text.split("\n")
         here = lines[line] if line < len(lines) else ""
         if "\t" in here[col : col + 1]:
             return self.error(line, col, "a tab character", "use spaces")
-        problem = error.problem or "this cannot be read"
+        if open_quote := unclosed(lines, error.problem_mark.line if error.problem_mark else 0):
+            hint = "begin and end a text with the same quote"
+            return self.error(*open_quote, "the closing quote is missing", hint)
+        if found := of_first_sign(here, problem):
+            col, message, hint = found
+            return self.error(line, col, message, hint)
         for part, message, hint in EXPLAINED:
             if part in problem or part in (error.context or ""):
                 return self.error(line, col, message, hint)
@@ -186,10 +194,20 @@ class _Reader:
         if isinstance(node, yaml.MappingNode):
             return self._mapping(node, path, values, keys)
         if isinstance(node, yaml.SequenceNode):
+            self._commas(node)
             return [
                 self._value(item, (*path, i), values, keys) for i, item in enumerate(node.value)
             ]
         return self._scalar(node, str(node.value))
+
+    def _commas(self, node: yaml.SequenceNode) -> None:
+        """[0,5 N] is a list of 0 and of “5 N”: whoever wrote it means one number."""
+        for one, two in pairwise(node.value) if node.flow_style else ():
+            close = one.end_mark.index + 1 == two.start_mark.index
+            if close and _WHOLE.fullmatch(str(one.value)) and _AFTER_COMMA.match(str(two.value)):
+                message = f"“{one.value},{two.value}”: a comma begins the next value here"
+                hint = f"write decimals with a point: {one.value}.{two.value}"
+                self.found.append(self._at(one, message, hint))
 
     def _scalar(self, node: yaml.Node, text: str) -> Plain:
         kind = node.tag.rpartition(":")[2]

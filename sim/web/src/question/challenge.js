@@ -101,7 +101,7 @@ export class ChallengeElement extends HTMLElement {
     const tries = need(this, ".carts-challenge-tries");
     const words = found
       ? tr("Found in run {run} of {count}.", { run: String(found.run), count })
-      : tr("Runs you have tried: {count}. Not found yet.", { count });
+      : tr("Runs you have tried: {count}. None of them does it.", { count });
     tries.hidden = this.#runs === 0;
     say(tries, words);
     const place = need(this, ".carts-challenge-found");

@@ -4,6 +4,9 @@ import { askingButton, button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 import { download, downloadBlob } from "../shared/download.js";
 
+const WITHHELD =
+  "Notes and marking guides are not in it: before it takes the place of your own file, choose that file in the yellow box and save again.";
+
 /** @param {import("./session.js").Session} session @param {(text: string, faulty?: boolean) => void} tell faulty: it speaks of mistakes */
 export function toolbar(session, tell) {
   const root = html("div", "carts-teach-tools");
@@ -11,10 +14,10 @@ export function toolbar(session, tell) {
   const redo = button("Redo", () => session.redo(), "carts-teach-redo");
   const saved = (/** @type {string} */ words) => {
     const faulty = Boolean(session.look?.findings.length);
-    tell(
-      faulty ? `${words} There are mistakes in it: the build would stop at them.` : words,
-      faulty,
-    );
+    const said = [words];
+    if (session.withheld) said.push(WITHHELD);
+    if (faulty) said.push("There are mistakes in it: the build would stop at them.");
+    tell(said.join(" "), faulty);
   };
   const save = button(
     "Save lesson",

@@ -1,0 +1,106 @@
+"""Reading a number with its unit and its tolerance, as they stand in a question."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from sim.lesson import units
+from sim.lesson.keys import NUMBER_OR_TEXT, Key
+from sim.scene.problem import Path, Problem
+from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
+
+_PLAIN = re.compile(r"\d+(\.\d+)?")
+FIGURES = 3  # what pages show and students type
+TOLERANCE = Key(
+    "tolerance",
+    "how far from the answer is still right: with a unit, or in % of the answer",
+    "0.01 m/s",
+    NUMBER_OR_TEXT,
+    True,
+)
+
+
+def read_unit(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem]
+) -> tuple[str, Dimension]:
+    """The unit that stands behind a number, and what it measures; a plain number has none."""
+    unit = unit_of(str(table.get(name, ""))).replace("μ", "µ")
+    dimension = units.dimension_of(unit)
+    if dimension is None:
+        try:  # a comma in the number is no unit
+            read_quantity(table[name], units.RATIO)
+        except QuantityError as error:
+            if error.code != "wrong-unit":
+                problems.append(Problem((*path, name), error.code, error.message, error.hint))
+                return "", units.RATIO
+        message = f"“{unit[:20]}” is not a unit that is known here"
+        hint = "for example m/s, cm, N, kg, J, N s"
+        problems.append(Problem((*path, name), "wrong-unit", message, hint))
+        return "", units.RATIO
+    return unit, dimension
+
+
+def read_number(
+    table: Mapping[str, Any], name: str, dimension: Dimension, path: Path, problems: list[Problem]
+) -> Fraction:
+    """The exact SI value under `name`; 0 and a problem if there is none."""
+    if table.get(name) is None:
+        hint = f"{name}: {dimension.example}"
+        problems.append(Problem(path, "missing", f"{name} is missing", hint))
+        return Fraction(0)
+    try:
+        return read_quantity(table[name], dimension)
+    except QuantityError as error:
+        problems.append(Problem((*path, name), error.code, error.message, error.hint))
+        return Fraction(0)
+
+
+def read_tolerance(
+    table: Mapping[str, Any],
+    exact: Fraction,
+    measured: tuple[str, Dimension],
+    path: Path,
+    problems: list[Problem],
+) -> Fraction:
+    """The SI tolerance, given with a unit or in percent of the answer; never negative.
+
+    `measured`: the answer's unit and what it measures. Beside an answer in percent, 2 % are of the
+    whole, not of the answer.
+    """
+    unit, dimension = measured
+    if lacks_unit(table, measured, path, problems):
+        return Fraction(0)
+    relative = str(table.get("tolerance", "")).strip().endswith("%") and unit != "%"
+    kind = units.RATIO if relative else dimension
+    found = read_number(table, "tolerance", kind, path, problems)
+    if found < 0:
+        message = "a tolerance is not negative"
+        problems.append(Problem((*path, "tolerance"), "out-of-range", message, "tolerance: 1 %"))
+    return abs(found * exact) if relative else abs(found)
+
+
+def lacks_unit(
+    table: Mapping[str, Any],
+    measured: tuple[str, Dimension],
+    path: Path,
+    problems: list[Problem],
+) -> bool:
+    """Whether the tolerance is a plain number beside one in cm/s: 1 would be 1 m/s, unseen."""
+    unit, dimension = measured
+    value = str(table.get("tolerance", "")).strip()
+    if units.size_of(unit, dimension) == 1 or not _PLAIN.fullmatch(value) or not float(value):
+        return False
+    message = f"the tolerance has no unit, and the answer is in {unit}"
+    hint = f"tolerance: {value} {unit}"
+    problems.append(Problem((*path, "tolerance"), "wrong-unit", message, hint))
+    return True
+
+
+def reachable(exact: Fraction, tolerance: Fraction, unit: Fraction) -> bool:
+    """Whether a number of three figures, in this unit, lies within the tolerance."""
+    answer = float(exact / unit)
+    shown = float(f"{answer:.{FIGURES}g}")
+    return abs(Fraction(repr(shown)) * unit - exact) <= tolerance
