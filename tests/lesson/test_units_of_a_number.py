@@ -45,5 +45,25 @@ def test_numbers_that_do_not_agree_among_themselves_are_told_one_by_one() -> Non
     assert [problem.path[-1] for problem in caught.value.problems] == ["value"]
 
 
+@pytest.mark.parametrize(
+    ("answer", "tolerance", "meant"),
+    [(50, "5 %", 2.5), ("2.5", "10 %", 0.25), ("2 N", "10 %", 0.2), ("50 %", "2 %", 2.0)],
+)
+def test_a_tolerance_in_percent_is_of_the_answer_unless_that_is_in_percent_itself(
+    answer: object, tolerance: str, meant: float
+) -> None:
+    plain = {"id": "q", "type": "number", "ask": "How large?"}
+    facts = read_question({**plain, "answer": answer, "tolerance": tolerance}).data(key=True)
+    assert facts["key"]["tolerance"] == pytest.approx(meant)
+
+
+def test_a_tolerance_without_a_unit_beside_an_answer_in_another_than_the_si_unit_is_refused() -> None:
+    plain = {"id": "q", "type": "number", "ask": "How fast?", "tolerance": "1"}
+    with pytest.raises(LessonError) as caught:
+        read_question({**plain, "answer": "50 cm/s"})
+    assert [problem.path[-1] for problem in caught.value.problems] == ["tolerance"]
+    assert read_question({**plain, "answer": "50 m/s"}).data(key=True)["key"]["tolerance"] == 1
+
+
 def test_percent_of_an_answer_is_no_unit_of_its_own() -> None:
     assert read_question({**FORCE, "answer": "2 N", "tolerance": "1 %"}).KIND == "number"

@@ -183,7 +183,7 @@
       else document.body.append(this.root);
     }
     show() {
-      const { done, of } = this.book.progress();
+      const { done, of } = this.book.progress(practised());
       this.meter.hidden = of === 0;
       this.meter.max = of || 1;
       this.meter.value = done;
@@ -214,6 +214,13 @@
       return "";
     }
   };
+  function practised() {
+    const quizzes = (
+      /** @type {NodeListOf<HTMLElement>} */
+      document.querySelectorAll('carts-quiz[data-mode="practice"]')
+    );
+    return [...quizzes].map((quiz) => quiz.dataset.form ?? "");
+  }
 
   // src/answers/entry.js
   var MOST_EARLIER = 500;
@@ -600,10 +607,10 @@
       this.#known.clear();
       this.#channel?.postMessage({ student: "" });
     }
-    /** How much of this page is answered. @returns {{done: number, of: number}} */
-    progress() {
+    /** How much of this page is answered. @param {string[]} forms beside the worksheet @returns {{done: number, of: number}} */
+    progress(forms = []) {
       const items2 = (outline()?.items ?? []).filter(
-        ({ id, form: form2, level, type }) => form2 === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id)
+        ({ id, form: form2, level, type }) => (form2 === "worksheet" || forms.includes(form2)) && level !== "stretch" && type !== "drawn" && !isOptional(id)
       );
       const done = items2.filter((item2) => {
         const entry = this.get(item2.form, item2.id);
@@ -697,6 +704,7 @@
 
   // src/answers/codes.js
   var MOST = 80;
+  var HAN = new RegExp("\\p{Script=Han}", "u");
   function readCode(typed) {
     const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
     const codes = [...new Set(parts)].sort();
@@ -706,7 +714,7 @@
     if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
       return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
     }
-    if (codes.some((part2) => part2.length < 4)) {
+    if (codes.some((part2) => part2.length < (HAN.test(part2) ? 2 : 4))) {
       return { problem: tr("A code word has at least four letters or digits.") };
     }
     return { code };
@@ -1972,7 +1980,8 @@
       this.root.dataset.verdict = found2.verdict;
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
-      this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found2.verdict]));
+      const words3 = found2.verdict === "wrong" && !found2.shown.length ? unknown(facts, value, own) : "";
+      this.place.replaceChildren(html("p", "carts-q-verdict", words3 || WORDS[found2.verdict]));
       if (own !== null && tries >= SHOW_AFTER && found2.verdict !== "right") {
         this.place.append(
           html(
@@ -1996,6 +2005,13 @@
       return [found2.shown, found2.verdict];
     }
   };
+  function unknown(facts, value, own) {
+    if (facts.type === "short") {
+      return tr("This page does not know that answer. Say it in fewer words, or think again.");
+    }
+    const turned = typeof value === "number" && mark(facts, -value, own).verdict === "right";
+    return turned ? tr("The size is right. What about its sign?") : "";
+  }
 
   // src/question/plain-text.js
   function plainText(place2) {

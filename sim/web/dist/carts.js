@@ -4206,7 +4206,7 @@
     note2.replaceChildren(
       html("b", "", tr("You found the forces.")),
       " ",
-      said.map((sentence) => `${sentence}. `).join(""),
+      said.map((sentence) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}. `).join(""),
       tr(
         "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time."
       )
@@ -5398,8 +5398,8 @@
       const { before, why } = this.#entry;
       if (before) {
         const both = tr("First you said: {first}. After talking you said: {second}.", {
-          first: before.said,
-          second: this.form.said
+          first: unstopped(before.said),
+          second: unstopped(this.form.said)
         });
         place4.append(html("p", "", both));
       }
@@ -5507,6 +5507,9 @@
       }
     }
   };
+  function unstopped(said) {
+    return said.replace(/[.。]$/, "");
+  }
 
   // src/shared/ask-scene.js
   var ASKED = "carts-asked";

@@ -675,7 +675,7 @@
       const { found: found2 } = this.#tries;
       const count = String(this.#runs);
       const tries = need(this, ".carts-challenge-tries");
-      const words = found2 ? tr("Found in run {run} of {count}.", { run: String(found2.run), count }) : tr("Runs you have tried: {count}. Not found yet.", { count });
+      const words = found2 ? tr("Found in run {run} of {count}.", { run: String(found2.run), count }) : tr("Runs you have tried: {count}. None of them does it.", { count });
       tries.hidden = this.#runs === 0;
       say(tries, words);
       const place2 = need(this, ".carts-challenge-found");

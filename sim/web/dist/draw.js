@@ -12854,9 +12854,8 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
-${asksForForces(baked) && find2()}
+${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden></p>`}
 </div>
-${found && html`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"${asksForForces(baked) && html` hidden`}><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
 <div class="carts-hidden carts-announcer" aria-live="polite"></div>

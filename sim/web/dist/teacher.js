@@ -2805,9 +2805,8 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
-${asksForForces(baked) && find()}
+${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden></p>`}
 </div>
-${found && html2`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"${asksForForces(baked) && html2` hidden`}><summary>${tr("What is in this model")}</summary><ul></ul></details>
 <details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
 <div class="carts-hidden carts-announcer" aria-live="polite"></div>
@@ -3461,16 +3460,17 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   }
 
   // src/teach/saves.js
+  var WITHHELD = "Notes and marking guides are not in it: before it takes the place of your own file, choose that file in the yellow box and save again.";
   function toolbar(session2, tell) {
     const root = html("div", "carts-teach-tools");
     const undo = button("Undo", () => session2.undo(), "carts-teach-undo");
     const redo = button("Redo", () => session2.redo(), "carts-teach-redo");
     const saved = (words) => {
       const faulty = Boolean(session2.look?.findings.length);
-      tell(
-        faulty ? `${words} There are mistakes in it: the build would stop at them.` : words,
-        faulty
-      );
+      const said = [words];
+      if (session2.withheld) said.push(WITHHELD);
+      if (faulty) said.push("There are mistakes in it: the build would stop at them.");
+      tell(said.join(" "), faulty);
     };
     const save = button(
       "Save lesson",

@@ -59,7 +59,7 @@ def test_runs_are_counted_once_and_the_first_that_reaches_the_goal_is_told(
         f"document.getElementById('home').set({values})"
     )
     page.evaluate("document.getElementById('home').time = 1e9")
-    expect(tries).to_have_text("Runs you have tried: 1. Not found yet.")
+    expect(tries).to_have_text("Runs you have tried: 1. None of them does it.")
     put("{'A.mass': 1}")
     expect(tries).to_contain_text("tried: 2.")
     put("{'A.mass': 1, 'contact.restitution': 1}")

@@ -64,7 +64,7 @@ export class Bar {
   }
 
   show() {
-    const { done, of } = this.book.progress();
+    const { done, of } = this.book.progress(practised());
     this.meter.hidden = of === 0;
     this.meter.max = of || 1;
     this.meter.value = done;
@@ -95,4 +95,12 @@ export class Bar {
     }
     return "";
   }
+}
+
+/** The forms on this page that are answered like a worksheet: an exam counts its own questions. */
+function practised() {
+  const quizzes = /** @type {NodeListOf<HTMLElement>} */ (
+    document.querySelectorAll('carts-quiz[data-mode="practice"]')
+  );
+  return [...quizzes].map((quiz) => quiz.dataset.form ?? "");
 }

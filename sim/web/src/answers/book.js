@@ -131,11 +131,14 @@ export class Book extends EventTarget {
     this.#channel?.postMessage({ student: "" });
   }
 
-  /** How much of this page is answered. @returns {{done: number, of: number}} */
-  progress() {
+  /** How much of this page is answered. @param {string[]} forms beside the worksheet @returns {{done: number, of: number}} */
+  progress(forms = []) {
     const items = (outline()?.items ?? []).filter(
       ({ id, form, level, type }) =>
-        form === "worksheet" && level !== "stretch" && type !== "drawn" && !isOptional(id),
+        (form === "worksheet" || forms.includes(form)) &&
+        level !== "stretch" &&
+        type !== "drawn" &&
+        !isOptional(id),
     );
     const done = items.filter((item) => {
       const entry = this.get(item.form, item.id);

@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 
 const MOST = 80;
+const HAN = /\p{Script=Han}/u; // one sign is a syllable, two or three are a name
 
 /**
  * A code word as it is stored, or what is wrong with it.
@@ -21,7 +22,7 @@ export function readCode(typed) {
   if (!codes.every((part) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part))) {
     return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
   }
-  if (codes.some((part) => part.length < 4)) {
+  if (codes.some((part) => part.length < (HAN.test(part) ? 2 : 4))) {
     return { problem: tr("A code word has at least four letters or digits.") };
   }
   return { code };

@@ -176,7 +176,7 @@ export function showForces(element, said) {
   note.replaceChildren(
     html("b", "", tr("You found the forces.")),
     " ",
-    said.map((sentence) => `${sentence}. `).join(""),
+    said.map((sentence) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}. `).join(""),
     tr(
       "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time.",
     ),

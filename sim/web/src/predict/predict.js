@@ -129,8 +129,8 @@ export class Predict {
     const { before, why } = this.#entry;
     if (before) {
       const both = tr("First you said: {first}. After talking you said: {second}.", {
-        first: before.said,
-        second: this.form.said,
+        first: unstopped(before.said),
+        second: unstopped(this.form.said),
       });
       place.append(html("p", "", both));
     }
@@ -247,4 +247,9 @@ export class Predict {
       say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
     }
   }
+}
+
+/** A choice inside a sentence, which has a full stop of its own. @param {string} said */
+function unstopped(said) {
+  return said.replace(/[.。]$/, "");
 }

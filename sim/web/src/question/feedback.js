@@ -61,7 +61,9 @@ export class Feedback {
     this.root.dataset.verdict = found.verdict;
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
-    this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found.verdict]));
+    const words =
+      found.verdict === "wrong" && !found.shown.length ? unknown(facts, value, own) : "";
+    this.place.replaceChildren(html("p", "carts-q-verdict", words || WORDS[found.verdict]));
     if (own !== null && tries >= SHOW_AFTER && found.verdict !== "right") {
       this.place.append(
         html(
@@ -84,4 +86,16 @@ export class Feedback {
     }
     return [found.shown, found.verdict];
   }
+}
+
+/**
+ * What can be said to a wrong answer to which the lesson says nothing; empty where that is nothing.
+ * @param {any} facts @param {any} value @param {number | null} own
+ */
+function unknown(facts, value, own) {
+  if (facts.type === "short") {
+    return tr("This page does not know that answer. Say it in fewer words, or think again.");
+  }
+  const turned = typeof value === "number" && mark(facts, -value, own).verdict === "right";
+  return turned ? tr("The size is right. What about its sign?") : "";
 }
