@@ -156,6 +156,17 @@ def test_a_question_that_nobody_answered_is_talked_about() -> None:
     assert talk["sentence"] == "Question 2: none of 4 students answered it."
 
 
+def test_questions_that_nobody_came_to_stand_last_and_together() -> None:
+    source = bank(4)
+    files = [answers(source, f"FOX-{k}", "pre", {"item-0": "b"}) for k in range(5)]
+    (form,) = report_of(files, keys(source, ("pre",)))["lessons"][0]["forms"]
+    shared, nobody = form["talk"]
+    assert shared["sentence"].startswith("Question 1: 5 of 5 chose")
+    assert nobody["sentence"] == (
+        "Question 2, Question 3 and Question 4: none of 5 students answered any of them."
+    )
+
+
 def test_other_wrong_numbers_are_told_when_they_came_often() -> None:
     values = [0.3, 0.9, 0.9, 0.6, 0.6, 1.5, 1.5, 1.5, 7]
     files = [answers(NUMBERS, f"FOX-{k}", "pre", {"speed": v}) for k, v in enumerate(values)]

@@ -3,8 +3,9 @@
 A wrong answer that a student is sure of is a belief; one that is guessed is a gap. So sure wrong
 answers count twice. Wrong options of a question that go with one belief are counted together where
 only one can be chosen, and a belief is named once, with the other questions that show it. The order
-is a suggestion for the next lesson, no statistic. A question that nobody answered, or that nobody
-had right, counts each student once: no wrong answer is shared there, and all of them need it.
+is a suggestion for the next lesson, no statistic. A question that nobody had right counts each
+student once: no wrong answer is shared there, and all of them need it. Questions that nobody came
+to stand together and last: an hour that ended early says nothing of what a class believes.
 """
 
 from __future__ import annotations
@@ -99,12 +100,28 @@ _Talk = _Chosen | _Missed
 def talk_rows(items: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """At most three questions of a form, the most urgent first, each for another belief."""
     found = [one for item in items if (one := _most_urgent(item))]
-    urgent = sorted(found, key=lambda one: -one.weight)
+    reached = [one for one in found if one.item["answered"]]
+    urgent = sorted(reached, key=lambda one: -one.weight)
     rows: dict[str, list[_Talk]] = {}
     for one in urgent:
         rows.setdefault(one.belief or f"item {one.item['id']}", []).append(one)
     first = list(rows.values())[:MOST]
-    return [{"id": one.item["id"], "sentence": one.sentence(also)} for one, *also in first]
+    told = [{"id": one.item["id"], "sentence": one.sentence(also)} for one, *also in first]
+    return [*told, *_not_reached([one for one in found if not one.item["answered"]])][:MOST]
+
+
+def _not_reached(missed: Sequence[_Talk]) -> list[dict[str, Any]]:
+    """One row for all questions that nobody answered."""
+    if not missed:
+        return []
+    first, *more = missed
+    if not more:
+        return [{"id": first.item["id"], "sentence": first.sentence(())}]
+    labels = listed([one.item["label"] for one in missed])
+    sentence = counted("{questions}: the one student answered none of them.",
+                       "{questions}: none of {n} students answered any of them.",
+                       n=max(one.count for one in missed), questions=labels)  # fmt: skip
+    return [{"id": first.item["id"], "sentence": sentence}]
 
 
 def _most_urgent(item: dict[str, Any]) -> _Talk | None:
