@@ -163,7 +163,7 @@ def test_questions_that_nobody_came_to_stand_last_and_together() -> None:
     shared, nobody = form["talk"]
     assert shared["sentence"].startswith("Question 1: 5 of 5 chose")
     assert nobody["sentence"] == (
-        "Question 2, Question 3 and Question 4: none of 5 students answered any of them."
+        "Question 2 and Question 3 and Question 4: none of 5 students answered any of them."
     )
 
 

@@ -57,7 +57,7 @@ def test_a_tolerance_in_percent_is_of_the_answer_unless_that_is_in_percent_itsel
     assert facts["key"]["tolerance"] == pytest.approx(meant)
 
 
-def test_a_tolerance_without_a_unit_beside_an_answer_in_another_than_the_si_unit_is_refused() -> None:
+def test_a_tolerance_without_a_unit_beside_an_answer_in_cm_per_second_is_refused() -> None:
     plain = {"id": "q", "type": "number", "ask": "How fast?", "tolerance": "1"}
     with pytest.raises(LessonError) as caught:
         read_question({**plain, "answer": "50 cm/s"})

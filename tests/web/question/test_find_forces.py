@@ -95,7 +95,7 @@ def test_a_file_with_found_forces_is_read_by_the_teacher_and_brought_back(
     find(page, "-2.41", name, "A, while it touches B")
     find(page, "2.41", name, "B, while it touches A")
     told = page.locator(f"#{name} .carts-found")
-    expect(told).to_contain_text("mean force on A by B: −2.4")  # what was found stays on the page
+    expect(told).to_contain_text("Mean force on A by B: −2.4")  # what was found stays on the page
     content = saved_file(page)  # read there by what Class results reads it with
     assert "found-force" in {item["type"] for item in content["items"]}
     page.evaluate(

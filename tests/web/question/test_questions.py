@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import answer_everything, saved_file
-from tests.web.question.question_site import question_site, ready
+from tests.web.question.question_site import BANK, question_site, ready, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -93,3 +93,26 @@ def test_the_keyboard_is_enough(open_page: OpenPage, question_site: Path) -> Non
     expect(page.get_by_role("dialog")).to_be_visible()
     page.keyboard.press("Escape")
     expect(page.get_by_role("dialog")).to_be_hidden()
+
+
+PRACTICE = """# Three weeks later
+
+```quiz
+id: small-practice
+form: delayed
+mode: practice
+bank: small.yml
+items: [ice-words, mass-words]
+```
+"""
+
+
+@pytest.mark.one_browser
+def test_questions_of_a_practice_form_count_among_those_of_the_page(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(write_page(question_site, "later", PRACTICE, BANK)))
+    count = page.locator(".carts-bar-count")
+    expect(count).to_have_text("0 of 2")
+    page.locator("#small-practice carts-question textarea").first.fill("Because of the ice.")
+    expect(count).to_have_text("1 of 2")

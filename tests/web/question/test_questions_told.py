@@ -41,11 +41,16 @@ def test_check_says_what_fits_the_answer_and_hints_come_one_by_one(
         ("1,000", "can mean 1 or 1000"),
         ("3 kg", "does not fit here"),
         ("4.8", "You multiplied."),
+        ("-0.3", "The size is right. What about its sign?"),
         ("0,301", "Right."),
     ):
         number.locator("input").fill(typed)
         number.locator(".carts-q-check").click()
         expect(number).to_contain_text(told)
+    words = page.locator("#resultant")
+    words.locator("input").fill("I do not think that there is one")
+    words.locator(".carts-q-check").click()
+    expect(words).to_contain_text("This page does not know that answer.")
     why = page.locator("#why")
     why.locator("textarea").fill("Less mass.")
     why.locator(".carts-q-check").click()
