@@ -72,11 +72,12 @@ class Number(Question):
         """The answer's unit is the question's; a tolerance that nobody can meet is a problem."""
         before = len(problems)
         unit, dimension = read_unit(table, "answer", path, problems)
-        if len(problems) == before and (other := units.of_others(_numbers(table), dimension)):
+        others = units.of_others(_numbers(table), dimension) if "answer" in table else ""
+        if len(problems) == before and others:
             given = f"in {unit}" if unit else "a plain number"
-            message = f"the answer is {given}, the other numbers of this question are in {other}"
+            message = f"the answer is {given}, the other numbers of this question are in {others}"
             here = (*path, "answer")
-            problems.append(Problem(here, "wrong-unit", message, f"answer: 0.25 {other}"))
+            problems.append(Problem(here, "wrong-unit", message, f"answer: 0.25 {others}"))
         if len(problems) > before:  # whatever is said about the rest would follow from this
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
         exact = read_number(table, "answer", dimension, path, problems)
