@@ -69,7 +69,7 @@ export function eventSentence(event, telling, laws) {
         return told(tr("{pair} hit each other and part at once.", { pair }), shown, after);
       }
       const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-      return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
+      return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
     }
     case "peak":
       if (laws[names.join("-")] === APART) {
@@ -101,8 +101,8 @@ export function eventSentence(event, telling, laws) {
         : tr("{cart} stops: the track holds it.", { cart: pair });
     case "start":
       return names[1]
-        ? tr("{pair} start to slide.", { pair })
-        : tr("{cart} starts to slide.", { cart: pair });
+        ? tr("{pair} start to move.", { pair })
+        : tr("{cart} starts to move.", { cart: pair });
     case "release":
       if (impulse || !event.force) {
         return told(tr("The exploder between {pair} releases.", { pair }), shown, after);
