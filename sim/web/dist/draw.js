@@ -11886,7 +11886,7 @@ ${table3(facts)}
           return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
+        return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
       }
       case "peak":
         if (laws[names.join("-")] === APART) {
@@ -11913,7 +11913,7 @@ ${table3(facts)}
       case "stop":
         return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
-        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
+        return names[1] ? tr("{pair} start to move.", { pair }) : tr("{cart} starts to move.", { cart: pair });
       case "release":
         if (impulse || !event.force) {
           return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
