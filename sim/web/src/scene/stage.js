@@ -13,7 +13,7 @@ import { Pushes } from "./pushes.js";
 
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /** @typedef {import("../../../view/types.js").Run} Run */
-/** @typedef {{half: number, edge: number, bumper: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
+/** @typedef {{half: number, edge: number, bumper: number, lift: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
 
 const HANDLE = 9; // units from the tip of an arrow to its handle
 
@@ -56,14 +56,16 @@ export class Stage {
       const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
       const box = /** @type {shapes.Box} */ (boxes[i]);
       drawBox(group, body.name, box);
-      const skin = group.querySelector('[data-part="skin"]');
+      const skin = SKINS[this.skins[body.name] ?? ""];
       const front = Number(this.starts[i]) < 0 ? -1 : 1;
-      if (skin) put(skin, "d", SKINS[this.skins[body.name] ?? ""]?.lines(box, front) ?? "");
+      const lift = skin?.lift ?? 0;
+      if (skin) put(need(group, '[data-part="skin"]'), "d", skin.lines(box, front));
       return {
         half: (body.length * layout.scale) / 2,
         edge: -box.x,
         bumper: Math.max(0, (body.length * layout.scale) / 2 + box.x),
-        top: layout.track + shapes.labelTop(box),
+        lift,
+        top: layout.track - lift + shapes.labelTop(box),
         lane: shapes.lane(i, tallest, layout),
         group,
         velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
@@ -98,7 +100,8 @@ export class Stage {
         -cart.half + Number(left[i]),
         cart.half - Number(right[i]),
       ]);
-      put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+      const foot = this.layout.track - cart.lift;
+      put(cart.group, "transform", `translate(${px(centre)} ${px(foot)})`);
       put(need(cart.group, '[data-part="spring-left"]'), "d", shapes.spring(-cart.edge, faces[0]));
       put(need(cart.group, '[data-part="spring-right"]'), "d", shapes.spring(cart.edge, faces[1]));
       put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
