@@ -18,6 +18,7 @@ import { tape } from "./tools.js";
 const LABEL_ROOM = { wide: 54, narrow: 46 };
 const BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6"; // across a box too tall to draw
 const MOST_NUMBERS = 150; // on the ruler of a long moving-camera run
+const LETTER = 8; // units that a letter of the key's word takes, in Latin script; others take twice that
 const BEYOND = 60; // units that the track goes on at an open end
 
 /** @param {Baked} baked @param {Layout} layout @returns {Markup} */
@@ -108,7 +109,11 @@ ${ticks(numbers).map(
 )}</g>`;
 }
 
-/** The length of a force and of a velocity arrow, written out. @param {Baked} baked @param {Layout} layout */
+/**
+ * The length of a force and of a velocity arrow, written out. A word says that they are a key and nothing that
+ * acts; where a narrow picture has no room before two arrows, it stands above the first.
+ * @param {Baked} baked @param {Layout} layout
+ */
 function legend({ fence, view }, layout) {
   const y = layout.height - 10;
   const wide = layout.kind === "wide";
@@ -116,14 +121,23 @@ function legend({ fence, view }, layout) {
   const text = (/** @type {number} */ x, /** @type {string} */ said) =>
     html`<text x=${px(x)} y=${px(y + 5)}>${said}</text>`;
   const force = fence.forces === "shown" && view.force > 0;
-  const x = force ? 12 + layout.force + 58 : 12;
+  const word = tr("scale:");
+  const before = wide || !force;
+  const start = before ? 12 + roomOf(word) + 4 : 12;
+  const x = force ? start + layout.force + 58 : start;
   const next = x + layout.velocity + 6;
   const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
   const moving = wide ? tr("position on the track in m") : tr("track in m");
   return html`<g class="carts-legend">
-${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<text class="carts-legend-word"${!before && html` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
+}
+
+/** @param {string} word @returns {number} units that it takes at most */
+function roomOf(word) {
+  return [...word].reduce((sum, sign) => sum + (sign > "\u02ff" ? 2 * LETTER : LETTER), 0);
 }
