@@ -93,7 +93,7 @@ class Field:
         return read_tolerant(str(value), self.dimension)[1]
 
 
-SKINS = ("cart", "van", "truck", "trailer", "box", "puck")
+SKINS = ("cart", "van", "truck", "trailer", "box", "puck", "glider")
 """What a cart is drawn as; its motion does not know."""
 
 CART = (

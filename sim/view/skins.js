@@ -1,24 +1,27 @@
 /**
  * What a cart is drawn as. The box stays as large as its mass and keeps its colour; a skin adds lines
- * on it, and may take the wheels away. Its front is where it drives at the start.
+ * on it, and may take the wheels away or let it float. Its front is where it drives at the start.
  */
 
 import { px } from "./numbers.js";
 
 /** @typedef {import("./shapes.js").Box} Box */
 /** @typedef {[number, number]} Point in widths of the box from its middle, + to the front, and in heights from the ground */
-/** @typedef {{wheels: boolean, corner: number, lines: (box: Box, front: 1 | -1) => string}} Skin `corner`: radius in units */
+/** @typedef {{wheels: boolean, lift: number, corner: number, lines: (box: Box, front: 1 | -1) => string}} Skin `lift`: how high it floats, `corner`: radius; in units */
 
 const NARROW = 24; // units: lines on a narrower box would hide its letter
+const GAP = 5; // units of air below a glider
+const SADDLE = 6; // units, the height of its foot
 
 /** @type {Record<string, Skin>} */
 export const SKINS = {
-  cart: { wheels: true, corner: 4, lines: () => "" },
-  van: { wheels: true, corner: 7, lines: van },
-  truck: { wheels: true, corner: 3, lines: truck },
-  trailer: { wheels: true, corner: 1, lines: trailer },
-  box: { wheels: false, corner: 1, lines: crate },
-  puck: { wheels: false, corner: 12, lines: puck },
+  cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
+  van: { wheels: true, lift: 0, corner: 7, lines: van },
+  truck: { wheels: true, lift: 0, corner: 3, lines: truck },
+  trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
+  box: { wheels: false, lift: 0, corner: 1, lines: crate },
+  puck: { wheels: false, lift: 0, corner: 12, lines: puck },
+  glider: { wheels: false, lift: GAP, corner: 4, lines: glider },
 };
 
 /** A slanted windscreen, a window behind, and a lamp. @param {Box} box @param {1 | -1} front */
@@ -123,6 +126,24 @@ function puck(box, front) {
       [-0.48, 0.85],
       [0.48, 0.85],
     ],
+  ]);
+}
+
+/** The saddle that sits over the rail of an air track, as long as the box. @param {Box} box @param {1 | -1} front */
+function glider(box, front) {
+  const top = Math.min(SADDLE / box.height, 0.4);
+  return lines(box, front, [
+    [
+      [-0.5, top],
+      [0.5, top],
+    ],
+    ...[-0.42, -0.28, 0.28, 0.42].map(
+      (x) =>
+        /** @type {Point[]} */ ([
+          [x, 0],
+          [x, top],
+        ]),
+    ),
   ]);
 }
 

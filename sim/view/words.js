@@ -41,13 +41,20 @@ export function lawsOf(header) {
   return laws;
 }
 
+/** @param {Header} header @returns {Set<string>} pairs of which no body has a bumper */
+export function bareOf({ bodies, contacts }) {
+  const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name }) => name);
+  const bare = contacts.filter((contact) => !contact.bodies.some((name) => sprung.includes(name)));
+  return new Set(bare.map(({ pair }) => pair));
+}
+
 /** @param {number} velocity @param {number} scale */
 function isRest(velocity, scale) {
   return Math.abs(velocity) < NOISE * scale;
 }
 
-/** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @returns {string} what happens at an event */
-export function eventSentence(event, telling, laws) {
+/** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @param {Set<string>} bare pairs without bumpers @returns {string} what happens at an event */
+export function eventSentence(event, telling, laws, bare) {
   const { decimals, scale, camera, forces } = telling;
   const names = event.bodies;
   const pair = capital(listed(names.map(body)));
@@ -80,9 +87,13 @@ export function eventSentence(event, telling, laws) {
       }
       if (forces && event.force) {
         const force = `${fixed(event.force, decimals.F ?? 2)}\u00a0N`;
-        return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+        return bare.has(names.join("-"))
+          ? tr("{pair}: squeezed the most, {force} on each.", { pair, force })
+          : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
       }
-      return tr("{pair}: bumpers squeezed the most.", { pair });
+      return bare.has(names.join("-"))
+        ? tr("{pair}: squeezed the most.", { pair })
+        : tr("{pair}: bumpers squeezed the most.", { pair });
     case "separate": {
       if (!joined(event, scale)) return told(tr("{pair} separate.", { pair }), shown, after);
       const ended = { pair: listed(names.map(body)) };

@@ -81,8 +81,8 @@ function lens(baked) {
       html`<g data-side=${k}><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`,
   );
   return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
-<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-lens-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×{times}", { times: 10 })}</span> <span class="carts-lens-note"></span></p>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
 </section>`;
 }
 

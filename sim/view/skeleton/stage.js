@@ -18,9 +18,8 @@ import { tape } from "./tools.js";
 const LABEL_ROOM = { wide: 54, narrow: 46 };
 const BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6"; // across a box too tall to draw
 const MOST_NUMBERS = 150; // on the ruler of a long moving-camera run
-const LEAST_WALL = 64; // units above the track
+const LETTER = 8; // units that a letter of the key's word takes, in Latin script; others take twice that
 const BEYOND = 60; // units that the track goes on at an open end
-const WALL = 2000; // units, its thickness: it has no other side
 
 /** @param {Baked} baked @param {Layout} layout @returns {Markup} */
 export function stage(baked, layout) {
@@ -37,6 +36,7 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body, i) => cart(body.name, i, fence.skins[body.name] ?? "cart"))}
+<path data-part="was" class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces && pushes(baked)}
 <g data-part="guess"></g>
@@ -80,7 +80,7 @@ function pushes({ run: { header } }) {
 
 /** Track, walls and ruler; they move to the left under a camera that moves to the right. */
 /** @param {Baked} baked @param {Layout} layout @param {string} hatch id of a pattern */
-function ground({ fence, view, run: { header } }, layout, hatch) {
+function ground({ fence, run: { header } }, layout, hatch) {
   const travel = fence.camera * header.until;
   const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
   const { left, right, length } = header.track;
@@ -95,16 +95,11 @@ function ground({ fence, view, run: { header } }, layout, hatch) {
   const numbers = { low: first, high: last, step };
   const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
   const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
-  const tall = Math.max(view.tallest, LEAST_WALL);
-  const wall = (/** @type {number} */ edge, /** @type {number} */ from) => {
-    const box = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
-    return html`<rect class="carts-wall" ${box}/>
-<rect ${box} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+  const wall = (/** @type {string} */ side) =>
+    html`<g data-wall=${side}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
 `;
-  };
   return html`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
+${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
@@ -114,7 +109,11 @@ ${ticks(numbers).map(
 )}</g>`;
 }
 
-/** The length of a force and of a velocity arrow, written out. @param {Baked} baked @param {Layout} layout */
+/**
+ * The length of a force and of a velocity arrow, written out. A word says that they are a key and nothing that
+ * acts; where a narrow picture has no room before two arrows, it stands above the first.
+ * @param {Baked} baked @param {Layout} layout
+ */
 function legend({ fence, view }, layout) {
   const y = layout.height - 10;
   const wide = layout.kind === "wide";
@@ -122,14 +121,23 @@ function legend({ fence, view }, layout) {
   const text = (/** @type {number} */ x, /** @type {string} */ said) =>
     html`<text x=${px(x)} y=${px(y + 5)}>${said}</text>`;
   const force = fence.forces === "shown" && view.force > 0;
-  const x = force ? 12 + layout.force + 58 : 12;
+  const word = tr("scale:");
+  const before = wide || !force;
+  const start = before ? 12 + roomOf(word) + 4 : 12;
+  const x = force ? start + layout.force + 58 : start;
   const next = x + layout.velocity + 6;
   const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
   const moving = wide ? tr("position on the track in m") : tr("track in m");
   return html`<g class="carts-legend">
-${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<text class="carts-legend-word"${!before && html` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
+}
+
+/** @param {string} word @returns {number} units that it takes at most */
+function roomOf(word) {
+  return [...word].reduce((sum, sign) => sum + (sign > "\u02ff" ? 2 * LETTER : LETTER), 0);
 }

@@ -10,10 +10,11 @@ import { pullable } from "../predict/pull.js";
 import { need, put, say, svg } from "../shared/dom.js";
 import { Effects } from "./effects.js";
 import { Pushes } from "./pushes.js";
+import { Walls } from "./walls.js";
 
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /** @typedef {import("../../../view/types.js").Run} Run */
-/** @typedef {{half: number, edge: number, bumper: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
+/** @typedef {{half: number, edge: number, bumper: number, height: number, lift: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
 
 const HANDLE = 9; // units from the tip of an arrow to its handle
 
@@ -22,6 +23,8 @@ export class Stage {
   #run;
   /** @type {Cart[]} */
   #carts = [];
+  /** @type {Walls} */
+  #walls;
   /** @type {Pushes} */
   #pushes;
   /** @type {Effects} */
@@ -39,6 +42,7 @@ export class Stage {
     this.skins = baked.fence.skins;
     this.starts = baked.run.header.bodies.map(({ velocity }) => velocity);
     this.#run = baked.run;
+    this.#walls = new Walls(root, layout, baked);
     this.#pushes = new Pushes(root, layout, baked.view);
     this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
   }
@@ -56,14 +60,17 @@ export class Stage {
       const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
       const box = /** @type {shapes.Box} */ (boxes[i]);
       drawBox(group, body.name, box);
-      const skin = group.querySelector('[data-part="skin"]');
+      const skin = SKINS[this.skins[body.name] ?? ""];
       const front = Number(this.starts[i]) < 0 ? -1 : 1;
-      if (skin) put(skin, "d", SKINS[this.skins[body.name] ?? ""]?.lines(box, front) ?? "");
+      const lift = skin?.lift ?? 0;
+      if (skin) put(need(group, '[data-part="skin"]'), "d", skin.lines(box, front));
       return {
         half: (body.length * layout.scale) / 2,
         edge: -box.x,
         bumper: Math.max(0, (body.length * layout.scale) / 2 + box.x),
-        top: layout.track + shapes.labelTop(box),
+        height: box.height + lift,
+        lift,
+        top: layout.track - lift + shapes.labelTop(box),
         lane: shapes.lane(i, tallest, layout),
         group,
         velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
@@ -91,14 +98,22 @@ export class Stage {
       );
       return this.layout.origin + (x - shift) * this.layout.scale;
     });
-    const { left, right } = this.#squeezes(centres, shift);
+    const { left, right, dents } = this.#squeezes(centres, shift);
+    this.#walls.at(
+      {
+        left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
+        right: { dent: dents.right, height: this.#carts.at(-1)?.height ?? 0 },
+      },
+      shift * this.layout.scale,
+    );
     this.#carts.forEach((cart, i) => {
       const centre = Number(centres[i]);
       const faces = /** @type {const} */ ([
         -cart.half + Number(left[i]),
         cart.half - Number(right[i]),
       ]);
-      put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+      const foot = this.layout.track - cart.lift;
+      put(cart.group, "transform", `translate(${px(centre)} ${px(foot)})`);
       put(need(cart.group, '[data-part="spring-left"]'), "d", shapes.spring(-cart.edge, faces[0]));
       put(need(cart.group, '[data-part="spring-right"]'), "d", shapes.spring(cart.edge, faces[1]));
       put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -114,7 +129,8 @@ export class Stage {
       const i = header.bodies.findIndex((body) => body.name === name);
       if (i < 0) {
         const wall = name === "left" ? 0 : (header.track.length ?? 0);
-        return this.layout.origin + (wall - shift) * this.layout.scale;
+        const dent = name === "left" ? -dents.left : dents.right;
+        return this.layout.origin + (wall - shift) * this.layout.scale + dent;
       }
       const half = this.#carts[i]?.half ?? 0;
       const centre = Number(centres[i]);
@@ -170,13 +186,14 @@ export class Stage {
 
   /**
    * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-   * Two carts share the overlap; a bumper gives way by its own length at most.
+   * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
    * @param {number[]} centres @param {number} shift of the camera in m
    */
   #squeezes(centres, shift) {
     const { bodies, track } = this.#run.header;
     const left = bodies.map(() => 0);
     const right = bodies.map(() => 0);
+    const dents = { left: 0, right: 0 };
     const at = /** @param {number} x */ (x) => this.layout.origin + (x - shift) * this.layout.scale;
     for (let gap = 0; gap <= bodies.length; gap += 1) {
       const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
@@ -188,8 +205,10 @@ export class Stage {
       const rest = Math.min(b?.bumper ?? 0, overlap - share);
       if (b) left[gap] = rest;
       if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+      if (!a) dents.left = overlap - rest;
+      if (!b) dents.right = overlap - share;
     }
-    return { left, right };
+    return { left, right, dents };
   }
 
   /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */

@@ -6,7 +6,7 @@ import { counted } from "../../../view/language.js";
 import { modelSentences } from "../../../view/model-words.js";
 import { fixed } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
-import { eventSentence, exitSentence, lawsOf } from "../../../view/words.js";
+import { bareOf, eventSentence, exitSentence, lawsOf } from "../../../view/words.js";
 import { html, need, put } from "../shared/dom.js";
 
 const MOST_EVENTS = 60;
@@ -46,11 +46,12 @@ export class Story {
     const { header } = run;
     const decimals = this.view.decimals.v ?? 2;
     const laws = lawsOf(header);
+    const bare = bareOf(header);
     this.told = [
       ...(isTold(run) ? marks(header, this.telling.forces) : []),
       ...header.events.map((event) => ({
         t: event.t,
-        sentence: eventSentence(event, this.telling, laws),
+        sentence: eventSentence(event, this.telling, laws, bare),
       })),
       ...exits(run, this.layout, this.telling.camera).map((exit) => ({
         t: exit.t,

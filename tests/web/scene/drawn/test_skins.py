@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -46,3 +47,30 @@ def test_the_lines_of_a_skin_stay_on_its_box_and_face_the_way_it_drives(skin: st
     assert all(abs(x) <= BOX["width"] / 2 and -BOX["height"] <= y <= 0 for x, y in right)
     assert left == [[-x, y] for x, y in right]
     assert narrow == ""
+
+
+def test_a_glider_floats_above_the_track_on_a_box_like_any_other() -> None:
+    plain, floats = (drawn_cart(skin) for skin in ("cart", "glider"))
+    assert floats["box"] == plain["box"]
+    assert floats["x"] == plain["x"]
+    assert 2 <= plain["y"] - floats["y"] <= 6  # units: a gap that is seen, and small
+    assert plain["wheels"]
+    assert not floats["wheels"]
+
+
+def drawn_cart(skin: str) -> dict[str, Any]:
+    """Where the wide picture has cart A, and its box."""
+    made = render(*baked(with_skin(skin)))
+    start = re.search(
+        r'<g transform="translate\(([\d.]+) ([\d.]+)\)" class="carts-cart [^>]*data-body="A">', made
+    )
+    assert start
+    cart = made[start.end() : made.index("</g>\n", start.end())]
+    box = re.search(r'<rect [^>]*data-part="box"[^>]*>', cart)
+    assert box
+    return {
+        "x": float(start[1]),
+        "y": float(start[2]),
+        "box": dict(re.findall(r'\b(x|y|width|height)="([-\d.]+)"', box[0])),
+        "wheels": 'data-part="wheels"' in cart,
+    }

@@ -1,7 +1,8 @@
 /**
  * The place of contact, ten times as large as in the picture: bumpers that give way and recover,
  * and the two forces on the scale of the picture. It looks at the touch that is on, else at the one
- * that comes next, else at the last.
+ * that comes next, else at the last. Where a wall gives way further than the lens can show, it enlarges
+ * less, so that the line where the wall was stays in view.
  */
 
 import { body, isWall, listed } from "../../../../view/bodies.js";
@@ -17,7 +18,8 @@ import { need, onResize, put, say } from "../../shared/dom.js";
 /** @typedef {import("../../../../view/windows.js").Touch} Touch */
 /** @typedef {{name: string, edge: number, face: number, bumper: number}} Side one body at the contact, in m */
 
-const TIMES = 10;
+const TIMES = [10, 5, 2, 1]; // as large as in the picture
+const MARGIN = 16; // units that the line where a wall was keeps from the edge
 const WIDTH = 360;
 const TRACK = 96; // y of the track
 const BAR = 70; // units, the longest that the bar of lengths may be
@@ -29,6 +31,7 @@ export class Lens {
   /** @type {Touch[]} */
   #windows = [];
   #perMetre = 3000; // units
+  #picture = 300; // units that one metre would take as large as in the picture
   #perForce = 100; // units of the full scale
   #t = 0;
 
@@ -45,16 +48,26 @@ export class Lens {
     });
   }
 
-  /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+  /** What one metre of the picture takes on the screen, in units of this drawing. */
   #measure() {
     for (const layout of this.view.layouts) {
       const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
       const [shown, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
       if (!shown || !own) continue;
       const unit = (shown / layout.width) * (WIDTH / own);
-      this.#perMetre = TIMES * layout.scale * unit;
+      this.#picture = layout.scale * unit;
       this.#perForce = layout.force * unit;
     }
+    this.#enlarge();
+  }
+
+  /** As large as this run allows, and a bar that tells how large. */
+  #enlarge() {
+    const give = this.#run ? wallGives(this.#run) : 0;
+    const room = WIDTH / 2 - MARGIN;
+    const times = TIMES.find((one) => give * one * this.#picture <= room) ?? 1;
+    this.#perMetre = times * this.#picture;
+    say(need(this.root, ".carts-heading"), tr("Lens on the contact, ×{times}", { times }));
     const length = niceAbove(BAR / this.#perMetre / 2.5);
     const bar = px(length * this.#perMetre);
     put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar}m0 -2.5v5`);
@@ -67,6 +80,7 @@ export class Lens {
   show(run, windows) {
     this.#run = run;
     this.#windows = windows;
+    this.#enlarge();
   }
 
   /** @param {number} t in s */
@@ -93,7 +107,7 @@ export class Lens {
     const pushed = touch.loose && t >= touch.start && t <= touch.end;
     const at = (/** @type {number} */ x) => WIDTH / 2 + (x - middle) * this.#perMetre;
     const wall = [left, right].find(({ name }) => isWall(name));
-    const was = wall && overlap > 0 ? `M${px(at(wall.face))} 14V${TRACK}` : "";
+    const was = wall && overlap > 0 ? `M${px(at(wall.face))} 22V${TRACK}` : "";
     put(need(this.root, '[data-part="was"]'), "d", was); // where its surface is when nothing pushes it
     const wire = coil(at(left.face), at(right.face), TRACK - 14, undefined, 6);
     put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
@@ -148,6 +162,23 @@ export class Lens {
     const length = -way * arrowLength(force, this.view.force, this.#perForce);
     put(arrow, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
   }
+}
+
+/** How far a wall gives way at most: what the bumper of the cart at it does not. @param {Run} run @returns {number} in m */
+function wallGives({ header: { bodies, track }, trajectory: { x } }) {
+  const ends = [
+    { wall: track.left, at: 0, cart: bodies[0], way: -1 },
+    { wall: track.right, at: track.length ?? 0, cart: bodies.at(-1), way: 1 },
+  ];
+  const gives = ends.map(({ wall, at, cart, way }) => {
+    if (wall !== "wall" || !cart) return 0;
+    const reach = cart.length / 2 - cart.bumper_length;
+    return Array.from(x[cart.name] ?? []).reduce(
+      (most, centre) => Math.max(most, way * (centre - at) + reach),
+      0,
+    );
+  });
+  return Math.max(...gives);
 }
 
 /** @param {number} metres @returns {string} */

@@ -13,7 +13,7 @@ import { Lens } from "./lens.js";
 /** @type {Record<string, [string, new (root: HTMLElement, baked: import("../../../../view/types.js").Baked, redraw: () => void) => View]>} */
 const KINDS = {
   "free-body": [tr("forces on each cart"), FreeBody],
-  lens: [tr("lens on the contact, ×10"), Lens],
+  lens: [tr("lens on the contact"), Lens],
   bars: [tr("momentum before and now"), Bars],
 };
 

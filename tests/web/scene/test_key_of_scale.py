@@ -1,0 +1,47 @@
+"""Below the picture a key says how long the arrows are, and that it is a key."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.web.conftest import OpenPage
+from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
+
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
+
+__all__ = ["widget_site"]  # a fixture
+
+QUIET: dict[str, Any] = {**MEETING, "id": "quiet", "forces": "hidden"}
+SPOILT = """
+  const stage = [...el.querySelectorAll(".carts-stage")].find((s) => s.clientWidth);
+  const frame = stage.getBoundingClientRect();
+  const word = stage.querySelector(".carts-legend-word");
+  const rest = [...stage.querySelectorAll(".carts-legend path, .carts-legend text, .carts-number")];
+  return ["inherit", "serif", "monospace", "sans-serif"].flatMap((font) => {
+    stage.style.fontFamily = font;
+    const own = word.getBoundingClientRect();
+    const outside = own.left < frame.left || own.right > frame.right || own.width === 0;
+    const low = own.bottom - own.height / 5; // the room for tails of letters, which it has not
+    const met = rest.filter((one) => one !== word).filter((one) => {
+      const other = one.getBoundingClientRect();
+      const foot = other.bottom - (one.tagName === "text" ? other.height / 5 : 0);
+      return own.left < other.right && other.left < own.right && own.top < foot && other.top < low;
+    });
+    return [...(outside ? [`${font}: outside`] : []),
+      ...met.map((one) => `${font}: ${one.textContent || one.getAttribute("class")}`)];
+  });"""
+
+
+@pytest.mark.parametrize("width", [360, 1000])
+@pytest.mark.parametrize("fence", [MEETING, QUIET], ids=["forces", "no-forces"])
+def test_the_arrows_of_the_key_are_called_a_scale(
+    open_page: OpenPage, widget_site: Path, width: int, fence: dict[str, Any]
+) -> None:
+    file = write_page(widget_site, f"key-{fence['id']}", fence)
+    page = live(open_page(file, viewport={"width": width, "height": 700}), fence["id"])
+    first = page.locator(f"#{fence['id']} .carts-legend:visible text").first
+    assert first.text_content() == "scale:"
+    assert on_scene(page, SPOILT, name=fence["id"]) == []
