@@ -6368,10 +6368,15 @@
     for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
     return laws;
   }
+  function bareOf({ bodies, contacts }) {
+    const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name: name2 }) => name2);
+    const bare = contacts.filter((contact) => !contact.bodies.some((name2) => sprung.includes(name2)));
+    return new Set(bare.map(({ pair }) => pair));
+  }
   function isRest(velocity3, scale) {
     return Math.abs(velocity3) < NOISE * scale;
   }
-  function eventSentence(event, telling, laws) {
+  function eventSentence(event, telling, laws, bare) {
     const { decimals, scale, camera, forces: forces2 } = telling;
     const names = event.bodies;
     const pair = capital(listed(names.map(body)));
@@ -6400,9 +6405,9 @@
         }
         if (forces2 && event.force) {
           const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
+          return bare.has(names.join("-")) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force: force2 }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
         }
-        return tr("{pair}: bumpers squeezed the most.", { pair });
+        return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
         if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
         const ended2 = { pair: listed(names.map(body)) };
@@ -7776,7 +7781,8 @@ ${lines4.join("\n")}
   }
 
   // src/scene/beside/lens.js
-  var TIMES = 10;
+  var TIMES = [10, 5, 2, 1];
+  var MARGIN = 16;
   var WIDTH5 = 360;
   var TRACK = 96;
   var BAR = 70;
@@ -7788,6 +7794,8 @@ ${lines4.join("\n")}
     #windows = [];
     #perMetre = 3e3;
     // units
+    #picture = 300;
+    // units that one metre would take as large as in the picture
     #perForce = 100;
     // units of the full scale
     #t = 0;
@@ -7804,16 +7812,25 @@ ${lines4.join("\n")}
         redraw();
       });
     }
-    /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+    /** What one metre of the picture takes on the screen, in units of this drawing. */
     #measure() {
       for (const layout of this.view.layouts) {
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
         const [shown3, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown3 || !own) continue;
         const unit = shown3 / layout.width * (WIDTH5 / own);
-        this.#perMetre = TIMES * layout.scale * unit;
+        this.#picture = layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
+      this.#enlarge();
+    }
+    /** As large as this run allows, and a bar that tells how large. */
+    #enlarge() {
+      const give = this.#run ? wallGives(this.#run) : 0;
+      const room = WIDTH5 / 2 - MARGIN;
+      const times2 = TIMES.find((one) => give * one * this.#picture <= room) ?? 1;
+      this.#perMetre = times2 * this.#picture;
+      say(need(this.root, ".carts-heading"), tr("Lens on the contact, ×{times}", { times: times2 }));
       const length = niceAbove(BAR / this.#perMetre / 2.5);
       const bar2 = px(length * this.#perMetre);
       put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar2}m0 -2.5v5`);
@@ -7825,6 +7842,7 @@ ${lines4.join("\n")}
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
+      this.#enlarge();
     }
     /** @param {number} t in s */
     at(t3) {
@@ -7850,7 +7868,7 @@ ${lines4.join("\n")}
       const pushed = touch.loose && t3 >= touch.start && t3 <= touch.end;
       const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const wall = [left, right].find(({ name: name2 }) => isWall(name2));
-      const was = wall && overlap > 0 ? `M${px(at3(wall.face))} 14V${TRACK}` : "";
+      const was = wall && overlap > 0 ? `M${px(at3(wall.face))} 22V${TRACK}` : "";
       put(need(this.root, '[data-part="was"]'), "d", was);
       const wire = coil(at3(left.face), at3(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
@@ -7901,6 +7919,21 @@ ${lines4.join("\n")}
       put(arrow2, "d", (cut ? cutArrow : blockArrow)(end2, TRACK - 46, length));
     }
   };
+  function wallGives({ header: { bodies, track }, trajectory: { x: x2 } }) {
+    const ends = [
+      { wall: track.left, at: 0, cart: bodies[0], way: -1 },
+      { wall: track.right, at: track.length ?? 0, cart: bodies.at(-1), way: 1 }
+    ];
+    const gives = ends.map(({ wall, at: at3, cart, way }) => {
+      if (wall !== "wall" || !cart) return 0;
+      const reach = cart.length / 2 - cart.bumper_length;
+      return Array.from(x2[cart.name] ?? []).reduce(
+        (most, centre) => Math.max(most, way * (centre - at3) + reach),
+        0
+      );
+    });
+    return Math.max(...gives);
+  }
   function lengthText(metres) {
     return metres < 0.1 ? `${fixed(metres * 1e3, 1)} mm` : `${fixed(metres * 100, 1)} cm`;
   }
@@ -7908,7 +7941,7 @@ ${lines4.join("\n")}
   // src/scene/beside/views.js
   var KINDS2 = {
     "free-body": [tr("forces on each cart"), FreeBody],
-    lens: [tr("lens on the contact, ×10"), Lens],
+    lens: [tr("lens on the contact"), Lens],
     bars: [tr("momentum before and now"), Bars]
   };
   var Views = class {
@@ -8773,13 +8806,16 @@ ${lines4.join("\n")}
 
   // ../view/skins.js
   var NARROW = 24;
+  var GAP2 = 5;
+  var SADDLE = 6;
   var SKINS = {
-    cart: { wheels: true, corner: 4, lines: () => "" },
-    van: { wheels: true, corner: 7, lines: van },
-    truck: { wheels: true, corner: 3, lines: truck },
-    trailer: { wheels: true, corner: 1, lines: trailer },
-    box: { wheels: false, corner: 1, lines: crate },
-    puck: { wheels: false, corner: 12, lines: puck }
+    cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
+    van: { wheels: true, lift: 0, corner: 7, lines: van },
+    truck: { wheels: true, lift: 0, corner: 3, lines: truck },
+    trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
+    box: { wheels: false, lift: 0, corner: 1, lines: crate },
+    puck: { wheels: false, lift: 0, corner: 12, lines: puck },
+    glider: { wheels: false, lift: GAP2, corner: 4, lines: glider }
   };
   function van(box2, front) {
     return lines3(box2, front, [
@@ -8878,6 +8914,24 @@ ${lines4.join("\n")}
       ]
     ]);
   }
+  function glider(box2, front) {
+    const top = Math.min(SADDLE / box2.height, 0.4);
+    return lines3(box2, front, [
+      [
+        [-0.5, top],
+        [0.5, top]
+      ],
+      ...[-0.42, -0.28, 0.28, 0.42].map(
+        (x2) => (
+          /** @type {Point[]} */
+          [
+            [x2, 0],
+            [x2, top]
+          ]
+        )
+      )
+    ]);
+  }
   function lines3({ width, height }, front, strokes) {
     if (width < NARROW) return "";
     const at3 = ([x2, y2]) => `${px(front * x2 * width)} ${px(-y2 * height)}`;
@@ -8940,7 +8994,7 @@ ${lines4.join("\n")}
   // src/scene/effects.js
   var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
-  var GAP2 = 8;
+  var GAP3 = 8;
   var Effects = class {
     /** @type {Run | null} */
     #run = null;
@@ -9035,12 +9089,12 @@ ${lines4.join("\n")}
     return [...leaders, ...pieces];
   }
   function fits(x2, length, text, picture2) {
-    const needed = text.length * PER_CHARACTER + GAP2 + 4;
+    const needed = text.length * PER_CHARACTER + GAP3 + 4;
     return Math.min(x2, x2 + length) >= needed || Math.max(x2, x2 + length) <= picture2 - needed;
   }
   function beside(x2, length, width, picture2) {
-    const left = Math.min(x2, x2 + length) - GAP2;
-    const right = Math.max(x2, x2 + length) + GAP2;
+    const left = Math.min(x2, x2 + length) - GAP3;
+    const right = Math.max(x2, x2 + length) + GAP3;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -9051,7 +9105,7 @@ ${lines4.join("\n")}
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW = 21;
-  var GAP3 = 8;
+  var GAP4 = 8;
   var EDGE3 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -9164,9 +9218,9 @@ ${lines4.join("\n")}
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP3 && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x2 + GAP3, low + left + 2 * GAP3), high - right);
-        const end2 = Math.max(low + left, Math.min(x2 - GAP3, begin - 2 * GAP3));
+      if (high - low >= left + right + 2 * GAP4 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x2 + GAP4, low + left + 2 * GAP4), high - right);
+        const end2 = Math.max(low + left, Math.min(x2 - GAP4, begin - 2 * GAP4));
         write3(first, labels2[0] ?? "", end2, push.row, "end");
         write3(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
@@ -9187,8 +9241,8 @@ ${lines4.join("\n")}
       const track = this.#run?.header.track;
       const end2 = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE3, origin + GAP3) : EDGE3,
-        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP3) : width - EDGE3
+        track?.left === "wall" ? Math.max(EDGE3, origin + GAP4) : EDGE3,
+        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP4) : width - EDGE3
       ];
     }
     /** @param {number} size in N */
@@ -9212,6 +9266,56 @@ ${lines4.join("\n")}
     say(text, label);
   }
 
+  // ../view/walls.js
+  var LEAST = 64;
+  var THICK = 2e3;
+  var ROOM2 = 3;
+  var SEEN = 1;
+  function wallAt(side, length, layout, tallest) {
+    const x2 = side === "left" ? 0 : Number(length);
+    const edge3 = layout.origin + x2 * layout.scale;
+    return { edge: edge3, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+  }
+  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM2);
+    const shoulder = Math.max(top, high - dent);
+    const pressed = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
+    const face = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed : ""}V${px(track + beam)}`;
+    const was = dent < SEEN ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face}h${way * THICK}V${px(top)}Z`, face, was };
+  }
+
+  // src/scene/walls.js
+  var Walls = class {
+    /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+    #walls = [];
+    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
+    constructor(root, layout, { run: { header }, view }) {
+      this.layout = layout;
+      this.was = need(root, '[data-part="was"]');
+      this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group2) => {
+        const side = group2.getAttribute("data-wall") === "left" ? "left" : "right";
+        return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group: group2 };
+      });
+    }
+    /**
+     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
+     * @param {number} shift of the picture to the left, in units
+     */
+    at(pressed, shift) {
+      const lines4 = this.#walls.map(({ side, wall, group: group2 }) => {
+        const { dent, height } = pressed[side];
+        const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
+        put(need(group2, '[data-part="wall"]'), "d", body2);
+        put(need(group2, '[data-part="hatch"]'), "d", body2);
+        put(need(group2, '[data-part="wall-face"]'), "d", face);
+        return was;
+      });
+      put(this.was, "d", lines4.join(""));
+      put(this.was, "transform", `translate(${px(-shift)} 0)`);
+    }
+  };
+
   // src/scene/stage.js
   var HANDLE = 9;
   var Stage = class {
@@ -9219,6 +9323,8 @@ ${lines4.join("\n")}
     #run;
     /** @type {Cart[]} */
     #carts = [];
+    /** @type {Walls} */
+    #walls;
     /** @type {Pushes} */
     #pushes;
     /** @type {Effects} */
@@ -9235,6 +9341,7 @@ ${lines4.join("\n")}
       this.skins = baked.fence.skins;
       this.starts = baked.run.header.bodies.map(({ velocity: velocity3 }) => velocity3);
       this.#run = baked.run;
+      this.#walls = new Walls(root, layout, baked);
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
@@ -9254,14 +9361,17 @@ ${lines4.join("\n")}
           boxes[i2]
         );
         drawBox(group2, body2.name, box2);
-        const skin = group2.querySelector('[data-part="skin"]');
+        const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i2]) < 0 ? -1 : 1;
-        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
+        const lift = skin?.lift ?? 0;
+        if (skin) put(need(group2, '[data-part="skin"]'), "d", skin.lines(box2, front));
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
-          top: layout.track + labelTop(box2),
+          height: box2.height + lift,
+          lift,
+          top: layout.track - lift + labelTop(box2),
           lane: lane(i2, tallest, layout),
           group: group2,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
@@ -9288,7 +9398,14 @@ ${lines4.join("\n")}
         );
         return this.layout.origin + (x2 - shift) * this.layout.scale;
       });
-      const { left, right } = this.#squeezes(centres, shift);
+      const { left, right, dents } = this.#squeezes(centres, shift);
+      this.#walls.at(
+        {
+          left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
+          right: { dent: dents.right, height: this.#carts.at(-1)?.height ?? 0 }
+        },
+        shift * this.layout.scale
+      );
       this.#carts.forEach((cart, i2) => {
         const centre = Number(centres[i2]);
         const faces = (
@@ -9298,7 +9415,8 @@ ${lines4.join("\n")}
             cart.half - Number(right[i2])
           ]
         );
-        put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+        const foot = this.layout.track - cart.lift;
+        put(cart.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(need(cart.group, '[data-part="spring-left"]'), "d", spring(-cart.edge, faces[0]));
         put(need(cart.group, '[data-part="spring-right"]'), "d", spring(cart.edge, faces[1]));
         put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -9313,7 +9431,8 @@ ${lines4.join("\n")}
         const i2 = header.bodies.findIndex((body2) => body2.name === name2);
         if (i2 < 0) {
           const wall = name2 === "left" ? 0 : header.track.length ?? 0;
-          return this.layout.origin + (wall - shift) * this.layout.scale;
+          const dent = name2 === "left" ? -dents.left : dents.right;
+          return this.layout.origin + (wall - shift) * this.layout.scale + dent;
         }
         const half = this.#carts[i2]?.half ?? 0;
         const centre = Number(centres[i2]);
@@ -9369,13 +9488,14 @@ ${lines4.join("\n")}
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-     * Two carts share the overlap; a bumper gives way by its own length at most.
+     * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
      * @param {number[]} centres @param {number} shift of the camera in m
      */
     #squeezes(centres, shift) {
       const { bodies, track } = this.#run.header;
       const left = bodies.map(() => 0);
       const right = bodies.map(() => 0);
+      const dents = { left: 0, right: 0 };
       const at3 = (
         /** @param {number} x */
         (x2) => this.layout.origin + (x2 - shift) * this.layout.scale
@@ -9390,8 +9510,10 @@ ${lines4.join("\n")}
         const rest = Math.min(b2?.bumper ?? 0, overlap - share);
         if (b2) left[gap] = rest;
         if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
+        if (!a2) dents.left = overlap - rest;
+        if (!b2) dents.right = overlap - share;
       }
-      return { left, right };
+      return { left, right, dents };
     }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart, name2, x2, t3) {
@@ -9540,11 +9662,12 @@ ${lines4.join("\n")}
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
       const laws = lawsOf(header);
+      const bare = bareOf(header);
       this.told = [
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
-          sentence: eventSentence(event, this.telling, laws)
+          sentence: eventSentence(event, this.telling, laws, bare)
         })),
         ...exits(run, this.layout, this.telling.camera).map((exit) => ({
           t: exit.t,

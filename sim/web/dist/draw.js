@@ -11863,10 +11863,15 @@ ${table3(facts)}
     for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
     return laws;
   }
+  function bareOf({ bodies, contacts }) {
+    const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name }) => name);
+    const bare = contacts.filter((contact) => !contact.bodies.some((name) => sprung.includes(name)));
+    return new Set(bare.map(({ pair }) => pair));
+  }
   function isRest(velocity2, scale) {
     return Math.abs(velocity2) < NOISE * scale;
   }
-  function eventSentence(event, telling, laws) {
+  function eventSentence(event, telling, laws, bare) {
     const { decimals, scale, camera, forces: forces2 } = telling;
     const names = event.bodies;
     const pair = capital(listed(names.map(body)));
@@ -11895,9 +11900,9 @@ ${table3(facts)}
         }
         if (forces2 && event.force) {
           const force = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+          return bare.has(names.join("-")) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
         }
-        return tr("{pair}: bumpers squeezed the most.", { pair });
+        return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
         if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
         const ended = { pair: listed(names.map(body)) };
@@ -12102,8 +12107,8 @@ ${lines3}</tbody></table></div>
       (k) => html`<g data-side=${k}><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`
     );
     return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
-<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-lens-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×{times}", { times: 10 })}</span> <span class="carts-lens-note"></span></p>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -12524,13 +12529,16 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
 
   // ../view/skins.js
   var NARROW = 24;
+  var GAP = 5;
+  var SADDLE = 6;
   var SKINS = {
-    cart: { wheels: true, corner: 4, lines: () => "" },
-    van: { wheels: true, corner: 7, lines: van },
-    truck: { wheels: true, corner: 3, lines: truck },
-    trailer: { wheels: true, corner: 1, lines: trailer },
-    box: { wheels: false, corner: 1, lines: crate },
-    puck: { wheels: false, corner: 12, lines: puck }
+    cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
+    van: { wheels: true, lift: 0, corner: 7, lines: van },
+    truck: { wheels: true, lift: 0, corner: 3, lines: truck },
+    trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
+    box: { wheels: false, lift: 0, corner: 1, lines: crate },
+    puck: { wheels: false, lift: 0, corner: 12, lines: puck },
+    glider: { wheels: false, lift: GAP, corner: 4, lines: glider }
   };
   function van(box2, front) {
     return lines2(box2, front, [
@@ -12629,6 +12637,24 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
       ]
     ]);
   }
+  function glider(box2, front) {
+    const top = Math.min(SADDLE / box2.height, 0.4);
+    return lines2(box2, front, [
+      [
+        [-0.5, top],
+        [0.5, top]
+      ],
+      ...[-0.42, -0.28, 0.28, 0.42].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0],
+            [x, top]
+          ]
+        )
+      )
+    ]);
+  }
   function lines2({ width, height }, front, strokes) {
     if (width < NARROW) return "";
     const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
@@ -12682,9 +12708,8 @@ ${layout && layout.tape > 0 && ruler(layout)}
   var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS2 = 150;
-  var LEAST_WALL = 64;
+  var LETTER2 = 8;
   var BEYOND = 60;
-  var WALL = 2e3;
   function stage(baked, layout) {
     const { fence, run } = baked;
     const { kind, width, height } = layout;
@@ -12699,6 +12724,7 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
+<path data-part="was" class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces2 && pushes2(baked)}
 <g data-part="guess"></g>
@@ -12732,7 +12758,7 @@ ${legend(baked, layout)}
       )
     );
   }
-  function ground({ fence, view, run: { header } }, layout, hatch) {
+  function ground({ fence, run: { header } }, layout, hatch) {
     const travel = fence.camera * header.until;
     const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
     const { left, right, length } = header.track;
@@ -12747,16 +12773,10 @@ ${legend(baked, layout)}
     const numbers = { low: first, high: last, step };
     const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks2({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
-    const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge3, from) => {
-      const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
-      return html`<rect class="carts-wall" ${box2}/>
-<rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge3)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+    const wall = (side2) => html`<g data-wall=${side2}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
 `;
-    };
     return html`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
+${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks2(numbers).map(
@@ -12770,16 +12790,23 @@ ${ticks2(numbers).map(
     const [per, unit] = speedUnit(view.velocity);
     const text3 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
-    const x = force ? 12 + layout.force + 58 : 12;
+    const word = tr("scale:");
+    const before2 = wide || !force;
+    const start = before2 ? 12 + roomOf(word) + 4 : 12;
+    const x = force ? start + layout.force + 58 : start;
     const next = x + layout.velocity + 6;
     const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html`<g class="carts-legend">
-${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text3(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<text class="carts-legend-word"${!before2 && html` data-place="above"`} x="12" y=${px(before2 ? y + 5 : y - 7)}>${word}</text>
+${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text3(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text3(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis2}</text>
 </g>`;
+  }
+  function roomOf(word) {
+    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER2 : LETTER2), 0);
   }
 
   // ../view/skeleton/time.js
@@ -13648,7 +13675,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
 
   // src/scene/beside/lens.js
-  var TIMES3 = 10;
+  var TIMES3 = [10, 5, 2, 1];
+  var MARGIN = 16;
   var WIDTH7 = 360;
   var TRACK = 96;
   var BAR = 70;
@@ -13660,6 +13688,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #windows = [];
     #perMetre = 3e3;
     // units
+    #picture = 300;
+    // units that one metre would take as large as in the picture
     #perForce = 100;
     // units of the full scale
     #t = 0;
@@ -13676,16 +13706,25 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         redraw();
       });
     }
-    /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+    /** What one metre of the picture takes on the screen, in units of this drawing. */
     #measure() {
       for (const layout of this.view.layouts) {
         const stage2 = this.scene.querySelector(`.carts-stage-${layout.kind}`);
         const [shown2, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown2 || !own) continue;
         const unit = shown2 / layout.width * (WIDTH7 / own);
-        this.#perMetre = TIMES3 * layout.scale * unit;
+        this.#picture = layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
+      this.#enlarge();
+    }
+    /** As large as this run allows, and a bar that tells how large. */
+    #enlarge() {
+      const give = this.#run ? wallGives(this.#run) : 0;
+      const room = WIDTH7 / 2 - MARGIN;
+      const times2 = TIMES3.find((one) => give * one * this.#picture <= room) ?? 1;
+      this.#perMetre = times2 * this.#picture;
+      say(need(this.root, ".carts-heading"), tr("Lens on the contact, ×{times}", { times: times2 }));
       const length = niceAbove(BAR / this.#perMetre / 2.5);
       const bar3 = px(length * this.#perMetre);
       put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar3}m0 -2.5v5`);
@@ -13697,6 +13736,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
+      this.#enlarge();
     }
     /** @param {number} t in s */
     at(t) {
@@ -13722,7 +13762,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const pushed = touch.loose && t >= touch.start && t <= touch.end;
       const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
       const wall = [left, right].find(({ name }) => isWall(name));
-      const was = wall && overlap > 0 ? `M${px(at(wall.face))} 14V${TRACK}` : "";
+      const was = wall && overlap > 0 ? `M${px(at(wall.face))} 22V${TRACK}` : "";
       put(need(this.root, '[data-part="was"]'), "d", was);
       const wire = coil(at(left.face), at(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
@@ -13773,6 +13813,21 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(arrow, "d", (cut ? cutArrow : blockArrow)(end2, TRACK - 46, length));
     }
   };
+  function wallGives({ header: { bodies, track }, trajectory: { x } }) {
+    const ends2 = [
+      { wall: track.left, at: 0, cart: bodies[0], way: -1 },
+      { wall: track.right, at: track.length ?? 0, cart: bodies.at(-1), way: 1 }
+    ];
+    const gives = ends2.map(({ wall, at, cart: cart2, way }) => {
+      if (wall !== "wall" || !cart2) return 0;
+      const reach2 = cart2.length / 2 - cart2.bumper_length;
+      return Array.from(x[cart2.name] ?? []).reduce(
+        (most, centre) => Math.max(most, way * (centre - at) + reach2),
+        0
+      );
+    });
+    return Math.max(...gives);
+  }
   function lengthText(metres) {
     return metres < 0.1 ? `${fixed(metres * 1e3, 1)} mm` : `${fixed(metres * 100, 1)} cm`;
   }
@@ -13780,7 +13835,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/beside/views.js
   var KINDS = {
     "free-body": [tr("forces on each cart"), FreeBody],
-    lens: [tr("lens on the contact, ×10"), Lens],
+    lens: [tr("lens on the contact"), Lens],
     bars: [tr("momentum before and now"), Bars]
   };
   var Views = class {
@@ -14609,7 +14664,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/effects.js
   var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
-  var GAP = 8;
+  var GAP2 = 8;
   var Effects = class {
     /** @type {Run | null} */
     #run = null;
@@ -14704,12 +14759,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return [...leaders, ...pieces];
   }
   function fits(x, length, text3, picture2) {
-    const needed = text3.length * PER_CHARACTER + GAP + 4;
+    const needed = text3.length * PER_CHARACTER + GAP2 + 4;
     return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
   }
   function beside(x, length, width, picture2) {
-    const left = Math.min(x, x + length) - GAP;
-    const right = Math.max(x, x + length) + GAP;
+    const left = Math.min(x, x + length) - GAP2;
+    const right = Math.max(x, x + length) + GAP2;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -14720,7 +14775,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW = 21;
-  var GAP2 = 8;
+  var GAP3 = 8;
   var EDGE3 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -14833,9 +14888,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP2 && !push2.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        const end2 = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+      if (high - low >= left + right + 2 * GAP3 && !push2.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP3, low + left + 2 * GAP3), high - right);
+        const end2 = Math.max(low + left, Math.min(x - GAP3, begin - 2 * GAP3));
         write(first, labels2[0] ?? "", end2, push2.row, "end");
         write(second, labels2[1] ?? "", begin, push2.row, "start");
         return true;
@@ -14856,8 +14911,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const track = this.#run?.header.track;
       const end2 = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE3, origin + GAP2) : EDGE3,
-        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP2) : width - EDGE3
+        track?.left === "wall" ? Math.max(EDGE3, origin + GAP3) : EDGE3,
+        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP3) : width - EDGE3
       ];
     }
     /** @param {number} size in N */
@@ -14881,6 +14936,56 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     say(text3, label);
   }
 
+  // ../view/walls.js
+  var LEAST = 64;
+  var THICK = 2e3;
+  var ROOM3 = 3;
+  var SEEN = 1;
+  function wallAt(side2, length, layout, tallest) {
+    const x = side2 === "left" ? 0 : Number(length);
+    const edge3 = layout.origin + x * layout.scale;
+    return { edge: edge3, way: side2 === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+  }
+  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM3);
+    const shoulder = Math.max(top, high - dent);
+    const pressed = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
+    const face = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed : ""}V${px(track + beam)}`;
+    const was = dent < SEEN ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face}h${way * THICK}V${px(top)}Z`, face, was };
+  }
+
+  // src/scene/walls.js
+  var Walls = class {
+    /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+    #walls = [];
+    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
+    constructor(root, layout, { run: { header }, view }) {
+      this.layout = layout;
+      this.was = need(root, '[data-part="was"]');
+      this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
+        const side2 = group.getAttribute("data-wall") === "left" ? "left" : "right";
+        return { side: side2, wall: wallAt(side2, header.track.length, layout, view.tallest), group };
+      });
+    }
+    /**
+     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
+     * @param {number} shift of the picture to the left, in units
+     */
+    at(pressed, shift) {
+      const lines3 = this.#walls.map(({ side: side2, wall, group }) => {
+        const { dent, height } = pressed[side2];
+        const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
+        put(need(group, '[data-part="wall"]'), "d", body2);
+        put(need(group, '[data-part="hatch"]'), "d", body2);
+        put(need(group, '[data-part="wall-face"]'), "d", face);
+        return was;
+      });
+      put(this.was, "d", lines3.join(""));
+      put(this.was, "transform", `translate(${px(-shift)} 0)`);
+    }
+  };
+
   // src/scene/stage.js
   var HANDLE2 = 9;
   var Stage = class {
@@ -14888,6 +14993,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #run;
     /** @type {Cart[]} */
     #carts = [];
+    /** @type {Walls} */
+    #walls;
     /** @type {Pushes} */
     #pushes;
     /** @type {Effects} */
@@ -14904,6 +15011,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.skins = baked.fence.skins;
       this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
       this.#run = baked.run;
+      this.#walls = new Walls(root, layout, baked);
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
@@ -14923,14 +15031,17 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
           boxes[i]
         );
         drawBox(group, body2.name, box2);
-        const skin = group.querySelector('[data-part="skin"]');
+        const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i]) < 0 ? -1 : 1;
-        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
+        const lift = skin?.lift ?? 0;
+        if (skin) put(need(group, '[data-part="skin"]'), "d", skin.lines(box2, front));
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
-          top: layout.track + labelTop(box2),
+          height: box2.height + lift,
+          lift,
+          top: layout.track - lift + labelTop(box2),
           lane: lane(i, tallest, layout),
           group,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
@@ -14957,7 +15068,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         );
         return this.layout.origin + (x - shift) * this.layout.scale;
       });
-      const { left, right } = this.#squeezes(centres, shift);
+      const { left, right, dents } = this.#squeezes(centres, shift);
+      this.#walls.at(
+        {
+          left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
+          right: { dent: dents.right, height: this.#carts.at(-1)?.height ?? 0 }
+        },
+        shift * this.layout.scale
+      );
       this.#carts.forEach((cart2, i) => {
         const centre = Number(centres[i]);
         const faces = (
@@ -14967,7 +15085,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
             cart2.half - Number(right[i])
           ]
         );
-        put(cart2.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+        const foot = this.layout.track - cart2.lift;
+        put(cart2.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(need(cart2.group, '[data-part="spring-left"]'), "d", spring(-cart2.edge, faces[0]));
         put(need(cart2.group, '[data-part="spring-right"]'), "d", spring(cart2.edge, faces[1]));
         put(need(cart2.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -14982,7 +15101,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         const i = header.bodies.findIndex((body2) => body2.name === name);
         if (i < 0) {
           const wall = name === "left" ? 0 : header.track.length ?? 0;
-          return this.layout.origin + (wall - shift) * this.layout.scale;
+          const dent = name === "left" ? -dents.left : dents.right;
+          return this.layout.origin + (wall - shift) * this.layout.scale + dent;
         }
         const half = this.#carts[i]?.half ?? 0;
         const centre = Number(centres[i]);
@@ -15038,13 +15158,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-     * Two carts share the overlap; a bumper gives way by its own length at most.
+     * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
      * @param {number[]} centres @param {number} shift of the camera in m
      */
     #squeezes(centres, shift) {
       const { bodies, track } = this.#run.header;
       const left = bodies.map(() => 0);
       const right = bodies.map(() => 0);
+      const dents = { left: 0, right: 0 };
       const at = (
         /** @param {number} x */
         (x) => this.layout.origin + (x - shift) * this.layout.scale
@@ -15059,8 +15180,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         const rest = Math.min(b?.bumper ?? 0, overlap - share);
         if (b) left[gap] = rest;
         if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+        if (!a) dents.left = overlap - rest;
+        if (!b) dents.right = overlap - share;
       }
-      return { left, right };
+      return { left, right, dents };
     }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart2, name, x, t) {
@@ -15209,11 +15332,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
       const laws = lawsOf(header);
+      const bare = bareOf(header);
       this.told = [
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
-          sentence: eventSentence(event, this.telling, laws)
+          sentence: eventSentence(event, this.telling, laws, bare)
         })),
         ...exits(run, this.layout, this.telling.camera).map((exit) => ({
           t: exit.t,

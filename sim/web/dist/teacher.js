@@ -2173,8 +2173,8 @@ ${lines3}</tbody></table></div>
       (k) => html2`<g data-side=${k}><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`
     );
     return html2`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
-<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-lens-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×{times}", { times: 10 })}</span> <span class="carts-lens-note"></span></p>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -2475,13 +2475,16 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
 
   // ../view/skins.js
   var NARROW = 24;
+  var GAP = 5;
+  var SADDLE = 6;
   var SKINS = {
-    cart: { wheels: true, corner: 4, lines: () => "" },
-    van: { wheels: true, corner: 7, lines: van },
-    truck: { wheels: true, corner: 3, lines: truck },
-    trailer: { wheels: true, corner: 1, lines: trailer },
-    box: { wheels: false, corner: 1, lines: crate },
-    puck: { wheels: false, corner: 12, lines: puck }
+    cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
+    van: { wheels: true, lift: 0, corner: 7, lines: van },
+    truck: { wheels: true, lift: 0, corner: 3, lines: truck },
+    trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
+    box: { wheels: false, lift: 0, corner: 1, lines: crate },
+    puck: { wheels: false, lift: 0, corner: 12, lines: puck },
+    glider: { wheels: false, lift: GAP, corner: 4, lines: glider }
   };
   function van(box, front) {
     return lines(box, front, [
@@ -2580,6 +2583,24 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
       ]
     ]);
   }
+  function glider(box, front) {
+    const top = Math.min(SADDLE / box.height, 0.4);
+    return lines(box, front, [
+      [
+        [-0.5, top],
+        [0.5, top]
+      ],
+      ...[-0.42, -0.28, 0.28, 0.42].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0],
+            [x, top]
+          ]
+        )
+      )
+    ]);
+  }
   function lines({ width, height }, front, strokes) {
     if (width < NARROW) return "";
     const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
@@ -2633,9 +2654,8 @@ ${layout && layout.tape > 0 && ruler(layout)}
   var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS2 = 150;
-  var LEAST_WALL = 64;
+  var LETTER = 8;
   var BEYOND = 60;
-  var WALL = 2e3;
   function stage(baked, layout) {
     const { fence, run } = baked;
     const { kind, width, height } = layout;
@@ -2650,6 +2670,7 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
+<path data-part="was" class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces && pushes2(baked)}
 <g data-part="guess"></g>
@@ -2683,7 +2704,7 @@ ${legend(baked, layout)}
       )
     );
   }
-  function ground({ fence, view, run: { header } }, layout, hatch) {
+  function ground({ fence, run: { header } }, layout, hatch) {
     const travel = fence.camera * header.until;
     const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
     const { left, right, length } = header.track;
@@ -2698,16 +2719,10 @@ ${legend(baked, layout)}
     const numbers = { low: first, high: last, step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
-    const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge3, from) => {
-      const box = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
-      return html2`<rect class="carts-wall" ${box}/>
-<rect ${box} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge3)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+    const wall = (side2) => html2`<g data-wall=${side2}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
 `;
-    };
     return html2`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
+${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
@@ -2721,16 +2736,23 @@ ${ticks(numbers).map(
     const [per, unit] = speedUnit(view.velocity);
     const text2 = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
-    const x = force ? 12 + layout.force + 58 : 12;
+    const word = tr("scale:");
+    const before = wide || !force;
+    const start = before ? 12 + roomOf(word) + 4 : 12;
+    const x = force ? start + layout.force + 58 : start;
     const next = x + layout.velocity + 6;
     const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
-${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text2(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<text class="carts-legend-word"${!before && html2` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text2(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis2}</text>
 </g>`;
+  }
+  function roomOf(word) {
+    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER : LETTER), 0);
   }
 
   // ../view/skeleton/time.js

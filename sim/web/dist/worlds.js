@@ -822,13 +822,16 @@
 
   // ../view/skins.js
   var NARROW = 24;
+  var GAP = 5;
+  var SADDLE = 6;
   var SKINS = {
-    cart: { wheels: true, corner: 4, lines: () => "" },
-    van: { wheels: true, corner: 7, lines: van },
-    truck: { wheels: true, corner: 3, lines: truck },
-    trailer: { wheels: true, corner: 1, lines: trailer },
-    box: { wheels: false, corner: 1, lines: crate },
-    puck: { wheels: false, corner: 12, lines: puck }
+    cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
+    van: { wheels: true, lift: 0, corner: 7, lines: van },
+    truck: { wheels: true, lift: 0, corner: 3, lines: truck },
+    trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
+    box: { wheels: false, lift: 0, corner: 1, lines: crate },
+    puck: { wheels: false, lift: 0, corner: 12, lines: puck },
+    glider: { wheels: false, lift: GAP, corner: 4, lines: glider }
   };
   function van(box2, front) {
     return lines(box2, front, [
@@ -927,6 +930,24 @@
       ]
     ]);
   }
+  function glider(box2, front) {
+    const top = Math.min(SADDLE / box2.height, 0.4);
+    return lines(box2, front, [
+      [
+        [-0.5, top],
+        [0.5, top]
+      ],
+      ...[-0.42, -0.28, 0.28, 0.42].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0],
+            [x, top]
+          ]
+        )
+      )
+    ]);
+  }
   function lines({ width, height }, front, strokes) {
     if (width < NARROW) return "";
     const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
@@ -959,9 +980,8 @@
   var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS = 150;
-  var LEAST_WALL = 64;
+  var LETTER = 8;
   var BEYOND = 60;
-  var WALL = 2e3;
   function stage(baked, layout) {
     const { fence, run } = baked;
     const { kind, width, height } = layout;
@@ -976,6 +996,7 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
+<path data-part="was" class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces && pushes2(baked)}
 <g data-part="guess"></g>
@@ -1009,7 +1030,7 @@ ${legend(baked, layout)}
       )
     );
   }
-  function ground({ fence, view, run: { header } }, layout, hatch) {
+  function ground({ fence, run: { header } }, layout, hatch) {
     const travel = fence.camera * header.until;
     const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
     const { left, right, length } = header.track;
@@ -1024,16 +1045,10 @@ ${legend(baked, layout)}
     const numbers = { low: first, high: last2, step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
-    const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge2, from) => {
-      const box2 = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
-      return html2`<rect class="carts-wall" ${box2}/>
-<rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+    const wall = (side) => html2`<g data-wall=${side}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
 `;
-    };
     return html2`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last2), at(last2))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
+${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
@@ -1047,16 +1062,23 @@ ${ticks(numbers).map(
     const [per, unit] = speedUnit(view.velocity);
     const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
-    const x = force ? 12 + layout.force + 58 : 12;
+    const word = tr("scale:");
+    const before = wide || !force;
+    const start = before ? 12 + roomOf(word) + 4 : 12;
+    const x = force ? start + layout.force + 58 : start;
     const next = x + layout.velocity + 6;
     const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
-${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<text class="carts-legend-word"${!before && html2` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
+  }
+  function roomOf(word) {
+    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER : LETTER), 0);
   }
 
   // ../view/windows.js
@@ -1227,7 +1249,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/scene/effects.js
   var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
-  var GAP = 8;
+  var GAP2 = 8;
   var Effects = class {
     /** @type {Run | null} */
     #run = null;
@@ -1322,12 +1344,12 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return [...leaders, ...pieces];
   }
   function fits(x, length, text, picture) {
-    const needed = text.length * PER_CHARACTER + GAP + 4;
+    const needed = text.length * PER_CHARACTER + GAP2 + 4;
     return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture - needed;
   }
   function beside(x, length, width, picture) {
-    const left = Math.min(x, x + length) - GAP;
-    const right = Math.max(x, x + length) + GAP;
+    const left = Math.min(x, x + length) - GAP2;
+    const right = Math.max(x, x + length) + GAP2;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -1338,7 +1360,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW = 21;
-  var GAP2 = 8;
+  var GAP3 = 8;
   var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -1451,9 +1473,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        const end2 = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+      if (high - low >= left + right + 2 * GAP3 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP3, low + left + 2 * GAP3), high - right);
+        const end2 = Math.max(low + left, Math.min(x - GAP3, begin - 2 * GAP3));
         write(first, labels2[0] ?? "", end2, push.row, "end");
         write(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
@@ -1474,8 +1496,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const track = this.#run?.header.track;
       const end2 = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end2 - GAP2) : width - EDGE2
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP3) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end2 - GAP3) : width - EDGE2
       ];
     }
     /** @param {number} size in N */
@@ -1499,6 +1521,56 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     say(text, label);
   }
 
+  // ../view/walls.js
+  var LEAST = 64;
+  var THICK = 2e3;
+  var ROOM2 = 3;
+  var SEEN = 1;
+  function wallAt(side, length, layout, tallest) {
+    const x = side === "left" ? 0 : Number(length);
+    const edge2 = layout.origin + x * layout.scale;
+    return { edge: edge2, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+  }
+  function wallPaths({ edge: edge2, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM2);
+    const shoulder = Math.max(top, high - dent);
+    const pressed = `V${px(shoulder)}L${px(edge2 + way * dent)} ${px(high)}V${px(track)}H${px(edge2)}`;
+    const face = `M${px(edge2)} ${px(top)}${dent > 0 ? pressed : ""}V${px(track + beam)}`;
+    const was = dent < SEEN ? "" : `M${px(edge2)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face}h${way * THICK}V${px(top)}Z`, face, was };
+  }
+
+  // src/scene/walls.js
+  var Walls = class {
+    /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+    #walls = [];
+    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
+    constructor(root, layout, { run: { header }, view }) {
+      this.layout = layout;
+      this.was = need(root, '[data-part="was"]');
+      this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
+        const side = group.getAttribute("data-wall") === "left" ? "left" : "right";
+        return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
+      });
+    }
+    /**
+     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
+     * @param {number} shift of the picture to the left, in units
+     */
+    at(pressed, shift) {
+      const lines2 = this.#walls.map(({ side, wall, group }) => {
+        const { dent, height } = pressed[side];
+        const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
+        put(need(group, '[data-part="wall"]'), "d", body2);
+        put(need(group, '[data-part="hatch"]'), "d", body2);
+        put(need(group, '[data-part="wall-face"]'), "d", face);
+        return was;
+      });
+      put(this.was, "d", lines2.join(""));
+      put(this.was, "transform", `translate(${px(-shift)} 0)`);
+    }
+  };
+
   // src/scene/stage.js
   var HANDLE2 = 9;
   var Stage = class {
@@ -1506,6 +1578,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #run;
     /** @type {Cart[]} */
     #carts = [];
+    /** @type {Walls} */
+    #walls;
     /** @type {Pushes} */
     #pushes;
     /** @type {Effects} */
@@ -1522,6 +1596,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.skins = baked.fence.skins;
       this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
       this.#run = baked.run;
+      this.#walls = new Walls(root, layout, baked);
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
@@ -1541,14 +1616,17 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
           boxes[i]
         );
         drawBox(group, body2.name, box2);
-        const skin = group.querySelector('[data-part="skin"]');
+        const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i]) < 0 ? -1 : 1;
-        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
+        const lift = skin?.lift ?? 0;
+        if (skin) put(need(group, '[data-part="skin"]'), "d", skin.lines(box2, front));
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
-          top: layout.track + labelTop(box2),
+          height: box2.height + lift,
+          lift,
+          top: layout.track - lift + labelTop(box2),
           lane: lane(i, tallest, layout),
           group,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
@@ -1575,7 +1653,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         );
         return this.layout.origin + (x - shift) * this.layout.scale;
       });
-      const { left, right } = this.#squeezes(centres, shift);
+      const { left, right, dents } = this.#squeezes(centres, shift);
+      this.#walls.at(
+        {
+          left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
+          right: { dent: dents.right, height: this.#carts.at(-1)?.height ?? 0 }
+        },
+        shift * this.layout.scale
+      );
       this.#carts.forEach((cart2, i) => {
         const centre = Number(centres[i]);
         const faces = (
@@ -1585,7 +1670,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
             cart2.half - Number(right[i])
           ]
         );
-        put(cart2.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+        const foot = this.layout.track - cart2.lift;
+        put(cart2.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(need(cart2.group, '[data-part="spring-left"]'), "d", spring(-cart2.edge, faces[0]));
         put(need(cart2.group, '[data-part="spring-right"]'), "d", spring(cart2.edge, faces[1]));
         put(need(cart2.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -1600,7 +1686,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         const i = header.bodies.findIndex((body2) => body2.name === name);
         if (i < 0) {
           const wall = name === "left" ? 0 : header.track.length ?? 0;
-          return this.layout.origin + (wall - shift) * this.layout.scale;
+          const dent = name === "left" ? -dents.left : dents.right;
+          return this.layout.origin + (wall - shift) * this.layout.scale + dent;
         }
         const half = this.#carts[i]?.half ?? 0;
         const centre = Number(centres[i]);
@@ -1656,13 +1743,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-     * Two carts share the overlap; a bumper gives way by its own length at most.
+     * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
      * @param {number[]} centres @param {number} shift of the camera in m
      */
     #squeezes(centres, shift) {
       const { bodies, track } = this.#run.header;
       const left = bodies.map(() => 0);
       const right = bodies.map(() => 0);
+      const dents = { left: 0, right: 0 };
       const at = (
         /** @param {number} x */
         (x) => this.layout.origin + (x - shift) * this.layout.scale
@@ -1677,8 +1765,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         const rest = Math.min(b?.bumper ?? 0, overlap - share);
         if (b) left[gap] = rest;
         if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+        if (!a) dents.left = overlap - rest;
+        if (!b) dents.right = overlap - share;
       }
-      return { left, right };
+      return { left, right, dents };
     }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart2, name, x, t) {
