@@ -36,7 +36,8 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body, i) => cart(body.name, i, fence.skins[body.name] ?? "cart"))}
-<path data-part="was" class="carts-was"/>
+${run.header.bodies.map(({ name }) => html`<text class="carts-mass" data-body=${name}></text>`)}
+<path class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces && pushes(baked)}
 <g data-part="guess"></g>
@@ -56,7 +57,7 @@ function cart(name, i, skin) {
   const { corner, wheels } = /** @type {import("../skins.js").Skin} */ (SKINS[skin]);
   const face = (/** @type {string} */ side) =>
     html`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-  return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+  return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
 }
 
@@ -96,7 +97,7 @@ function ground({ fence, run: { header } }, layout, hatch) {
   const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
   const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
   const wall = (/** @type {string} */ side) =>
-    html`<g data-wall=${side}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
+    html`<g data-wall=${side}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>
 `;
   return html`<g data-part="ground">
 ${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
@@ -111,7 +112,7 @@ ${ticks(numbers).map(
 
 /**
  * The length of a force and of a velocity arrow, written out. A word says that they are a key and nothing that
- * acts; where a narrow picture has no room before two arrows, it stands above the first.
+ * acts; where there is no room for it before the arrows, it stands above the first.
  * @param {Baked} baked @param {Layout} layout
  */
 function legend({ fence, view }, layout) {
@@ -122,14 +123,14 @@ function legend({ fence, view }, layout) {
     html`<text x=${px(x)} y=${px(y + 5)}>${said}</text>`;
   const force = fence.forces === "shown" && view.force > 0;
   const word = tr("scale:");
-  const before = wide || !force;
+  const before = wide ? !view.mayTear : !force;
   const start = before ? 12 + roomOf(word) + 4 : 12;
   const x = force ? start + layout.force + 58 : start;
   const next = x + layout.velocity + 6;
   const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
   const moving = wide ? tr("position on the track in m") : tr("track in m");
   return html`<g class="carts-legend">
-<text class="carts-legend-word"${!before && html` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+<text x="12" y=${px(before ? y + 5 : y - 6)}>${word}</text>
 ${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}

@@ -18,9 +18,9 @@ QUIET: dict[str, Any] = {**MEETING, "id": "quiet", "forces": "hidden"}
 SPOILT = """
   const stage = [...el.querySelectorAll(".carts-stage")].find((s) => s.clientWidth);
   const frame = stage.getBoundingClientRect();
-  const word = stage.querySelector(".carts-legend-word");
+  const word = stage.querySelector(".carts-legend text");
   const rest = [...stage.querySelectorAll(".carts-legend path, .carts-legend text, .carts-number")];
-  return ["inherit", "serif", "monospace", "sans-serif"].flatMap((font) => {
+  return ["inherit", "serif", "sans-serif"].flatMap((font) => {
     stage.style.fontFamily = font;
     const own = word.getBoundingClientRect();
     const outside = own.left < frame.left || own.right > frame.right || own.width === 0;
@@ -28,7 +28,9 @@ SPOILT = """
     const met = rest.filter((one) => one !== word).filter((one) => {
       const other = one.getBoundingClientRect();
       const foot = other.bottom - (one.tagName === "text" ? other.height / 5 : 0);
-      return own.left < other.right && other.left < own.right && own.top < foot && other.top < low;
+      const shaft = one.matches(".carts-block-arrow") && own.right < other.right - 9;
+      const head = other.top + (shaft ? other.height / 4 : 0); // half as high as its tip
+      return own.left < other.right && other.left < own.right && own.top < foot && head < low;
     });
     return [...(outside ? [`${font}: outside`] : []),
       ...met.map((one) => `${font}: ${one.textContent || one.getAttribute("class")}`)];

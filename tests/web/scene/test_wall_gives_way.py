@@ -39,7 +39,7 @@ FOAM: dict[str, Any] = {
 AT_PEAK = "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t;"
 DRAWN = """const places = ["wide", "narrow"].map((kind) => {
   const stage = el.querySelector(`.carts-stage-${kind}`);
-  const part = (name) => stage.querySelector(`[data-part="${name}"]`).getAttribute("d") ?? "";
+  const part = (name) => stage.querySelector(`.carts-${name}`).getAttribute("d") ?? "";
   const cart = stage.querySelector(".carts-cart");
   const box = cart.querySelector('[data-part="box"]');
   const [centre] = cart.getAttribute("transform").match(/[\\d.]+/);

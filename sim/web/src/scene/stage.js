@@ -14,7 +14,7 @@ import { Walls } from "./walls.js";
 
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /** @typedef {import("../../../view/types.js").Run} Run */
-/** @typedef {{half: number, edge: number, bumper: number, height: number, lift: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
+/** @typedef {{half: number, edge: number, bumper: number, height: number, lift: number, top: number, lane: number, group: Element, mass: Element, velocity: Element}} Cart */
 
 const HANDLE = 9; // units from the tip of an arrow to its handle
 
@@ -73,6 +73,7 @@ export class Stage {
         top: layout.track - lift + shapes.labelTop(box),
         lane: shapes.lane(i, tallest, layout),
         group,
+        mass: this.#mass(body.name, box, lift),
         velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
       };
     });
@@ -114,6 +115,7 @@ export class Stage {
       ]);
       const foot = this.layout.track - cart.lift;
       put(cart.group, "transform", `translate(${px(centre)} ${px(foot)})`);
+      put(cart.mass, "x", px(centre));
       put(need(cart.group, '[data-part="spring-left"]'), "d", shapes.spring(-cart.edge, faces[0]));
       put(need(cart.group, '[data-part="spring-right"]'), "d", shapes.spring(cart.edge, faces[1]));
       put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -211,6 +213,14 @@ export class Stage {
     return { left, right, dents };
   }
 
+  /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
+  #mass(name, box, lift) {
+    const mass = need(this.root, `.carts-mass[data-body="${name}"]`);
+    put(mass, "y", px(this.layout.track - lift + box.labelY));
+    say(mass, box.label);
+    return mass;
+  }
+
   /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
   #velocity(cart, name, x, t) {
     const { trajectory } = this.#run;
@@ -255,7 +265,4 @@ function drawBox(group, name, box) {
   put(title, "y", px(box.nameY ?? 0));
   put(title, "visibility", box.nameY === null ? "hidden" : "visible");
   say(title, name);
-  const mass = need(group, '[data-part="mass"]');
-  put(mass, "y", px(box.labelY));
-  say(mass, box.label);
 }

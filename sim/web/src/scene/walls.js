@@ -14,7 +14,7 @@ export class Walls {
   /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
   constructor(root, layout, { run: { header }, view }) {
     this.layout = layout;
-    this.was = need(root, '[data-part="was"]');
+    this.was = need(root, ".carts-was");
     this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
       const side = group.getAttribute("data-wall") === "left" ? "left" : "right";
       return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
@@ -29,9 +29,9 @@ export class Walls {
     const lines = this.#walls.map(({ side, wall, group }) => {
       const { dent, height } = pressed[side];
       const { body, face, was } = wallPaths(wall, this.layout, dent, height);
-      put(need(group, '[data-part="wall"]'), "d", body);
-      put(need(group, '[data-part="hatch"]'), "d", body);
-      put(need(group, '[data-part="wall-face"]'), "d", face);
+      put(need(group, ".carts-wall"), "d", body);
+      put(need(group, "[fill]"), "d", body);
+      put(need(group, ".carts-wall-face"), "d", face);
       return was;
     });
     put(this.was, "d", lines.join(""));
