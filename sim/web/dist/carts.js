@@ -9292,7 +9292,7 @@ ${lines4.join("\n")}
     /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
-      this.was = need(root, '[data-part="was"]');
+      this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group2) => {
         const side = group2.getAttribute("data-wall") === "left" ? "left" : "right";
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group: group2 };
@@ -9306,9 +9306,9 @@ ${lines4.join("\n")}
       const lines4 = this.#walls.map(({ side, wall, group: group2 }) => {
         const { dent, height } = pressed[side];
         const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
-        put(need(group2, '[data-part="wall"]'), "d", body2);
-        put(need(group2, '[data-part="hatch"]'), "d", body2);
-        put(need(group2, '[data-part="wall-face"]'), "d", face);
+        put(need(group2, ".carts-wall"), "d", body2);
+        put(need(group2, "[fill]"), "d", body2);
+        put(need(group2, ".carts-wall-face"), "d", face);
         return was;
       });
       put(this.was, "d", lines4.join(""));
@@ -9374,6 +9374,7 @@ ${lines4.join("\n")}
           top: layout.track - lift + labelTop(box2),
           lane: lane(i2, tallest, layout),
           group: group2,
+          mass: this.#mass(body2.name, box2, lift),
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
@@ -9417,6 +9418,7 @@ ${lines4.join("\n")}
         );
         const foot = this.layout.track - cart.lift;
         put(cart.group, "transform", `translate(${px(centre)} ${px(foot)})`);
+        put(cart.mass, "x", px(centre));
         put(need(cart.group, '[data-part="spring-left"]'), "d", spring(-cart.edge, faces[0]));
         put(need(cart.group, '[data-part="spring-right"]'), "d", spring(cart.edge, faces[1]));
         put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -9515,6 +9517,13 @@ ${lines4.join("\n")}
       }
       return { left, right, dents };
     }
+    /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
+    #mass(name2, box2, lift) {
+      const mass = need(this.root, `.carts-mass[data-body="${name2}"]`);
+      put(mass, "y", px(this.layout.track - lift + box2.labelY));
+      say(mass, box2.label);
+      return mass;
+    }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart, name2, x2, t3) {
       const { trajectory } = this.#run;
@@ -9556,9 +9565,6 @@ ${lines4.join("\n")}
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
     say(title, name2);
-    const mass = need(group2, '[data-part="mass"]');
-    put(mass, "y", px(box2.labelY));
-    say(mass, box2.label);
   }
 
   // ../view/exits.js

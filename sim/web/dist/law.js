@@ -1025,7 +1025,8 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
-<path data-part="was" class="carts-was"/>
+${run.header.bodies.map(({ name }) => html2`<text class="carts-mass" data-body=${name}></text>`)}
+<path class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces && pushes2(baked)}
 <g data-part="guess"></g>
@@ -1043,7 +1044,7 @@ ${legend(baked, layout)}
       SKINS[skin]
     );
     const face = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
   }
   function pushes2({ run: { header } }) {
@@ -1074,7 +1075,7 @@ ${legend(baked, layout)}
     const numbers = { low: first, high: last2, step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at2(x))} ${px(under)}v4`);
-    const wall = (side) => html2`<g data-wall=${side}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
+    const wall = (side) => html2`<g data-wall=${side}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>
 `;
     return html2`<g data-part="ground">
 ${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
@@ -1092,14 +1093,14 @@ ${ticks(numbers).map(
     const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
     const word = tr("scale:");
-    const before = wide || !force;
+    const before = wide ? !view.mayTear : !force;
     const start = before ? 12 + roomOf(word) + 4 : 12;
     const x = force ? start + layout.force + 58 : start;
     const next = x + layout.velocity + 6;
     const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
-<text class="carts-legend-word"${!before && html2` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+<text x="12" y=${px(before ? y + 5 : y - 6)}>${word}</text>
 ${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
@@ -1576,7 +1577,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
-      this.was = need(root, '[data-part="was"]');
+      this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
         const side = group.getAttribute("data-wall") === "left" ? "left" : "right";
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
@@ -1590,9 +1591,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const lines2 = this.#walls.map(({ side, wall, group }) => {
         const { dent, height } = pressed[side];
         const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
-        put(need(group, '[data-part="wall"]'), "d", body2);
-        put(need(group, '[data-part="hatch"]'), "d", body2);
-        put(need(group, '[data-part="wall-face"]'), "d", face);
+        put(need(group, ".carts-wall"), "d", body2);
+        put(need(group, "[fill]"), "d", body2);
+        put(need(group, ".carts-wall-face"), "d", face);
         return was;
       });
       put(this.was, "d", lines2.join(""));
@@ -1658,6 +1659,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
           top: layout.track - lift + labelTop(box2),
           lane: lane(i, tallest, layout),
           group,
+          mass: this.#mass(body2.name, box2, lift),
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
@@ -1701,6 +1703,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         );
         const foot = this.layout.track - cart2.lift;
         put(cart2.group, "transform", `translate(${px(centre)} ${px(foot)})`);
+        put(cart2.mass, "x", px(centre));
         put(need(cart2.group, '[data-part="spring-left"]'), "d", spring(-cart2.edge, faces[0]));
         put(need(cart2.group, '[data-part="spring-right"]'), "d", spring(cart2.edge, faces[1]));
         put(need(cart2.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
@@ -1799,6 +1802,13 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       return { left, right, dents };
     }
+    /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
+    #mass(name, box2, lift) {
+      const mass = need(this.root, `.carts-mass[data-body="${name}"]`);
+      put(mass, "y", px(this.layout.track - lift + box2.labelY));
+      say(mass, box2.label);
+      return mass;
+    }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart2, name, x, t) {
       const { trajectory } = this.#run;
@@ -1840,9 +1850,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
     say(title, name);
-    const mass = need(group, '[data-part="mass"]');
-    put(mass, "y", px(box2.labelY));
-    say(mass, box2.label);
   }
 
   // src/scene/time/slow.js

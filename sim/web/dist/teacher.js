@@ -2670,7 +2670,8 @@ ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
-<path data-part="was" class="carts-was"/>
+${run.header.bodies.map(({ name }) => html2`<text class="carts-mass" data-body=${name}></text>`)}
+<path class="carts-was"/>
 <g data-part="effects-front"></g>
 ${forces && pushes2(baked)}
 <g data-part="guess"></g>
@@ -2688,7 +2689,7 @@ ${legend(baked, layout)}
       SKINS[skin]
     );
     const face = (side2) => html2`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
   }
   function pushes2({ run: { header } }) {
@@ -2719,7 +2720,7 @@ ${legend(baked, layout)}
     const numbers = { low: first, high: last, step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
-    const wall = (side2) => html2`<g data-wall=${side2}><path data-part="wall" class="carts-wall"/><path data-part="hatch" fill="url(#${hatch})"/><path data-part="wall-face" class="carts-wall-face"/></g>
+    const wall = (side2) => html2`<g data-wall=${side2}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>
 `;
     return html2`<g data-part="ground">
 ${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
@@ -2737,14 +2738,14 @@ ${ticks(numbers).map(
     const text2 = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
     const word = tr("scale:");
-    const before = wide || !force;
+    const before = wide ? !view.mayTear : !force;
     const start = before ? 12 + roomOf(word) + 4 : 12;
     const x = force ? start + layout.force + 58 : start;
     const next = x + layout.velocity + 6;
     const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
-<text class="carts-legend-word"${!before && html2` data-place="above"`} x="12" y=${px(before ? y + 5 : y - 7)}>${word}</text>
+<text x="12" y=${px(before ? y + 5 : y - 6)}>${word}</text>
 ${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text2(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
