@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -130,6 +131,16 @@ def test_text_held_back_may_name_its_scene(found: list[Finding]) -> None:
     made = html("\n".join([SCENE, other, *after]))
     assert made.count('data-after="one"') == made.count('data-after="two"') == 1
     assert made.count("admonition-title") == 1
+
+
+def test_a_scene_may_be_held_back_with_the_text_around_it(found: list[Finding]) -> None:
+    inner = textwrap.indent(SCENE.replace("id: one", "id: two"), "    ")
+    made = html(f"{SCENE}\n{AFTER.format('', ' one')}\n{inner}\nOpen text\n")
+    waiting = made[made.index("<carts-after") : made.index("</carts-after>")]
+    assert 'data-after="one"' in waiting
+    assert waiting.count("<carts-scene") == 1
+    assert made.count("<carts-scene") == 2
+    assert not found
 
 
 def test_an_example_of_text_held_back_stays_an_example(found: list[Finding]) -> None:
