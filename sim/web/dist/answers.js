@@ -1980,7 +1980,7 @@
       this.root.dataset.verdict = found2.verdict;
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
-      const words3 = found2.verdict === "wrong" && !found2.shown.length ? unknown(facts, value, own) : "";
+      const words3 = found2.verdict === "wrong" && !found2.shown.length && !found2.beliefs.length ? unknown(facts, value, own) : "";
       this.place.replaceChildren(html("p", "carts-q-verdict", words3 || WORDS[found2.verdict]));
       if (own !== null && tries >= SHOW_AFTER && found2.verdict !== "right") {
         this.place.append(

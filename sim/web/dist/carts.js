@@ -5398,8 +5398,8 @@
       const { before, why } = this.#entry;
       if (before) {
         const both = tr("First you said: {first}. After talking you said: {second}.", {
-          first: unstopped(before.said),
-          second: unstopped(this.form.said)
+          first: before.said.replace(/[.。]$/, ""),
+          second: this.form.said.replace(/[.。]$/, "")
         });
         place4.append(html("p", "", both));
       }
@@ -5507,9 +5507,6 @@
       }
     }
   };
-  function unstopped(said) {
-    return said.replace(/[.。]$/, "");
-  }
 
   // src/shared/ask-scene.js
   var ASKED = "carts-asked";
@@ -8938,6 +8935,27 @@ ${lines4.join("\n")}
     return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
   }
 
+  // ../view/squeezes.js
+  function squeezes(carts, centres, faces) {
+    const left = carts.map(() => 0);
+    const right = carts.map(() => 0);
+    const dents = { left: 0, right: 0 };
+    for (let gap = 0; gap <= carts.length; gap += 1) {
+      const [a2, b2] = [carts[gap - 1], carts[gap]];
+      const end2 = a2 ? Number(centres[gap - 1]) + a2.half : faces.left;
+      const start = b2 ? Number(centres[gap]) - b2.half : faces.right;
+      if (end2 === null || start === null) continue;
+      const overlap = Math.max(0, end2 - start);
+      const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
+      const rest = Math.min(b2?.bumper ?? 0, overlap - share);
+      if (b2) left[gap] = rest;
+      if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
+      if (!a2) dents.left = overlap - rest;
+      if (!b2) dents.right = overlap - share;
+    }
+    return { left, right, dents };
+  }
+
   // src/shared/follow.js
   function followPointer(down, moved) {
     const leaving2 = new AbortController();
@@ -9298,6 +9316,14 @@ ${lines4.join("\n")}
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group: group2 };
       });
     }
+    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+    faces(shift) {
+      const at3 = (side) => {
+        const found3 = this.#walls.find((one) => one.side === side);
+        return found3 ? found3.wall.edge - shift : null;
+      };
+      return { left: at3("left"), right: at3("right") };
+    }
     /**
      * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
      * @param {number} shift of the picture to the left, in units
@@ -9399,7 +9425,8 @@ ${lines4.join("\n")}
         );
         return this.layout.origin + (x2 - shift) * this.layout.scale;
       });
-      const { left, right, dents } = this.#squeezes(centres, shift);
+      const walls = this.#walls.faces(shift * this.layout.scale);
+      const { left, right, dents } = squeezes(this.#carts, centres, walls);
       this.#walls.at(
         {
           left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
@@ -9487,35 +9514,6 @@ ${lines4.join("\n")}
         return size === null ? [handle] : [arrow2, handle];
       });
       group2.replaceChildren(...parts2);
-    }
-    /**
-     * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-     * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
-     * @param {number[]} centres @param {number} shift of the camera in m
-     */
-    #squeezes(centres, shift) {
-      const { bodies, track } = this.#run.header;
-      const left = bodies.map(() => 0);
-      const right = bodies.map(() => 0);
-      const dents = { left: 0, right: 0 };
-      const at3 = (
-        /** @param {number} x */
-        (x2) => this.layout.origin + (x2 - shift) * this.layout.scale
-      );
-      for (let gap = 0; gap <= bodies.length; gap += 1) {
-        const [a2, b2] = [this.#carts[gap - 1], this.#carts[gap]];
-        if (!a2 && track.left !== "wall" || !b2 && track.right !== "wall") continue;
-        const end2 = a2 ? Number(centres[gap - 1]) + a2.half : at3(0);
-        const start = b2 ? Number(centres[gap]) - b2.half : at3(track.length ?? 0);
-        const overlap = Math.max(0, end2 - start);
-        const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
-        const rest = Math.min(b2?.bumper ?? 0, overlap - share);
-        if (b2) left[gap] = rest;
-        if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
-        if (!a2) dents.left = overlap - rest;
-        if (!b2) dents.right = overlap - share;
-      }
-      return { left, right, dents };
     }
     /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
     #mass(name2, box2, lift) {

@@ -1181,6 +1181,27 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return 0;
   }
 
+  // ../view/squeezes.js
+  function squeezes(carts, centres, faces) {
+    const left = carts.map(() => 0);
+    const right = carts.map(() => 0);
+    const dents = { left: 0, right: 0 };
+    for (let gap = 0; gap <= carts.length; gap += 1) {
+      const [a, b] = [carts[gap - 1], carts[gap]];
+      const end2 = a ? Number(centres[gap - 1]) + a.half : faces.left;
+      const start = b ? Number(centres[gap]) - b.half : faces.right;
+      if (end2 === null || start === null) continue;
+      const overlap = Math.max(0, end2 - start);
+      const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
+      const rest = Math.min(b?.bumper ?? 0, overlap - share);
+      if (b) left[gap] = rest;
+      if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+      if (!a) dents.left = overlap - rest;
+      if (!b) dents.right = overlap - share;
+    }
+    return { left, right, dents };
+  }
+
   // src/shared/follow.js
   function followPointer(down, moved) {
     const leaving2 = new AbortController();
@@ -1583,6 +1604,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
       });
     }
+    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+    faces(shift) {
+      const at2 = (side) => {
+        const found2 = this.#walls.find((one) => one.side === side);
+        return found2 ? found2.wall.edge - shift : null;
+      };
+      return { left: at2("left"), right: at2("right") };
+    }
     /**
      * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
      * @param {number} shift of the picture to the left, in units
@@ -1684,7 +1713,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         );
         return this.layout.origin + (x - shift) * this.layout.scale;
       });
-      const { left, right, dents } = this.#squeezes(centres, shift);
+      const walls = this.#walls.faces(shift * this.layout.scale);
+      const { left, right, dents } = squeezes(this.#carts, centres, walls);
       this.#walls.at(
         {
           left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
@@ -1772,35 +1802,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         return size === null ? [handle] : [arrow, handle];
       });
       group.replaceChildren(...parts);
-    }
-    /**
-     * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-     * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
-     * @param {number[]} centres @param {number} shift of the camera in m
-     */
-    #squeezes(centres, shift) {
-      const { bodies, track } = this.#run.header;
-      const left = bodies.map(() => 0);
-      const right = bodies.map(() => 0);
-      const dents = { left: 0, right: 0 };
-      const at2 = (
-        /** @param {number} x */
-        (x) => this.layout.origin + (x - shift) * this.layout.scale
-      );
-      for (let gap = 0; gap <= bodies.length; gap += 1) {
-        const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
-        if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
-        const end2 = a ? Number(centres[gap - 1]) + a.half : at2(0);
-        const start = b ? Number(centres[gap]) - b.half : at2(track.length ?? 0);
-        const overlap = Math.max(0, end2 - start);
-        const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
-        const rest = Math.min(b?.bumper ?? 0, overlap - share);
-        if (b) left[gap] = rest;
-        if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
-        if (!a) dents.left = overlap - rest;
-        if (!b) dents.right = overlap - share;
-      }
-      return { left, right, dents };
     }
     /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
     #mass(name, box2, lift) {

@@ -129,8 +129,8 @@ export class Predict {
     const { before, why } = this.#entry;
     if (before) {
       const both = tr("First you said: {first}. After talking you said: {second}.", {
-        first: unstopped(before.said),
-        second: unstopped(this.form.said),
+        first: before.said.replace(/[.。]$/, ""),
+        second: this.form.said.replace(/[.。]$/, ""),
       });
       place.append(html("p", "", both));
     }
@@ -247,9 +247,4 @@ export class Predict {
       say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
     }
   }
-}
-
-/** A choice inside a sentence, which has a full stop of its own. @param {string} said */
-function unstopped(said) {
-  return said.replace(/[.。]$/, "");
 }

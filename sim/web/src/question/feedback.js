@@ -62,7 +62,9 @@ export class Feedback {
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
     const words =
-      found.verdict === "wrong" && !found.shown.length ? unknown(facts, value, own) : "";
+      found.verdict === "wrong" && !found.shown.length && !found.beliefs.length
+        ? unknown(facts, value, own)
+        : "";
     this.place.replaceChildren(html("p", "carts-q-verdict", words || WORDS[found.verdict]));
     if (own !== null && tries >= SHOW_AFTER && found.verdict !== "right") {
       this.place.append(

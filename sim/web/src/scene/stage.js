@@ -5,6 +5,7 @@ import { styleOf } from "../../../view/markers.js";
 import { fixed, NOISE, px, speedUnit } from "../../../view/numbers.js";
 import * as shapes from "../../../view/shapes.js";
 import { SKINS } from "../../../view/skins.js";
+import { squeezes } from "../../../view/squeezes.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { pullable } from "../predict/pull.js";
 import { need, put, say, svg } from "../shared/dom.js";
@@ -99,7 +100,8 @@ export class Stage {
       );
       return this.layout.origin + (x - shift) * this.layout.scale;
     });
-    const { left, right, dents } = this.#squeezes(centres, shift);
+    const walls = this.#walls.faces(shift * this.layout.scale);
+    const { left, right, dents } = squeezes(this.#carts, centres, walls);
     this.#walls.at(
       {
         left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
@@ -184,33 +186,6 @@ export class Stage {
       return size === null ? [handle] : [arrow, handle];
     });
     group.replaceChildren(...parts);
-  }
-
-  /**
-   * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
-   * Two carts share the overlap; a bumper gives way by its own length at most, and a wall by the rest.
-   * @param {number[]} centres @param {number} shift of the camera in m
-   */
-  #squeezes(centres, shift) {
-    const { bodies, track } = this.#run.header;
-    const left = bodies.map(() => 0);
-    const right = bodies.map(() => 0);
-    const dents = { left: 0, right: 0 };
-    const at = /** @param {number} x */ (x) => this.layout.origin + (x - shift) * this.layout.scale;
-    for (let gap = 0; gap <= bodies.length; gap += 1) {
-      const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
-      if ((!a && track.left !== "wall") || (!b && track.right !== "wall")) continue;
-      const end = a ? Number(centres[gap - 1]) + a.half : at(0);
-      const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
-      const overlap = Math.max(0, end - start);
-      const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
-      const rest = Math.min(b?.bumper ?? 0, overlap - share);
-      if (b) left[gap] = rest;
-      if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
-      if (!a) dents.left = overlap - rest;
-      if (!b) dents.right = overlap - share;
-    }
-    return { left, right, dents };
   }
 
   /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */

@@ -21,6 +21,15 @@ export class Walls {
     });
   }
 
+  /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+  faces(shift) {
+    const at = (/** @type {Side} */ side) => {
+      const found = this.#walls.find((one) => one.side === side);
+      return found ? found.wall.edge - shift : null;
+    };
+    return { left: at("left"), right: at("right") };
+  }
+
   /**
    * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
    * @param {number} shift of the picture to the left, in units
