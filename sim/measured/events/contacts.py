@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from sim.measured.events.even import braked
 from sim.measured.events.grid import Grid
 from sim.measured.events.in_step import in_step
 
@@ -61,7 +62,8 @@ def contacts(grid: Grid) -> list[Contact]:
     """All of them in order of time; strength at least WEAKEST of the strongest."""
     import numpy as np
 
-    trace = np.sqrt(np.abs(grid.a[0] * grid.a[1]))
+    push = grid.a - braked(grid)
+    trace = np.sqrt(np.abs(push[0] * push[1]))
     left = trace.copy()
     left[: grid.half + 1] = left[-grid.half - 1 :] = 0.0
     usual = float(np.percentile(trace, 25))
