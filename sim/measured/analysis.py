@@ -45,6 +45,10 @@ ROUNDING = 1e-6
 TURN = 0.01
 """Of the approach: the velocity at which a cart may or may not turn round in the contact."""
 
+CHANGED = 0.25
+"""Standard deviation of ln(mass ratio). It is that of both velocities' changes, as shares of them:
+where it is larger, one change is no more than four times its noise, and no contact is shown."""
+
 DOUBTFUL = ("no-contact", "before-too-short", "after-too-short", "no-change", "no-fit",
             "not-in-step", "lost-after")  # fmt: skip
 """Refusals that the whole model may overrule in one frame, if it leaves white residuals."""
@@ -112,9 +116,10 @@ def _two_frames(story: Story) -> bool:
 
 
 def _bounces(made: Fit) -> bool:
-    """Whether the model's e is clearly more than that of a stick, and can be 1 or less."""
+    """Whether both carts clearly changed their velocities, and the model's e is clearly more than
+    that of a stick, and can be 1 or less."""
     e = made.parameters.e
-    return e > PERHAPS and e - made.factor * made.sd("e") <= 1.0
+    return made.sd("ln_ratio") < CHANGED and e > PERHAPS and e - made.factor * made.sd("e") <= 1.0
 
 
 def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
