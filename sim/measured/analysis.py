@@ -16,6 +16,7 @@ from typing import Any
 
 from sim.measured.events.outcome import PERHAPS
 from sim.measured.events.quantities import mass_ratio
+from sim.measured.events.segments import Segment
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.wild import without_wild
@@ -40,6 +41,13 @@ lasts does to them (sim.measured.model.coloured). Above it a film holds too few 
 
 ROUNDING = 1e-6
 """Noise as a share of the range below which residuals are rounding, and alike without harm."""
+
+TURN = 0.01
+"""Of the approach: the velocity at which a cart may or may not turn round in the contact."""
+
+CHANGED = 0.25
+"""Standard deviation of ln(mass ratio). It is that of both velocities' changes, as shares of them:
+where it is larger, one change is no more than four times its noise, and no contact is shown."""
 
 DOUBTFUL = ("no-contact", "before-too-short", "after-too-short", "no-change", "no-fit",
             "not-in-step", "lost-after")  # fmt: skip
@@ -82,6 +90,8 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     made = _chosen(rows, wanted) if rows else None
     if made is not None and not made.parameters.approach > 0.0:
         made = None  # both stand still before the touch: nothing bounces
+    if made is not None and wanted.effect is None and _at_the_turn(made):
+        made = None
     white = made is not None and any(_white(row.fit, story) for row in rows)
     white = white and (wanted.effect is not None or _brake_right(made))
     bounces = made is not None and _bounces(made)
@@ -106,9 +116,10 @@ def _two_frames(story: Story) -> bool:
 
 
 def _bounces(made: Fit) -> bool:
-    """Whether the model's e is clearly more than that of a stick, and can be 1 or less."""
+    """Whether both carts clearly changed their velocities, and the model's e is clearly more than
+    that of a stick, and can be 1 or less."""
     e = made.parameters.e
-    return e > PERHAPS and e - made.factor * made.sd("e") <= 1.0
+    return made.sd("ln_ratio") < CHANGED and e > PERHAPS and e - made.factor * made.sd("e") <= 1.0
 
 
 def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
@@ -128,20 +139,32 @@ def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
 
 
 def _free(story: Story) -> Measured:
-    """The readings around the contact in which nobody holds a cart."""
+    """The readings around the contact in which nobody holds a cart, and each cart's own until it
+    has come to rest: where it rests at last, real friction does not let it rest as a model does."""
     if story.contact is None:
         return story.measured
-    low, high = float("-inf"), float("inf")
-    for cart in (0, 1):
-        named = [one for one in story.segments if one.cart == cart]
-        low = max(low, window(story.contact, named, False, float("inf"))[0])
-        high = min(high, window(story.contact, named, True, float("inf"))[1])
-    ends = [one.end for one in story.segments]
-    begins = [one.begin for one in story.segments]
-    # A span that reaches the first or last segment reaches all readings.
-    first = None if not begins or low <= min(begins) + 1e-9 else low
-    last = None if not ends or high >= max(ends) - 1e-9 else high
-    return between(story.measured, first, last)
+    spans = []
+    for rested in (True, False):
+        for cart in (0, 1):
+            named = [one for one in story.segments if one.cart == cart]
+            first = window(story.contact, named, False, float("inf"), rested)[0]
+            last = window(story.contact, named, True, float("inf"), rested)[1]
+            spans.append(_opened(named, first, last))
+    low, high = max(spans[0][0], spans[1][0]), min(spans[0][1], spans[1][1])
+    own = (
+        between(story.measured, max(low, one[0]), min(high, one[1])).tracks[cart]
+        for cart, one in enumerate(spans[2:])
+    )
+    return replace(story.measured, tracks=(next(own), next(own)))
+
+
+def _opened(named: list[Segment], low: float, high: float) -> tuple[float, float]:
+    """A span that reaches the first or the last segment reaches all readings."""
+    ends, begins = [one.end for one in named], [one.begin for one in named]
+    return (
+        float("-inf") if not begins or low <= min(begins) + 1e-9 else low,
+        float("inf") if not ends or high >= max(ends) - 1e-9 else high,
+    )
 
 
 def _smooth(story: Story) -> bool:
@@ -180,6 +203,18 @@ def _brake_right(made: Fit | None) -> bool:
     the track's own, which bends the velocities at the contact by more than such noise does; how
     much, the velocities of several brakes tell (sim.measured.events.sides)."""
     return made is None or made.asked.effect == "none" or neighbours(made) <= ALIKE
+
+
+def _at_the_turn(made: Fit) -> bool:
+    """Whether a cart that friction brakes is left without velocity by the bumper. A little more of
+    it turns the cart round, at an instant that goes as a root: a descent comes to lie there, and no
+    derivative tells an interval."""
+    p = made.parameters
+    if made.asked.effect != "friction" or not p.approach > 0.0:
+        return False
+    middle, push = (p.v[0] + p.ratio * p.v[1]) / (1.0 + p.ratio), p.e * p.approach / (1.0 + p.ratio)
+    after = middle - p.ratio * push, middle + push
+    return min(map(abs, after)) < TURN * p.approach
 
 
 def _same(story: Story, made: Fit, wanted: Wanted) -> bool:

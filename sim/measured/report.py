@@ -12,7 +12,7 @@ from sim.measured.made import tracker_text
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared, called_for
 from sim.measured.model.fit import Fit
-from sim.measured.model.known import Known, told
+from sim.measured.model.known import Known, Untold, told
 from sim.measured.model.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
@@ -36,12 +36,18 @@ def motion_report(
     names = measured.names
     mass = next(iter(masses.items()), None)
     known, untold = believable(*told(fit, names, mass))
-    known = [
+    judged = [
         with_loss(one, share) if share and one.key in ("mass_ratio", "mass") else one
         for one in known
     ]
+    known = [one for one in judged if isinstance(one, Known)]
+    untold += [one for one in judged if isinstance(one, Untold)]
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
-    said = [*of_effects(compared, names), *of_loss(share), *of_fit(fit, names, compared)]
+    said = [
+        *of_effects(compared, names),
+        *of_loss(share if ratio else 0.0),
+        *of_fit(fit, names, compared),
+    ]
     if balance := of_balance(ratio, masses, names):
         said.insert(0, balance)
     first, last = span(measured)

@@ -13,6 +13,7 @@ nothing but units may stand between. Without heads the columns are t, x of A, x 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -82,6 +83,8 @@ def read_table(text: str) -> Table:
 def _is_remark(row: Row) -> bool:
     """A column of running numbers may be called “#”: its row goes on."""
     first = row.cells[0] if row.cells else ""
+    if first.lower().startswith("sep="):
+        return True  # Excel's word for the separator
     return first.startswith(("#", "%", "//")) and not (first == "#" and len(row.cells) > 2)
 
 
@@ -117,8 +120,19 @@ def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], lis
     units = [
         unit or (own_units[k] if k < len(own_units) else "") for k, (_, unit) in enumerate(pairs)
     ]
-    named = rows[-1].cells if rows else ()
+    named = rows[-1].cells if rows and (multi or not _told_apart(names)) else ()
     return names, units, _tracks(named, len(names), multi), heads_row.line
+
+
+_OF_CART = re.compile(r"(.+?)[\s_]+(\w+)")
+_DIRECTIONS = ("x", "y", "z", "r")  # of one cart's place or velocity
+
+
+def _told_apart(names: Sequence[str]) -> bool:
+    """Whether the heads name two carts themselves (x_A, x_B): what stands above is a remark."""
+    found = [match.groups() for name in names if (match := _OF_CART.fullmatch(name))]
+    stems = [stem for stem, cart in found if cart.lower() not in _DIRECTIONS]
+    return len(stems) > len(set(stems))
 
 
 def _tracks(named: Sequence[str], count: int, multi: bool) -> list[str]:

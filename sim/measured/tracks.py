@@ -99,6 +99,7 @@ def _not_two(count: int, kind: Content, line: int) -> ReadingError:
         "force": "in Tracker choose both tracks before the export, or give a file for each cart",
         "acceleration": "give the file of the phone on the other cart too",
     }[kind]
+    what = what.removesuffix("s") if count == 1 else what
     return refuse(line, f"readings of {count} {what}: two are needed", hint)
 
 

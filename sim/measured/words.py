@@ -194,11 +194,11 @@ def of_pair(pair: Pair, names: tuple[str, str]) -> list[str]:
         f"{with_half(pair.ratio, pair.ratio_half, '')}.",
     ]
     if abs(pair.ratio - 1.0) <= pair.ratio_half:
-        percent = max(0.1, 100.0 * pair.ratio_half)
+        percent = max(0.1, 100.0 * (abs(pair.ratio - 1.0) + pair.ratio_half))
         said.append(
             "At every instant the two forces are equal in size and opposite, as far as these "
-            f"sensors can tell (to about {number(percent, 1)} %). Nobody assumed it: your sensors "
-            "say so."
+            f"sensors can tell (to about {number(percent, 1)} %). No model was used for this: it "
+            "is read off the readings alone."
         )
     else:
         percent = 100.0 * abs(pair.ratio - 1.0)

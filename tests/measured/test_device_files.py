@@ -66,7 +66,7 @@ def test_phones_are_read_along_the_way_they_are_pushed_also_from_a_zip() -> None
 
 
 def test_one_phone_is_refused_by_name() -> None:
-    with pytest.raises(ReadingError, match="1 phones: two are needed"):
+    with pytest.raises(ReadingError, match="1 phone: two are needed"):
         read_measured([phone(Motion(), 0)])
 
 

@@ -42,7 +42,7 @@ REFUSED = {
         "t\tx_A\tx_B\tx_C\n" + rows("\t", tail="\t1"), 1, "3 carts"
     ),
     "one cart": ("t\tx_A\n" + "".join(f"{t}\t{a}\n" for t, a in zip(T, A, strict=True)),
-                 len(T) + 1, "readings of 1 carts"),
+                 len(T) + 1, "readings of 1 cart:"),
     "no such columns": ("t\ta\tb\tc\n1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no column holds positions"),
     "frames in the place of time": ("frame\tx_A\tx_B\n" + rows("\t"), 1, "counts frames"),
     "four numbers, no heads": ("1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no line that names them"),

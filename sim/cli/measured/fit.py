@@ -209,4 +209,6 @@ def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
         lines += [table(("what", "value ± half of the 95 % interval"), rows), ""]
         lines += [f"Not printed: {one['name']}: {one['reason']}." for one in report["untold"]]
         lines.append("")
-    return "\n".join([*lines, *report["sentences"], *ladder(report.get("rungs"))])
+    others = len(report.get("contacts", ())) > 1
+    said = [*report["sentences"], *(["--contact TIME chooses another contact."] if others else ())]
+    return "\n".join([*lines, *said, *ladder(report.get("rungs"))])

@@ -5,6 +5,7 @@ See `sides` for the four formulas.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -20,6 +21,10 @@ Step = Literal["nothing", "friction", "tilt", "drag"]
 STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag")
 HUBER = 1.5
 """Robust standard deviations beyond which a reading counts less."""
+
+AT_REST = 0.04
+"""Of the greatest velocity, below which a cart stands, as in `segments`: friction does not brake
+what stands, and the sign of a velocity that is noise is chance."""
 
 Side = tuple[Any, Any]
 """Seconds after the middle of the contact, and metres: arrays."""
@@ -38,6 +43,8 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
 
     extra = {"nothing": 0, "friction": 2, "tilt": 1, "drag": 2}[step]
     total = sum(len(tau) for tau, _ in sides)
+    fastest = max(map(abs, slopes))
+    ways = [0.0 if abs(v) < AT_REST * fastest else math.copysign(1.0, v) for v in slopes]
     matrix, row = np.zeros((total, 8 + extra)), 0
     for k, (tau, _) in enumerate(sides):
         rows, cart = slice(row, row + len(tau)), k % 2
@@ -46,7 +53,7 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
         if step == "tilt":
             matrix[rows, 8] = bend
         elif step == "friction":
-            matrix[rows, 8 + cart] = -np.sign(slopes[k]) * bend
+            matrix[rows, 8 + cart] = -ways[k] * bend
         elif step == "drag":
             matrix[rows, 8 + cart] = -slopes[k] * bend
         row += len(tau)

@@ -45,6 +45,16 @@ FINE = 12
 WIDEST = 0.5
 """Relative half-width above which a ratio is not printed."""
 
+MOST_LOST = 0.2
+"""Share of the push. No friction in a contact takes so much (LOSS, HARD): what seems lost is that
+the two velocities do not change together."""
+
+TOO_WIDE = "the readings leave it open: the interval is too wide"
+NOT_IN_STEP = (
+    "the two carts do not change their velocity in step: something else pushes, or the contact "
+    "is not where it seems to be"
+)
+
 Values = Sequence[float]
 
 
@@ -68,8 +78,13 @@ def loss(v: Values, step: Step | None, outcome: Outcome) -> float:
     return max(hard, STEPPED * step.surely) if step and step.cells >= FINE else hard
 
 
-def with_loss(one: Known, share: float) -> Known:
-    """A ratio of masses from a model without friction in the contact, its interval with it."""
+def with_loss(one: Known, share: float) -> Known | Untold:
+    """A ratio of masses from a model without friction in the contact, its interval with it; not
+    told where both carts do not change their velocity in step, or where it is too wide."""
+    if share > MOST_LOST:
+        return Untold(one.key, one.name, NOT_IN_STEP)
+    if math.hypot(0.5 * math.log(one.high / one.low), share) > WIDEST:
+        return Untold(one.key, one.name, TOO_WIDE)
     factor = math.exp(math.hypot(0.5 * math.log(one.high / one.low), share))
     return replace(one, low=one.value / factor, high=one.value * factor,
                    sd=one.value * math.log(factor) / HALF, alone=(one.low, one.high))  # fmt: skip
@@ -155,7 +170,7 @@ def _bounciness(speeds: Speeds, known: list[Known]) -> list[Untold]:
     if not low < high:
         return [Untold("e", "bounciness e", "it comes out above 1: the carts would gain energy")]
     if high - low > WIDEST:
-        return [Untold("e", "bounciness e", "the readings leave it open: the interval is too wide")]
+        return [Untold("e", "bounciness e", TOO_WIDE)]
     known.append(Known("e", one.name, min(max(one.value, low), high), low, high, one.sd, ""))
     return []
 
@@ -176,7 +191,7 @@ def mass_ratio(
     sd = math.hypot(*parts, SCALES / HALF if two else 0.0)
     value *= 1.0 - shift
     if not (value > 0.0 and HALF * sd < WIDEST):
-        return Untold("mass_ratio", name, "the readings leave it open: the interval is too wide")
+        return Untold("mass_ratio", name, TOO_WIDE)
     factor = math.exp(HALF * sd)
     return Known("mass_ratio", name, value, value / factor, value * factor, value * sd, "")
 

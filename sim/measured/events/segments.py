@@ -12,12 +12,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from sim.measured.events.change_points import SHORTEST, change_points
-from sim.measured.events.contacts import Contact
 from sim.measured.events.grid import Grid
+from sim.measured.events.stops import rolled_out
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
+
+    from sim.measured.events.contacts import Contact
 
     Floats = NDArray[np.float64]
 
@@ -74,12 +76,21 @@ def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:
                 last = listed.pop()
                 listed += [replace(last, end=push.begin), push]
                 one = replace(one, begin=push.end)
-            if listed and listed[-1].kind == one.kind:
-                last = listed.pop()
-                one = Segment(last.begin, one.end, cart, one.kind, (last.speeds[0], one.speeds[1]))
-            listed.append(one)
-        every += listed
+            listed = joined([*listed, one])
+        every += joined(rolled_out(listed, greatest, grid.step * wide))
     return every
+
+
+def joined(listed: Sequence[Segment]) -> list[Segment]:
+    """Neighbours of one kind as one."""
+    found: list[Segment] = []
+    for one in listed:
+        if found and found[-1].kind == one.kind:
+            last = found.pop()
+            found.append(replace(one, begin=last.begin, speeds=(last.speeds[0], one.speeds[1])))
+        else:
+            found.append(one)
+    return found
 
 
 def _cut(grid: Grid, edges: list[int], found: Sequence[Contact]) -> list[tuple[int, int]]:

@@ -49,6 +49,10 @@ FEWEST = 4
 JUMP = 0.25
 """Of the greatest speed. Two segments whose velocities differ by more have a push between them."""
 
+MOVED = 0.16
+"""Of the greatest speed: a cart that was faster has moved, and its rest is another motion. Of a
+slower one a noisy piece of rest may be taken for motion."""
+
 SHARES = (1.0, 0.75, 0.5)
 """Of each side's window: how far the velocities depend on it is part of their uncertainty."""
 
@@ -100,23 +104,41 @@ def sides_of(
 
 
 def window(
-    contact: Contact, named: Sequence[Segment], after: bool, longest: float = LONGEST
+    contact: Contact,
+    named: Sequence[Segment],
+    after: bool,
+    longest: float = LONGEST,
+    rested: bool = False,
 ) -> tuple[float, float]:
-    """s. The stretch beside the contact in which the cart is left alone; `named`: of this cart."""
+    """s. The stretch beside the contact in which the cart is left alone; `named`: of this cart.
+    `rested`: with the rest that it has come to, or that it began to move from."""
     free = ("rest", "coasting", "friction")
     greatest = max((abs(v) for one in named for v in one.speeds if one.kind in free), default=0.0)
     low = high = contact.end if after else contact.begin
-    speed = None
+    speed, fastest = None, 0.0
     for one in named if after else reversed(named):
         near, far = (one.begin, one.end) if after else (one.end, one.begin)
         if (near < contact.end - 1e-9) if after else (near > contact.begin + 1e-9):
             continue
         first, last = one.speeds if after else one.speeds[::-1]
         jumps = speed is not None and abs(first - speed) > JUMP * greatest
-        if one.kind not in free or jumps:
+        # Friction acts while a cart moves: what it has come to rest from ends there.
+        rests = one.kind == "rest" and fastest > MOVED * greatest and not rested
+        if one.kind not in free or jumps or rests:
             break
+        far = _still_moving(one, near, far)
+        fastest = max(fastest, abs(first), abs(last))
         low, high, speed = min(low, far), max(high, far), last
     return max(low, contact.begin - longest), min(high, contact.end + longest)
+
+
+def _still_moving(one: Segment, near: float, far: float) -> float:
+    """s. The end of a segment away from the contact; of a parabola, where its velocity is 0: the
+    boundary of a rest is found to a few cells only."""
+    first, last = one.speeds if far > near else one.speeds[::-1]
+    if one.kind != "friction" or first * last >= 0.0:
+        return far
+    return near + (far - near) * abs(first) / (abs(first) + abs(last))
 
 
 def speeds_of(sides: Sequence[Side]) -> Speeds:

@@ -30,7 +30,7 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
         listed = ", ".join(f"{one.middle:.2f} s" for one in others)
         said.append(
             f"The contact at {story.contact.middle:.2f} s is taken; both carts also change their "
-            f"velocity at {listed}: choose one with --contact TIME."
+            f"velocity at {listed}. To take another, use only the readings around it."
         )
     return said
 

@@ -10,9 +10,10 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim.measured.model.known import Known, Untold
+from sim.measured.model.known import WIDEST, Known, Untold
 
 OPEN = "the readings leave it open"
+TOO_WIDE = f"{OPEN}: the interval is too wide"
 ABOVE = "it comes out above 1: the carts would gain energy"
 
 
@@ -29,6 +30,9 @@ def believable(
             low, high = max(one.low, 0.0), min(one.high, 1.0)
             if not low < high:
                 left.append(Untold("e", one.name, ABOVE))
+                continue
+            if high - low > WIDEST:
+                left.append(Untold("e", one.name, TOO_WIDE))
                 continue
             one = replace(one, low=low, high=high, value=min(max(one.value, low), high))
         if all(map(math.isfinite, numbers)) and one.low < one.high:

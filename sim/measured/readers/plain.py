@@ -8,6 +8,7 @@ force     F_A, force 2, or a unit of force
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 
@@ -59,14 +60,19 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
 
 
 def _time_column(table: Table) -> Column:
-    for column in table.columns:
-        if is_time(column.name) or kind_of_unit(column.unit) == "time":
-            return column
+    times = [c for c in table.columns if is_time(c.name) or kind_of_unit(c.unit) == "time"]
+    if times:  # a clock of whole seconds stands still between readings
+        return next((column for column in times if _rises(column)), times[0])
     first = table.columns[0]
     if _COUNTS.fullmatch(first.name):
         reason = f"no column holds the time (“{shown(first.name)}” counts frames)"
         raise refuse(table.heads_line, reason, "export t as well")
     return first
+
+
+def _rises(column: Column) -> bool:
+    told = [value for value in column.values if value is not None]
+    return all(a < b for a, b in itertools.pairwise(told))
 
 
 def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
