@@ -11,6 +11,7 @@ import csv
 import math
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
@@ -18,6 +19,7 @@ from sim.measured.refusal import Fault, ReadingError, refuse, shown
 MOST_BYTES = 4_000_000
 """Bytes of one file: an hour of a sensor at 20 readings per second, ten times over."""
 
+_NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f\x7f]")  # signs of a picture or a program
 MOST_LINES = 20_000
 MOST_COLUMNS = 60
 LONGEST_LINE = 10_000
@@ -55,13 +57,17 @@ class Rows:
 
 
 def decoded(content: bytes) -> str:
-    """The bytes as text: UTF-8 with or without its mark, UTF-16 with it."""
+    """The bytes as text: UTF-8 with or without its mark, UTF-16 with it; else, where no sign is in
+    it that no text has, what spreadsheets of western Windows write (windows-1252)."""
     if len(content) > MOST_BYTES:
         raise refuse(1, "this file is too large to be readings of two carts", "at most 4 MB")
     coding = "utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     try:
         return content.decode(coding)
     except UnicodeDecodeError as error:
+        with suppress(UnicodeDecodeError):
+            if coding != "utf-16" and not _NO_TEXT.search(content):
+                return content.decode("cp1252")
         line = content[: error.start].count(b"\n") + 1
         raise refuse(line, "this is no text, or not in UTF-8", "save it as text (UTF-8)") from None
 

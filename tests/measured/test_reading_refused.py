@@ -70,7 +70,7 @@ def test_what_cannot_be_read_is_refused_with_its_line_and_the_reason(name: str) 
 
 def test_bytes_that_are_no_text_are_refused_with_their_line() -> None:
     with pytest.raises(ReadingError) as caught:
-        decoded(b"t\tx\n1\t2\n\xff\xfe\x80")
+        decoded(b"t\tx\n1\t2\n\xff\xfe\x01")
     assert caught.value.faults[0].line == 3
 
 

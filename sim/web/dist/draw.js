@@ -12137,10 +12137,10 @@ ${rows}</tbody></table></div>
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
     const inside6 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
     const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
-    const model2 = tr("In this model: {effects}.", { effects: inside6 });
-    if (!leftOut.length) return model2;
+    const model3 = tr("In this model: {effects}.", { effects: inside6 });
+    if (!leftOut.length) return model3;
     const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
-    return `${model2} ${outside2}`;
+    return `${model3} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
     const { kind, carts, between: between2 } = effect;
@@ -13175,7 +13175,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   };
 
   // src/measured/figure.js
-  var [LEFT6, RIGHT5, TOP6, BOTTOM6] = [58, 630, 10, 250];
+  var [LEFT6, RIGHT5, TOP6, BOTTOM6] = [78, 630, 10, 250];
   var LOW = { top: 8, bottom: 104 };
   var ROOM2 = 0.06;
   var HEAD = 1.15;
@@ -13228,15 +13228,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
             d: dots(track.t, track.value, t, x)
           })
         ),
-        ...(curve3?.x ?? []).map(
-          (values, k) => svg("path", {
-            class: `carts-measured-curve carts-b${k}`,
-            d: values.map((value, n) => {
-              const y = Math.min(BOTTOM6, Math.max(TOP6, up2(x, value)));
-              return `${n ? "L" : "M"}${px(across2(t, Number(curve3?.t[n])))} ${px(y)}`;
-            }).join("")
-          })
-        ),
+        model2(curve3, t, x),
         this.#cursor
       );
     }
@@ -13273,6 +13265,17 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP6}V${BOTTOM6}`);
     }
   };
+  function model2(curve3, t, x) {
+    const [width, height] = [RIGHT5 - LEFT6, BOTTOM6 - TOP6];
+    const room = svg("svg", { x: LEFT6, y: TOP6, width, height });
+    put(room, "viewBox", `${LEFT6} ${TOP6} ${width} ${height}`);
+    const at = (n) => px(across2(t, Number(curve3?.t[n])));
+    for (const [k, values] of (curve3?.x ?? []).entries()) {
+      const d = values.map((value, n) => `${n ? "L" : "M"}${at(n)} ${px(up2(x, value))}`).join("");
+      room.append(svg("path", { class: `carts-measured-curve carts-b${k}`, d }));
+    }
+    return room;
+  }
   function band2(t, touch, top, bottom) {
     if (touch < t.low || touch > t.high) return [];
     return [
@@ -13296,7 +13299,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     const label = svg("text", {
       class: "carts-unit",
-      transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`,
+      transform: `translate(18 ${(top + bottom) / 2}) rotate(-90)`,
       "text-anchor": "middle"
     });
     label.textContent = unit;
@@ -15380,8 +15383,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       else this.list.removeAttribute("tabindex");
       const open = whole && this.header.plan.length > 0;
       const hides = this.root.querySelector(".carts-find") !== null;
-      const model2 = open && !hides ? modelSentences(this.header, this.telling.forces) : [];
-      this.model.replaceChildren(...model2.map((text3) => html2("li", "", text3)));
+      const model3 = open && !hides ? modelSentences(this.header, this.telling.forces) : [];
+      this.model.replaceChildren(...model3.map((text3) => html2("li", "", text3)));
       need(this.root, ".carts-model").hidden = !whole || hides;
     }
     /** @param {{t: number, sentence: string}} told */

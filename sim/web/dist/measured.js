@@ -100,9 +100,9 @@
       addEventListener("afterprint", () => delete bench.dataset.printing, { once: true });
       print();
     });
-    const model = need(bench, ".carts-measured-model");
+    const model2 = need(bench, ".carts-measured-model");
     for (const kind of ["pointerdown", "focusin"])
-      model.addEventListener(kind, early, { once: true });
+      model2.addEventListener(kind, early, { once: true });
   }
 
   // src/measured/early.js
@@ -679,7 +679,7 @@
   }
 
   // src/measured/figure.js
-  var [LEFT, RIGHT, TOP, BOTTOM] = [58, 630, 10, 250];
+  var [LEFT, RIGHT, TOP, BOTTOM] = [78, 630, 10, 250];
   var LOW = { top: 8, bottom: 104 };
   var ROOM = 0.06;
   var HEAD = 1.15;
@@ -731,15 +731,7 @@
             d: dots(track.t, track.value, t, x)
           })
         ),
-        ...(curve?.x ?? []).map(
-          (values, k) => svg("path", {
-            class: `carts-measured-curve carts-b${k}`,
-            d: values.map((value, n) => {
-              const y = Math.min(BOTTOM, Math.max(TOP, up(x, value)));
-              return `${n ? "L" : "M"}${px(across(t, Number(curve?.t[n])))} ${px(y)}`;
-            }).join("")
-          })
-        ),
+        model(curve, t, x),
         this.#cursor
       );
     }
@@ -776,6 +768,17 @@
       put(this.#cursor, "d", `M${px(across(this.#axis, time))} ${TOP}V${BOTTOM}`);
     }
   };
+  function model(curve, t, x) {
+    const [width, height] = [RIGHT - LEFT, BOTTOM - TOP];
+    const room = svg("svg", { x: LEFT, y: TOP, width, height });
+    put(room, "viewBox", `${LEFT} ${TOP} ${width} ${height}`);
+    const at = (n) => px(across(t, Number(curve?.t[n])));
+    for (const [k, values] of (curve?.x ?? []).entries()) {
+      const d = values.map((value, n) => `${n ? "L" : "M"}${at(n)} ${px(up(x, value))}`).join("");
+      room.append(svg("path", { class: `carts-measured-curve carts-b${k}`, d }));
+    }
+    return room;
+  }
   function band(t, touch, top, bottom) {
     if (touch < t.low || touch > t.high) return [];
     return [
@@ -799,7 +802,7 @@
     }
     const label = svg("text", {
       class: "carts-unit",
-      transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`,
+      transform: `translate(18 ${(top + bottom) / 2}) rotate(-90)`,
       "text-anchor": "middle"
     });
     label.textContent = unit;
@@ -1170,7 +1173,8 @@
         const bytes = await file.arrayBuffer();
         const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
         if ("refused" in found) {
-          return this.tell(found.refused.map(({ reason, hint: hint2 }) => `${reason} (${hint2})`).join(". "));
+          const why = found.refused.map(({ reason, hint: hint2 }) => `${reason} (${hint2})`).join(". ");
+          return this.tell(_Source.notRead(file.name) + why);
         }
         texts.push(found.text);
       }
@@ -1191,6 +1195,10 @@
     static told(name, text2) {
       return text2.replace(/\bline (\d+)/g, (_, line) => _Source.place(name, Number(line)));
     }
+    /** Whose faults are told. @param {string} name */
+    static notRead(name) {
+      return name && name !== TYPED ? `${name} was not read: ` : "";
+    }
     /** What a line of a text is called where it stands. @param {string} name @param {number} line */
     static place(name, line) {
       if (name !== TYPED) return `line ${line}`;
@@ -1209,7 +1217,11 @@
     const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
     const mark = start[0] === 255 && start[1] === 254 ? "utf-16le" : "";
     const wide = start[0] === 254 && start[1] === 255 ? "utf-16be" : mark;
-    return new TextDecoder(wide || "utf-8").decode(bytes);
+    try {
+      return new TextDecoder(wide || "utf-8", { fatal: true }).decode(bytes);
+    } catch {
+      return new TextDecoder("windows-1252").decode(bytes);
+    }
   }
 
   // src/measured/stage.js
@@ -1393,19 +1405,19 @@
         this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
       }
       showTable(need(this.root, ".carts-measured-table table"), read, null);
-      say(this.#part("spread"), forces && summed ? "Below: the sum of both forces." : "");
+      say(this.#part("spread"), forces && summed ? "Lower picture: the sum of both forces." : "");
       if (read.report) showResult(this.#part("result"), read.report);
     }
     /** The model over the readings. @param {Read} read @param {Drawn} drawn */
     draw(read, drawn) {
       this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
-      this.figure.rest(read.tracks, drawn.residuals, "left in mm", 1e3);
+      this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1e3);
       this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
       showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
       const spread = fixed(1e3 * drawn.spread, drawn.spread < FINE ? 2 : 0);
       say(
         this.#part("spread"),
-        `Below: residuals (measured minus model). Their root mean square is ${spread} mm.`
+        `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm.`
       );
       this.#begin = Number(drawn.curve.t[0]);
       this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
@@ -1432,12 +1444,13 @@
       );
       fence.value = report.fence;
     }
-    /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults */
-    refuse(name, faults) {
+    /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread the picture is still that of earlier ones */
+    refuse(name, faults, unread) {
+      const whose = unread ? Source.notRead(name) : "";
       this.#part("faults").replaceChildren(
-        ...faults.map(({ line, reason, hint: hint2 }) => {
+        ...faults.map(({ line, reason, hint: hint2 }, k) => {
           const row = document.createElement("li");
-          const where = line === null ? "" : `${Source.place(name, line)}: `;
+          const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
           row.textContent = `${where}${Source.told(name, reason)}${hint2 ? ` (${hint2})` : ""}`;
           return row;
         })
@@ -2057,7 +2070,7 @@
         try {
           const found = await this.#asking.newest(what, more);
           if (!found) return false;
-          this.#refuse(found.refused ?? []);
+          this.#refuse(found.refused ?? [], what === "read");
           const story = found.report ?? found;
           if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
           if (found.refused) return false;
@@ -2161,9 +2174,9 @@
         );
         this.picture?.told(found.report);
       }
-      /** @param {import("../../../view/measured/types.js").Fault[]} faults */
-      #refuse(faults) {
-        this.picture?.refuse(this.#name, faults);
+      /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread */
+      #refuse(faults, unread = false) {
+        this.picture?.refuse(this.#name, faults, unread);
       }
       /** @param {string} text */
       #note(text2) {

@@ -139,7 +139,7 @@ export function measuredElement(client, base) {
       try {
         const found = await this.#asking.newest(what, more);
         if (!found) return false;
-        this.#refuse(found.refused ?? []);
+        this.#refuse(found.refused ?? [], what === "read");
         const story = found.report ?? found; // a refused fit has one too
         if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
         if (found.refused) return false;
@@ -234,9 +234,9 @@ export function measuredElement(client, base) {
       this.picture?.told(found.report);
     }
 
-    /** @param {import("../../../view/measured/types.js").Fault[]} faults */
-    #refuse(faults) {
-      this.picture?.refuse(this.#name, faults);
+    /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread */
+    #refuse(faults, unread = false) {
+      this.picture?.refuse(this.#name, faults, unread);
     }
 
     /** @param {string} text */

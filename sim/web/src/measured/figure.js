@@ -7,7 +7,7 @@ import { put, svg } from "../shared/dom.js";
 /** @typedef {import("../../../view/scales.js").Axis} Axis */
 /** @typedef {import("../../../view/measured/types.js").Track} Track */
 
-const [LEFT, RIGHT, TOP, BOTTOM] = [58, 630, 10, 250];
+const [LEFT, RIGHT, TOP, BOTTOM] = [78, 630, 10, 250]; // on a phone “−200” and the unit stand at the left
 const LOW = { top: 8, bottom: 104 }; // of the residuals
 const ROOM = 0.06; // of the values, above and below the points
 const HEAD = 1.15; // of the greatest residual
@@ -79,17 +79,7 @@ export class Figure {
           d: dots(track.t, track.value, t, x),
         }),
       ),
-      ...(curve?.x ?? []).map((values, k) =>
-        svg("path", {
-          class: `carts-measured-curve carts-b${k}`,
-          d: values
-            .map((value, n) => {
-              const y = Math.min(BOTTOM, Math.max(TOP, up(x, value)));
-              return `${n ? "L" : "M"}${px(across(t, Number(curve?.t[n])))} ${px(y)}`;
-            })
-            .join(""),
-        }),
-      ),
+      model(curve, t, x),
       this.#cursor,
     );
   }
@@ -129,6 +119,22 @@ export class Figure {
   }
 }
 
+/**
+ * The lines of the model. Where one leaves the picture it is cut: along its edge it would look like a cart at rest.
+ * @param {{t: number[], x: number[][]} | null} curve @param {Axis} t @param {Axis} x
+ */
+function model(curve, t, x) {
+  const [width, height] = [RIGHT - LEFT, BOTTOM - TOP];
+  const room = svg("svg", { x: LEFT, y: TOP, width, height });
+  put(room, "viewBox", `${LEFT} ${TOP} ${width} ${height}`);
+  const at = (/** @type {number} */ n) => px(across(t, Number(curve?.t[n])));
+  for (const [k, values] of (curve?.x ?? []).entries()) {
+    const d = values.map((value, n) => `${n ? "L" : "M"}${at(n)} ${px(up(x, value))}`).join("");
+    room.append(svg("path", { class: `carts-measured-curve carts-b${k}`, d }));
+  }
+  return room;
+}
+
 /** @param {Axis} t @param {number} touch @param {number} top @param {number} bottom */
 function band(t, touch, top, bottom) {
   if (touch < t.low || touch > t.high) return [];
@@ -155,7 +161,7 @@ function frame(t, x, bottom, top, unit, named) {
   }
   const label = svg("text", {
     class: "carts-unit",
-    transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`,
+    transform: `translate(18 ${(top + bottom) / 2}) rotate(-90)`,
     "text-anchor": "middle",
   });
   label.textContent = unit;

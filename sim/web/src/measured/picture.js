@@ -79,20 +79,20 @@ export class Picture {
       this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
     }
     showTable(need(this.root, ".carts-measured-table table"), read, null);
-    say(this.#part("spread"), forces && summed ? "Below: the sum of both forces." : "");
+    say(this.#part("spread"), forces && summed ? "Lower picture: the sum of both forces." : "");
     if (read.report) showResult(this.#part("result"), read.report);
   }
 
   /** The model over the readings. @param {Read} read @param {Drawn} drawn */
   draw(read, drawn) {
     this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
-    this.figure.rest(read.tracks, drawn.residuals, "left in mm", 1000);
+    this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1000);
     this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
     showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
     const spread = fixed(1000 * drawn.spread, drawn.spread < FINE ? 2 : 0);
     say(
       this.#part("spread"),
-      `Below: residuals (measured minus model). Their root mean square is ${spread} mm.`,
+      `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm.`,
     );
     this.#begin = Number(drawn.curve.t[0]);
     this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
@@ -119,12 +119,13 @@ export class Picture {
     fence.value = report.fence;
   }
 
-  /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults */
-  refuse(name, faults) {
+  /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread the picture is still that of earlier ones */
+  refuse(name, faults, unread) {
+    const whose = unread ? Source.notRead(name) : "";
     this.#part("faults").replaceChildren(
-      ...faults.map(({ line, reason, hint }) => {
+      ...faults.map(({ line, reason, hint }, k) => {
         const row = document.createElement("li");
-        const where = line === null ? "" : `${Source.place(name, line)}: `;
+        const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
         row.textContent = `${where}${Source.told(name, reason)}${hint ? ` (${hint})` : ""}`;
         return row;
       }),

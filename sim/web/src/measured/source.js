@@ -72,7 +72,8 @@ export class Source {
       const bytes = await file.arrayBuffer();
       const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
       if ("refused" in found) {
-        return this.tell(found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". "));
+        const why = found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". ");
+        return this.tell(Source.notRead(file.name) + why);
       }
       texts.push(found.text);
     }
@@ -97,6 +98,11 @@ export class Source {
     return text.replace(/\bline (\d+)/g, (_, line) => Source.place(name, Number(line)));
   }
 
+  /** Whose faults are told. @param {string} name */
+  static notRead(name) {
+    return name && name !== TYPED ? `${name} was not read: ` : "";
+  }
+
   /** What a line of a text is called where it stands. @param {string} name @param {number} line */
   static place(name, line) {
     if (name !== TYPED) return `line ${line}`;
@@ -116,10 +122,14 @@ function base64(bytes) {
   return btoa(text);
 }
 
-/** The bytes as text; what is not UTF-8 keeps a sign that Python refuses. @param {ArrayBuffer} bytes */
+/** The bytes as text: UTF-8 or UTF-16, else what spreadsheets of western Windows write. @param {ArrayBuffer} bytes */
 function decoded(bytes) {
   const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
   const mark = start[0] === 0xff && start[1] === 0xfe ? "utf-16le" : "";
   const wide = start[0] === 0xfe && start[1] === 0xff ? "utf-16be" : mark;
-  return new TextDecoder(wide || "utf-8").decode(bytes);
+  try {
+    return new TextDecoder(wide || "utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    return new TextDecoder("windows-1252").decode(bytes);
+  }
 }
