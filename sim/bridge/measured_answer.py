@@ -22,8 +22,8 @@ from typing import Any
 from sim.measured.analysis import Analysis, Wanted, analysed, happened
 from sim.measured.events.by_hand import Given
 from sim.measured.events.frames import moved
-from sim.measured.events.segments import KINDS
 from sim.measured.events.story import Hints, Story
+from sim.measured.events.stretch import KINDS
 from sim.measured.model.contact import Law
 from sim.measured.model.fit import warm_up
 from sim.measured.model.motion import Parameters

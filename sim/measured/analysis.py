@@ -16,9 +16,9 @@ from typing import Any
 
 from sim.measured.events.outcome import PERHAPS
 from sim.measured.events.quantities import mass_ratio
-from sim.measured.events.segments import Segment
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
+from sim.measured.events.stretch import Segment
 from sim.measured.events.wild import without_wild
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours

@@ -12,8 +12,8 @@ from click.testing import CliRunner
 from sim.bridge.measured_answer import measured_answer
 from sim.cli.measured.fit import command
 from sim.measured.events.by_hand import Given
-from sim.measured.events.segments import KINDS
 from sim.measured.events.story import Hints, Story, story_of
+from sim.measured.events.stretch import KINDS
 from sim.measured.tracks import read_measured
 from tests.measured.devices import Motion, motion_capture, sensor_carts
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from sim.measured.events.by_hand import Given
-from sim.measured.events.segments import KINDS
+from sim.measured.events.stretch import KINDS
 from sim.scene.quantity import MASS, TIME, Dimension, QuantityError, read_quantity
 
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from sim.measured.events.contacts import Contact, middle_of
 from sim.measured.events.grid import Grid
-from sim.measured.events.segments import Kind, Segment, segment
+from sim.measured.events.segments import segment
+from sim.measured.events.stretch import Kind, Segment
 from sim.measured.refusal import FitError
 
 if TYPE_CHECKING:

@@ -9,8 +9,7 @@ import itertools
 from typing import TYPE_CHECKING
 
 from sim.measured.events.change_points import change_points
-from sim.measured.events.grid import Grid
-from sim.measured.events.segments import coarse
+from sim.measured.events.grid import Grid, coarse
 
 if TYPE_CHECKING:
     import numpy as np

@@ -102,3 +102,15 @@ def _slid(x: Floats, half: int, step: float) -> tuple[Floats, Floats]:
     v, a = windows @ through[1], 2.0 * (windows @ through[2])
     pad = ((0, 0), (half, half))
     return np.pad(v, pad, mode="edge"), np.pad(a, pad, mode="edge")
+
+
+MOST_JUDGED = 170
+"""Cells of a search for change points: its cost grows with their square."""
+
+
+def coarse(grid: Grid) -> tuple[Floats, int]:
+    """Places in cells so wide that there are at most MOST_JUDGED, and how many of the grid's each
+    holds."""
+    wide = -(-len(grid.t) // MOST_JUDGED)
+    count = len(grid.t) // wide
+    return grid.x[:, : count * wide].reshape(2, count, wide).mean(axis=2), wide

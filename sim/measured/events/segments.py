@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from sim.measured.events.change_points import SHORTEST, change_points
-from sim.measured.events.grid import Grid
+from sim.measured.events.grid import Grid, coarse
 from sim.measured.events.stops import rolled_out
+from sim.measured.events.stretch import Kind, Segment
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,9 +24,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-Kind = Literal["rest", "hand", "coasting", "friction", "contact", "stop"]
-KINDS: tuple[Kind, ...] = ("rest", "hand", "coasting", "friction", "contact", "stop")
-MOST_JUDGED = 170
 STILL = 0.04
 """Share of the greatest speed below which a cart rests."""
 
@@ -38,25 +36,6 @@ SUDDEN = 0.35
 
 PUSHED = 0.15
 """Of the greatest speed: what a hand adds at least."""
-
-
-@dataclass(frozen=True, slots=True)
-class Segment:
-    """From and until in s; `cart` 0 or 1; velocities in m/s where it begins and ends."""
-
-    begin: float
-    end: float
-    cart: int
-    kind: Kind
-    speeds: tuple[float, float]
-
-
-def coarse(grid: Grid) -> tuple[Floats, int]:
-    """Places in cells so wide that there are at most MOST_JUDGED, and how many of the grid's each
-    holds."""
-    wide = -(-len(grid.t) // MOST_JUDGED)
-    count = len(grid.t) // wide
-    return grid.x[:, : count * wide].reshape(2, count, wide).mean(axis=2), wide
 
 
 def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:

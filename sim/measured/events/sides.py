@@ -30,7 +30,7 @@ from sim.measured.events.rungs import (
     rungs_of,
     scatter_of,
 )
-from sim.measured.events.segments import Segment
+from sim.measured.events.stretch import Segment
 from sim.measured.refusal import FitError
 from sim.measured.track import Track
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from sim.measured.events.segments import Segment
+    from sim.measured.events.stretch import Segment
 
 SHORT = 0.3
 """s. An end stop or a hand that is put in the way brakes for less. A track needs as little only for

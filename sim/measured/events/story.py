@@ -11,8 +11,9 @@ from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
-from sim.measured.events.segments import Segment, segments
+from sim.measured.events.segments import segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
+from sim.measured.events.stretch import Segment
 from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured

@@ -7,9 +7,9 @@ from typing import Any
 
 from sim.measured.events.momentum import Momentum
 from sim.measured.events.rungs import Rung
-from sim.measured.events.segments import Segment
 from sim.measured.events.sides import Speeds
 from sim.measured.events.story import Story
+from sim.measured.events.stretch import Segment
 from sim.measured.words import number, places_for, with_half
 
 OUTCOMES = {

@@ -8801,6 +8801,27 @@ ${lines4.join("\n")}
     }
   };
 
+  // ../view/deformation/squeezes.js
+  function squeezes(carts, centres, faces) {
+    const left = carts.map(() => 0);
+    const right = carts.map(() => 0);
+    const dents = { left: 0, right: 0 };
+    for (let gap = 0; gap <= carts.length; gap += 1) {
+      const [a2, b2] = [carts[gap - 1], carts[gap]];
+      const end2 = a2 ? Number(centres[gap - 1]) + a2.half : faces.left;
+      const start = b2 ? Number(centres[gap]) - b2.half : faces.right;
+      if (end2 === null || start === null) continue;
+      const overlap = Math.max(0, end2 - start);
+      const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
+      const rest = Math.min(b2?.bumper ?? 0, overlap - share);
+      if (b2) left[gap] = rest;
+      if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
+      if (!a2) dents.left = overlap - rest;
+      if (!b2) dents.right = overlap - share;
+    }
+    return { left, right, dents };
+  }
+
   // ../view/skins.js
   var NARROW = 24;
   var GAP2 = 5;
@@ -8933,27 +8954,6 @@ ${lines4.join("\n")}
     if (width < NARROW) return "";
     const at3 = ([x2, y2]) => `${px(front * x2 * width)} ${px(-y2 * height)}`;
     return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
-  }
-
-  // ../view/squeezes.js
-  function squeezes(carts, centres, faces) {
-    const left = carts.map(() => 0);
-    const right = carts.map(() => 0);
-    const dents = { left: 0, right: 0 };
-    for (let gap = 0; gap <= carts.length; gap += 1) {
-      const [a2, b2] = [carts[gap - 1], carts[gap]];
-      const end2 = a2 ? Number(centres[gap - 1]) + a2.half : faces.left;
-      const start = b2 ? Number(centres[gap]) - b2.half : faces.right;
-      if (end2 === null || start === null) continue;
-      const overlap = Math.max(0, end2 - start);
-      const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
-      const rest = Math.min(b2?.bumper ?? 0, overlap - share);
-      if (b2) left[gap] = rest;
-      if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
-      if (!a2) dents.left = overlap - rest;
-      if (!b2) dents.right = overlap - share;
-    }
-    return { left, right, dents };
   }
 
   // src/shared/follow.js
@@ -9284,7 +9284,7 @@ ${lines4.join("\n")}
     say(text, label);
   }
 
-  // ../view/walls.js
+  // ../view/deformation/walls.js
   var LEAST = 64;
   var THICK = 2e3;
   var ROOM2 = 3;
@@ -9305,7 +9305,7 @@ ${lines4.join("\n")}
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
     /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
@@ -9316,7 +9316,7 @@ ${lines4.join("\n")}
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group: group2 };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at3 = (side) => {
         const found3 = this.#walls.find((one) => one.side === side);

@@ -14612,7 +14612,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
   };
 
-  // ../view/squeezes.js
+  // ../view/deformation/squeezes.js
   function squeezes(carts, centres, faces) {
     const left = carts.map(() => 0);
     const right = carts.map(() => 0);
@@ -14961,7 +14961,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     say(text3, label);
   }
 
-  // ../view/walls.js
+  // ../view/deformation/walls.js
   var LEAST = 64;
   var THICK = 2e3;
   var ROOM3 = 3;
@@ -14982,7 +14982,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
     /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
@@ -14993,7 +14993,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         return { side: side2, wall: wallAt(side2, header.track.length, layout, view.tallest), group };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at = (side2) => {
         const found = this.#walls.find((one) => one.side === side2);

@@ -1152,7 +1152,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return 0;
   }
 
-  // ../view/squeezes.js
+  // ../view/deformation/squeezes.js
   function squeezes(carts, centres, faces) {
     const left = carts.map(() => 0);
     const right = carts.map(() => 0);
@@ -1543,7 +1543,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     say(text, label);
   }
 
-  // ../view/walls.js
+  // ../view/deformation/walls.js
   var LEAST = 64;
   var THICK = 2e3;
   var ROOM2 = 3;
@@ -1564,7 +1564,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
     /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
@@ -1575,7 +1575,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at = (side) => {
         const found2 = this.#walls.find((one) => one.side === side);

@@ -1,11 +1,11 @@
 /** The world view: moves the picture that `sim/view/skeleton/stage.js` wrote. Draws a run, knows no physics. */
 
+import { squeezes } from "../../../view/deformation/squeezes.js";
 import { tr } from "../../../view/language.js";
 import { styleOf } from "../../../view/markers.js";
 import { fixed, NOISE, px, speedUnit } from "../../../view/numbers.js";
 import * as shapes from "../../../view/shapes.js";
 import { SKINS } from "../../../view/skins.js";
-import { squeezes } from "../../../view/squeezes.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { pullable } from "../predict/pull.js";
 import { need, put, say, svg } from "../shared/dom.js";

@@ -1,14 +1,14 @@
 /** Walls of the picture, which give way to a cart that has no bumper to do so. */
 
+import { wallAt, wallPaths } from "../../../view/deformation/walls.js";
 import { px } from "../../../view/numbers.js";
-import { wallAt, wallPaths } from "../../../view/walls.js";
 import { need, put } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Layout} Layout */
 /** @typedef {"left" | "right"} Side */
 
 export class Walls {
-  /** @type {{side: Side, wall: import("../../../view/walls.js").Wall, group: Element}[]} */
+  /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
   #walls = [];
 
   /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
@@ -21,7 +21,7 @@ export class Walls {
     });
   }
 
-  /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/squeezes.js").Faces} */
+  /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
   faces(shift) {
     const at = (/** @type {Side} */ side) => {
       const found = this.#walls.find((one) => one.side === side);

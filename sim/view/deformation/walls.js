@@ -1,8 +1,8 @@
 /** The outline of a wall. Where a cart without bumpers runs into it, the wall gives way and is drawn so. */
 
-import { px } from "./numbers.js";
+import { px } from "../numbers.js";
 
-/** @typedef {import("./types.js").Layout} Layout */
+/** @typedef {import("../types.js").Layout} Layout */
 /** @typedef {{edge: number, way: 1 | -1, top: number}} Wall `edge`: x of its face when nothing pushes it, `way`: 1 where it stands on the right; in units of the picture */
 
 const LEAST = 64; // units above the track
