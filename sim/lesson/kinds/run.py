@@ -70,9 +70,8 @@ class Reading(Question):
         relative = str(table.get("tolerance", "")).strip().endswith("%")
         kind = units.RATIO if relative else dimension
         exact = read_number(table, "tolerance", kind, path, problems)
-        if lacks_unit(table, (unit, dimension), path, problems):
-            exact = Fraction(1)
-        if "tolerance" in table and exact <= 0:
+        unitless = lacks_unit(table, (unit, dimension), path, problems)
+        if not unitless and "tolerance" in table and exact <= 0:
             message = "a reading needs some tolerance: nobody reads a graph exactly"
             problems.append(
                 Problem((*path, "tolerance"), "unreachable-tolerance", message, "tolerance: 5 %")

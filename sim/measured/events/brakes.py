@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from sim.measured.events.correlated import inflation
+from sim.measured.events.stretch import STILL
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,10 +22,6 @@ Step = Literal["nothing", "friction", "tilt", "drag"]
 STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag")
 HUBER = 1.5
 """Robust standard deviations beyond which a reading counts less."""
-
-AT_REST = 0.04
-"""Of the greatest velocity, below which a cart stands, as in `segments`: friction does not brake
-what stands, and the sign of a velocity that is noise is chance."""
 
 Side = tuple[Any, Any]
 """Seconds after the middle of the contact, and metres: arrays."""
@@ -44,7 +41,8 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
     extra = {"nothing": 0, "friction": 2, "tilt": 1, "drag": 2}[step]
     total = sum(len(tau) for tau, _ in sides)
     fastest = max(map(abs, slopes))
-    ways = [0.0 if abs(v) < AT_REST * fastest else math.copysign(1.0, v) for v in slopes]
+    # Friction does not brake what stands, and the sign of a velocity that is noise is chance.
+    ways = [0.0 if abs(v) < STILL * fastest else math.copysign(1.0, v) for v in slopes]
     matrix, row = np.zeros((total, 8 + extra)), 0
     for k, (tau, _) in enumerate(sides):
         rows, cart = slice(row, row + len(tau)), k % 2

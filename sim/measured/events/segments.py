@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from sim.measured.events.change_points import SHORTEST, change_points
 from sim.measured.events.grid import Grid, coarse
 from sim.measured.events.stops import rolled_out
-from sim.measured.events.stretch import Kind, Segment
+from sim.measured.events.stretch import STILL, Kind, Segment
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
     from sim.measured.events.contacts import Contact
 
     Floats = NDArray[np.float64]
-
-STILL = 0.04
-"""Share of the greatest speed below which a cart rests."""
 
 STEADY = 0.04
 """Share of the greatest speed by which a coasting cart's velocity changes at most."""

@@ -8,6 +8,9 @@ from typing import Literal
 Kind = Literal["rest", "hand", "coasting", "friction", "contact", "stop"]
 KINDS: tuple[Kind, ...] = ("rest", "hand", "coasting", "friction", "contact", "stop")
 
+STILL = 0.04
+"""Share of the greatest speed below which a cart rests."""
+
 
 @dataclass(frozen=True, slots=True)
 class Segment:

@@ -26,18 +26,19 @@ class YamlError(ValueError):
 # What PyYAML notices only on a later line; the line where it began is the one to mend.
 FOUND_TOO_LATE = ("could not find expected ':'", "expected ',' or '}'", "expected ',' or ']'")
 
+NOT_CLOSED = "the closing quote is missing", "begin and end a text with the same quote"
 _VALUE = re.compile(r"\s*(?:- +)?[\w.-]+: +(?P<text>(?P<first>[*&>!%@`|\"'\[-]).*)")
 """A line `key: text` whose text begins with a sign that means something in YAML."""
 _GOES_ON = re.compile(r"""("[^"]*"|'[^']*'|\[[^\]]*\])\s*[^\s#,]""")
 
 
-def unclosed(lines: Sequence[str], last: int) -> tuple[int, int] | None:
-    """Line and column (from 0) of a double quote above line `last` that begins a text and that its
-    line does not close."""
+def unclosed(lines: Sequence[str], last: int) -> tuple[int, int, str, str] | None:
+    """Line and column (from 0), message and hint, of a double quote above line `last` that begins a
+    text and that its line does not close."""
     for number, line in enumerate(lines[:last]):
         at = line.rfind('"')
         if line.replace('\\"', "").count('"') % 2 and line[:at].endswith((" ", "[", "{")):
-            return number, at
+            return number, at, *NOT_CLOSED
     return None
 
 
@@ -93,8 +94,7 @@ EXPLAINED = (
     ),
     (
         "while scanning a quoted scalar",
-        "the closing quote is missing",
-        "begin and end a text with the same quote",
+        *NOT_CLOSED,
     ),
     (
         "expected a single document",

@@ -137,8 +137,7 @@ class _Reader:
         if "\t" in here[col : col + 1]:
             return self.error(line, col, "a tab character", "use spaces")
         if open_quote := unclosed(lines, error.problem_mark.line if error.problem_mark else 0):
-            hint = "begin and end a text with the same quote"
-            return self.error(*open_quote, "the closing quote is missing", hint)
+            return self.error(*open_quote)
         if found := of_first_sign(here, problem):
             col, message, hint = found
             return self.error(line, col, message, hint)

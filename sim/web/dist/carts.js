@@ -3741,6 +3741,138 @@
     return windows.findLast((touch) => touch.start <= t3);
   }
 
+  // ../view/words.js
+  var QUANTITIES = {
+    x: [tr("Position"), "x", "m"],
+    v: [tr("Velocity"), "v", "m/s"],
+    a: [tr("Acceleration"), "a", "m/s²"],
+    F: [tr("Contact force"), "F", "N"],
+    R: [tr("Resultant force"), "R", "N"],
+    p: [tr("Momentum"), "p", "kg m/s"],
+    energy: [tr("Kinetic energy"), "E", "J"]
+  };
+  var APART = "apart";
+  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
+  function motion(velocity3, decimals, scale) {
+    if (isRest(velocity3, scale)) return tr("at rest");
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
+    return velocity3 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
+  }
+  function lawsOf(header) {
+    const laws = Object.fromEntries(header.contacts.map(({ pair, law }) => [pair, law]));
+    for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
+    return laws;
+  }
+  function bareOf({ bodies, contacts }) {
+    const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name: name2 }) => name2);
+    const bare = contacts.filter((contact) => !contact.bodies.some((name2) => sprung.includes(name2)));
+    return new Set(bare.map(({ pair }) => pair));
+  }
+  function isRest(velocity3, scale) {
+    return Math.abs(velocity3) < NOISE * scale;
+  }
+  function eventSentence(event, telling, laws, bare) {
+    const { decimals, scale, camera, forces: forces2 } = telling;
+    const names = event.bodies;
+    const pair = capital(listed(names.map(body)));
+    const impulse = event.impulse ?? 0;
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const after = speeds.length ? `${speeds.join(". ")}.` : "";
+    const size = `${figures(impulse)} N s`;
+    const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
+    switch (event.kind) {
+      case "contact": {
+        if (impulse && laws[names.join("-")] === "velcro") {
+          return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
+        }
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown3);
+        if (impulse) {
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
+        }
+        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+        return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
+      }
+      case "peak":
+        if (laws[names.join("-")] === APART) {
+          const force2 = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
+          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
+        }
+        if (forces2 && event.force) {
+          const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
+          return bare.has(names.join("-")) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force: force2 }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
+        }
+        return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
+      case "separate": {
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
+        const ended2 = { pair: listed(names.map(body)) };
+        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+        if (rest) {
+          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
+          return told3(stay2, shown3, after);
+        }
+        return told3(pushEnded(event, telling, ended2.pair), shown3);
+      }
+      case "stick":
+        return told3(tr("{pair} stay together.", { pair }), after);
+      case "stop":
+        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
+      case "start":
+        return names[1] ? tr("{pair} start to move.", { pair }) : tr("{cart} starts to move.", { cart: pair });
+      case "release":
+        if (impulse || !event.force) {
+          return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+        }
+        return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
+          pair,
+          force: `${fixed(event.force, decimals.F ?? 2)} N`
+        }) : tr("The spring between {pair} is let go.", { pair });
+      case "end":
+        return tr("End of the run.");
+      default:
+        return `${event.kind}: ${pair}.`;
+    }
+  }
+  function joined({ bodies, after }, scale) {
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    return isRest(Number(left) - Number(right), scale);
+  }
+  function hitAndGoOn(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+  }
+  function pushEnded(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
+      pair,
+      velocity: how
+    });
+  }
+  function together({ bodies, after }, { decimals, scale, camera }) {
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const seen = Number(after[cart]) - camera;
+    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
+  }
+  function exitSentence({ name: name2, side, velocity: velocity3 }, decimals, scale) {
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
+  }
+  function graphNote(quantity, events, curves) {
+    const struck = events.some((event) => event.kind === "contact" && event.impulse);
+    if (struck && quantity === "F") return IMPULSE_ONLY;
+    if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
+    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
+  }
+  function lower(name2) {
+    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
+  }
+  function capital(text) {
+    return text.slice(0, 1).toUpperCase() + text.slice(1);
+  }
+
   // src/answers/outline.js
   var found2 = null;
   function outline() {
@@ -4206,7 +4338,7 @@
     note2.replaceChildren(
       html("b", "", tr("You found the forces.")),
       " ",
-      said.map((sentence) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}. `).join(""),
+      said.map((sentence) => `${capital(sentence)}. `).join(""),
       tr(
         "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time."
       )
@@ -6339,138 +6471,6 @@
         "image/png"
       );
     });
-  }
-
-  // ../view/words.js
-  var QUANTITIES = {
-    x: [tr("Position"), "x", "m"],
-    v: [tr("Velocity"), "v", "m/s"],
-    a: [tr("Acceleration"), "a", "m/s²"],
-    F: [tr("Contact force"), "F", "N"],
-    R: [tr("Resultant force"), "R", "N"],
-    p: [tr("Momentum"), "p", "kg m/s"],
-    energy: [tr("Kinetic energy"), "E", "J"]
-  };
-  var APART = "apart";
-  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
-  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
-  function motion(velocity3, decimals, scale) {
-    if (isRest(velocity3, scale)) return tr("at rest");
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
-    return velocity3 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
-  }
-  function lawsOf(header) {
-    const laws = Object.fromEntries(header.contacts.map(({ pair, law }) => [pair, law]));
-    for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
-    return laws;
-  }
-  function bareOf({ bodies, contacts }) {
-    const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name: name2 }) => name2);
-    const bare = contacts.filter((contact) => !contact.bodies.some((name2) => sprung.includes(name2)));
-    return new Set(bare.map(({ pair }) => pair));
-  }
-  function isRest(velocity3, scale) {
-    return Math.abs(velocity3) < NOISE * scale;
-  }
-  function eventSentence(event, telling, laws, bare) {
-    const { decimals, scale, camera, forces: forces2 } = telling;
-    const names = event.bodies;
-    const pair = capital(listed(names.map(body)));
-    const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? `${speeds.join(". ")}.` : "";
-    const size = `${figures(impulse)} N s`;
-    const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
-    switch (event.kind) {
-      case "contact": {
-        if (impulse && laws[names.join("-")] === "velcro") {
-          return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
-        }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown3);
-        if (impulse) {
-          return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
-        }
-        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
-      }
-      case "peak":
-        if (laws[names.join("-")] === APART) {
-          const force2 = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
-          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
-        }
-        if (forces2 && event.force) {
-          const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return bare.has(names.join("-")) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force: force2 }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
-        }
-        return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
-      case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
-        const ended2 = { pair: listed(names.map(body)) };
-        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-        if (rest) {
-          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
-          return told3(stay2, shown3, after);
-        }
-        return told3(pushEnded(event, telling, ended2.pair), shown3);
-      }
-      case "stick":
-        return told3(tr("{pair} stay together.", { pair }), after);
-      case "stop":
-        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
-      case "start":
-        return names[1] ? tr("{pair} start to move.", { pair }) : tr("{cart} starts to move.", { cart: pair });
-      case "release":
-        if (impulse || !event.force) {
-          return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
-        }
-        return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
-          pair,
-          force: `${fixed(event.force, decimals.F ?? 2)} N`
-        }) : tr("The spring between {pair} is let go.", { pair });
-      case "end":
-        return tr("End of the run.");
-      default:
-        return `${event.kind}: ${pair}.`;
-    }
-  }
-  function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
-    return isRest(Number(left) - Number(right), scale);
-  }
-  function hitAndGoOn(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
-  }
-  function pushEnded(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
-      pair,
-      velocity: how
-    });
-  }
-  function together({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
-    const seen = Number(after[cart]) - camera;
-    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
-  }
-  function exitSentence({ name: name2, side, velocity: velocity3 }, decimals, scale) {
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
-  }
-  function graphNote(quantity, events, curves) {
-    const struck = events.some((event) => event.kind === "contact" && event.impulse);
-    if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
-    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
-  }
-  function lower(name2) {
-    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
-  }
-  function capital(text) {
-    return text.slice(0, 1).toUpperCase() + text.slice(1);
   }
 
   // src/scene/take-along/csv.js

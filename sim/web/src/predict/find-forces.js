@@ -9,6 +9,7 @@ import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
+import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
 import { keepOnPage } from "../shared/kept.js";
 import { openStore, place } from "../shared/storage.js";
@@ -176,7 +177,7 @@ export function showForces(element, said) {
   note.replaceChildren(
     html("b", "", tr("You found the forces.")),
     " ",
-    said.map((sentence) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}. `).join(""),
+    said.map((sentence) => `${capital(sentence)}. `).join(""),
     tr(
       "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time.",
     ),
