@@ -60,17 +60,27 @@ def table(rows: Iterable[Row]) -> str:
 
 
 def measure(chosen: dict[str, ModuleType]) -> tuple[list[Row], dict[str, str]]:
-    """The rows of all areas, and why an area has none."""
+    """The rows of all areas, each told when it is there, and why an area has none."""
     rows: list[Row] = []
     left_out: dict[str, str] = {}
     for name, module in chosen.items():
-        print(f"measuring {name} …", file=sys.stderr, flush=True)
+        _tell(f"measuring {name} …")
         try:
-            rows += [{"area": name, **row} for row in module.rows()]
+            for row in module.rows():
+                rows.append({"area": name, **row})
+                print(
+                    f"  {row['name']}: {row['value']:.3g} {row['unit']}",
+                    file=sys.stderr,
+                    flush=True,
+                )
         except Exception as error:  # whatever it is: the others are measured
             left_out[name] = f"{type(error).__name__}: {error}".splitlines()[0]
-            print(f"  {left_out[name]}", file=sys.stderr)
+            _tell(left_out[name])
     return rows, left_out
+
+
+def _tell(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)  # stdout holds the table alone
 
 
 def about() -> dict[str, Any]:

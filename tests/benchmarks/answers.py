@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import statistics
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -43,23 +44,21 @@ SAVE_TIMES = """async (keys) => {
 }"""
 
 
-def rows() -> list[dict[str, Any]]:
-    """One row per goal, for each browser."""
+def rows() -> Iterator[dict[str, Any]]:
+    """One row per goal, for each browser, as soon as it is measured: many kills take hours."""
     with tempfile.TemporaryDirectory() as name, sync_playwright() as driver:
         site = prepare(Path(name) / "site")
         kinds = write_page(site, "kinds", ALL_KINDS)
         form = write_page(site, "sixty", sixty())
-        made: list[dict[str, Any]] = []
         for browser_name in ("chromium", "firefox"):
             browser = launch(driver, browser_name)
-            made.append(_save(browser, browser_name, kinds))
-            made.append(_interactive(browser, browser_name, form))
-            made.append(_early(browser, browser_name, kinds))
+            yield _save(browser, browser_name, kinds)
+            yield _interactive(browser, browser_name, form)
+            yield _early(browser, browser_name, kinds)
             browser.close()
-            made.append(_kills(driver, browser_name, Path(name) / browser_name, kinds))
+            yield _kills(driver, browser_name, Path(name) / browser_name, kinds)
         if has_webkit():
-            made.append(_kills_of_webkit(Path(name) / "webkit", kinds))
-        return made
+            yield _kills_of_webkit(Path(name) / "webkit", kinds)
 
 
 def sixty() -> str:
