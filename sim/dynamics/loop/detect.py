@@ -14,6 +14,7 @@ from sim.dynamics.loop import parabolas, recontact
 from sim.dynamics.loop.rooms import SAME_SPEED, clearance, no_approach, rate_at, resting, room_at
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.linear_pair import LinearPair
+from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed, later
@@ -133,6 +134,8 @@ def _fastest(gap: Gap, now: Time, horizon: float) -> float:
 def _swing(body: Body) -> float:
     """m. The lengths whose difference a closed form of a pair tells as the body's way."""
     motion = body.motion
+    if isinstance(motion, PairContact):
+        return abs(motion.side(body)) * motion.greatest_overlap()
     if not isinstance(motion, LinearPair):
         return 0.0
     between = motion.between

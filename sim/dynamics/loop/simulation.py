@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.loop import collapse, contacts, impacts, release, transitions
+from sim.dynamics.loop import collapse, contacts, dead_rounds, impacts, release, transitions
 from sim.dynamics.loop.first_struck import first_struck, is_alone
 from sim.dynamics.loop.forming import Forming
 from sim.dynamics.loop.rooms import no_approach, resting
@@ -53,11 +53,17 @@ class Simulation(Forming):
                     return
             self.strike_first(gap, now)
             return
+        fastest = self.strikes.fastest
+        if free and (run := dead_rounds.run_of(self.chain, gap, now, self.instant, fastest)):
+            self.go_on_together(run, now)
+            return
         self.happened += 2
         if self.forces is not None or not free or not gap.law.linear:
             self.join([gap], now)
             return
         self.predictions.bring_around(gap, now)
+        self.strikes.see(gap)
+        flips.note(gap, now, self.instant)
         place(gap.left, now)
         place(gap.right, now)
         contacts.touch(gap, now, self.record, self.ledger)
@@ -74,6 +80,18 @@ class Simulation(Forming):
                 if other.left.motion is not None and other.right.motion is not None:
                     other.rate = velocity(other.right, now) - velocity(other.left, now)
                 self.predictions.gap(other, now)
+
+    def go_on_together(self, run: list[Gap], now: Time) -> None:
+        """What is left of the rounds of these gaps is rounding."""
+        for gap in run:
+            self.predictions.bring_around(gap, now)
+        dead_rounds.together(run, now, self.ledger)
+        for body in dict.fromkeys(body for gap in run for body in (gap.left, gap.right)):
+            if body.carts:
+                self.record.piece(body)
+        for gap in run:
+            self.predictions.gap(gap, now)
+            self.predictions.around(gap, now)
 
     def strike_alone(self, gap: Gap, now: Time) -> None:
         """The common case of an impact: two that are free, and nobody else touches them."""

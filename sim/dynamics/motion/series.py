@@ -139,7 +139,7 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
     dragged = any(row.linear) or any(row.quadratic)
     nothing = [0.0] * len(inverse)
     sizes = [0.0] * len(inverse)
-    loaded = dragged or any(row.steady)
+    loaded = dragged or bool(linked) or any(row.steady)
     contacts = [
         (branch.kappa, branch.gamma, branch.rest, o, pushes)
         for branch, o, pushes in zip(branches, over, force, strict=True)

@@ -1,0 +1,61 @@
+"""Dead bumpers hit in turn at one instant: a collapse whose rounds a force of their own ends.
+
+A bumper with e = 0 that has been pressed in and has not cleared is rigid where it is pressed again:
+at its remembered overlap the force jumps from nought to k d, and a slow approach ends there within
+(m/k d) of its speed, at no way. Three bodies of which two gaps are so, or one and a wall, hit each
+other in turn for ever, each round a fixed part of the one before (as in `collapse`), and with it
+shorter: all of them at one instant as far as a clock can tell. Once the approach is `AT_REST` of
+the fastest one so far, all that touch so go on with the velocity of their centre of mass.
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.loop.collapse import one_velocity
+from sim.dynamics.loop.impacts import AT_REST
+from sim.dynamics.loop.rooms import resting
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.state.body import Gap
+from sim.dynamics.state.chain import Chain, place, velocity
+from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.flips import UNDECIDED
+
+
+def run_of(chain: Chain, gap: Gap, now: Time, instant: float, fastest: float) -> list[Gap]:
+    """The gaps of all bodies that go on together instead of this touch; often none.
+
+    `instant` [s]: what is closer together happens at one instant; `fastest` [m/s]: the greatest
+    approach so far. From left to right.
+    """
+    often = gap.flips >= UNDECIDED and elapsed(gap.changed, now) <= instant
+    slowest = AT_REST * fastest
+    if not often or -gap.rate > slowest or not _is_rigid(gap):
+        return []
+    run = [gap]
+    while (before := chain.neighbours(run[0])[0]) and _belongs(before, now, instant, slowest):
+        run.insert(0, before)
+    while (after := chain.neighbours(run[-1])[1]) and _belongs(after, now, instant, slowest):
+        run.append(after)
+    return run
+
+
+def together(run: list[Gap], now: Time, ledger: Ledger) -> None:
+    """All bodies of these gaps, which fly freely, get one velocity; no overlap changes."""
+    bodies = [run[0].left, *(member.right for member in run)]
+    for body in bodies:
+        place(body, now)
+    one_velocity(bodies, ledger)
+    for member in run:
+        member.room, member.rate, member.time = -resting(member), 0.0, now
+
+
+def _is_rigid(gap: Gap) -> bool:
+    """Is it a dead bumper that is where it would be pressed again?"""
+    return gap.law is not None and gap.law.linear and gap.law.e == 0.0 and resting(gap) > 0.0
+
+
+def _belongs(gap: Gap, now: Time, instant: float, slowest: float) -> bool:
+    """Was this gap hit at the same instant, and do its bodies move alike by now?"""
+    if gap.solver is not None or gap.joined or not _is_rigid(gap):
+        return False
+    alike = abs(velocity(gap.right, now) - velocity(gap.left, now)) <= slowest
+    return alike and elapsed(gap.changed, now) <= instant

@@ -1,0 +1,106 @@
+"""Runs that stood still: two modes or two touches took turns at one instant, for ever."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import pytest
+
+from sim.dynamics.loop.run import Run, run
+from sim.scene import read_scene
+from sim.scene.model import Scene
+from tests.processor_time import budget
+
+SECONDS = 5.0
+"""Of processor time: a hundred times what these runs take."""
+
+CLOSED = 1e-12
+"""Of all energies in play."""
+
+SPREAD: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": 0.659, "position": 0.1, "velocity": 0.2},
+        "B": {"mass": 0.79, "position": 0.3},
+        "C": {"mass": 1.0, "position": 0.5},
+    },
+    "track": {"left": "wall", "right": "wall", "length": 0.6},
+    "contact": {"law": "instant", "restitution": 0.113},
+    "effects": [
+        {"spring": {"between": ["A", "B"], "stiffness": 2.95, "length": 0.1, "damping": 8}}
+    ],
+    "until": 5,
+}
+"""Three carts fill the track from wall to wall, and a spring spreads two of them."""
+
+BETWEEN_DEAD_ONES: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": 1.23, "position": 0.1},
+        "B": {"mass": 2.8, "position": 0.3, "velocity": 0.5},
+        "C": {"mass": 3.63, "position": 0.500668, "velocity": -0.905},
+    },
+    "track": {"left": "wall", "right": "open", "length": 0.826668},
+    "contact": {
+        "law": "bumper",
+        "restitution": 0,
+        "stiffness": 6930,
+        "pairs": {"B-C": {"law": "bumper", "restitution": 0.3, "stiffness": 772}},
+    },
+    "effects": [{"push": {"cart": "C", "force": 0.1, "from": 2.5, "until": 2.6}}],
+    "until": 3,
+}
+"""B presses A to the wall, both by bumpers that stay pressed in, and leaves a little of its speed."""
+
+PARTING: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": 0.746, "position": 0.35, "velocity": 0.5},
+        "B": {"mass": 1.0, "position": 0.55},
+        "C": {"mass": 1.0, "position": 0.924},
+        "D": {"mass": 0.25, "position": 1.124, "velocity": 0.5},
+        "E": {"mass": 0.704, "position": 1.374, "velocity": -1.0},
+    },
+    "track": {"left": "wall", "right": "wall", "length": 1.474},
+    "contact": {
+        "law": "bumper",
+        "restitution": 0.001,
+        "stiffness": 306,
+        "pairs": {
+            "left-A": {"law": "bumper", "restitution": 0.001, "stiffness": 74.4},
+            "B-C": {"law": "bumper", "restitution": 1e-9, "stiffness": 15800},
+            "C-D": {"law": "bumper", "restitution": 0, "stiffness": 2070},
+            "D-E": {"law": "bumper", "restitution": 0.001, "stiffness": 12.8},
+            "E-right": {"law": "paper", "restitution": 0, "stiffness": 35.9},
+        },
+    },
+    "effects": [{"push": {"cart": "C", "force": -1}}],
+    "until": 0.554,
+}
+"""D, which E still presses a little, and C touch with one velocity and nearly one acceleration."""
+
+
+@pytest.mark.parametrize("plain", [SPREAD, BETWEEN_DEAD_ONES, PARTING])
+def test_the_run_goes_on_and_closes_its_accounts(plain: dict[str, Any]) -> None:
+    finished = _run(read_scene(plain))
+    assert finished.stopped is None
+    assert finished.t == plain["until"]
+    assert finished.ledger.imbalance() < CLOSED
+
+
+def test_what_a_spring_spreads_between_walls_rests_without_a_contact_between_the_two() -> None:
+    """The spring alone carries: between A and B nothing presses, and nothing moves."""
+    finished = _run(read_scene(SPREAD))
+    assert finished.x == pytest.approx((0.1, 0.3, 0.5), abs=1e-15)
+    assert finished.v == pytest.approx((0.0, 0.0, 0.0), abs=1e-15)
+
+
+def test_dead_bumpers_that_are_hit_in_turn_end_with_one_velocity() -> None:
+    """Each round leaves 0.69 of the speed: after eighty rounds A and B stand at the wall."""
+    finished = _run(read_scene(BETWEEN_DEAD_ONES))
+    assert finished.v[:2] == (0.0, 0.0)
+    at_once = Counter(event.t for event in finished.record.events)
+    assert max(at_once.values()) < 400
+
+
+def _run(scene: Scene) -> Run:
+    with budget(SECONDS):
+        return run(scene)
