@@ -49,7 +49,7 @@ BETWEEN_DEAD_ONES: dict[str, Any] = {
     "effects": [{"push": {"cart": "C", "force": 0.1, "from": 2.5, "until": 2.6}}],
     "until": 3,
 }
-"""B presses A to the wall, both by bumpers that stay pressed in, and leaves a little of its speed."""
+"""B presses A to the wall; both bumpers stay pressed in, and a little of its speed is left."""
 
 PARTING: dict[str, Any] = {
     "carts": {
