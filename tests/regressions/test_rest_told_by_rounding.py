@@ -38,3 +38,13 @@ def test_a_bumper_pressed_further_by_rounding_alone_keeps_the_speed_of_its_bodie
         "until": 1,
     }
     assert run(read_scene(plain)).ledger.imbalance() < 1e-13
+
+
+def test_what_friction_holds_between_bumpers_takes_no_steps() -> None:
+    """C to E lie on B, all held by friction, and press A to the wall: they took a step of the
+    bumper's swing after the other, to the end of the run."""
+    plain = scene_of("rest on slopes", 530231)
+    done, long = (run(read_scene(plain | {"until": t})) for t in (3, 300))
+    assert done.v == long.v == (0.0,) * 5
+    assert done.x == long.x
+    assert sum(long.solvers.values()) == sum(done.solvers.values()) < 1_000

@@ -42,6 +42,8 @@ class Forming:
     def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
         """What still belongs together gets new solvers; everything around is predicted anew."""
         bodies = sorted(bodies, key=lambda body: body.carts)
+        if any(body.v != body.v for body in bodies):
+            raise OverflowError("a velocity is not a number")  # the rest of the run would be none
         ready = elapsed(now, self.end) > 0.0
         held = [body.held for body in bodies]
         for body in bodies:

@@ -51,7 +51,7 @@ def at_rest(
 
     `fastest` [1/s] bounds the rates of its oscillations.
     """
-    if not _may_rest(bodies, gaps) or not 0.0 < fastest < math.inf:
+    if not _may_rest(bodies, gaps, branches) or not 0.0 < fastest < math.inf:
         return None
     deepest = max(abs(gap.room) for gap in gaps)
     if max(abs(gap.rate) for gap in gaps) > NEARLY * QUIET * fastest * deepest:
@@ -67,7 +67,7 @@ def at_rest(
     across = [
         math.fsum(link.force(-o, 0.0) for link in g.links) for g, o in zip(gaps, over, strict=True)
     ]
-    contact = _contacts(balance, branches, over, across)
+    contact = _contacts(balance, branches, over, across, [body.load.static for body in bodies])
     if contact is None or min(contact) <= PRESSES * max(contact):
         return None
     total = math.fsum(b.mass for b in bodies if b.mass < math.inf)
@@ -83,15 +83,16 @@ def at_rest(
     )  # fmt: skip
 
 
-def _may_rest(bodies: list[Body], gaps: list[Gap]) -> bool:
+def _may_rest(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> bool:
     """Do all touch, by laws with linear branches, and does nobody slide?"""
-    free = not any(body.held or body.mass == math.inf for body in bodies)
-    for body in bodies:
-        load = body.load
-        if not body.held and (
-            load.static or load.kinetic or (free and (load.linear or load.quadratic))
-        ):
-            return False
+    fixed = [body.held or body.mass == math.inf for body in bodies]
+    for block in blocks([branch.locked for branch in branches]):
+        if any(fixed[i] for i in block):
+            continue  # a wall or static friction holds all of them
+        for load in (bodies[i].load for i in block):
+            dragged = load.linear or load.quadratic
+            if load.static or load.kinetic or (dragged and not any(fixed)):
+                return False
     return bool(gaps) and all(
         gap.touching is not None and (gap.law is None or gap.law.linear) for gap in gaps
     )
@@ -113,14 +114,14 @@ def _balance(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tup
     return Balance(force, stiff, push, fixed, [branch.locked for branch in branches]), common
 
 
-def blocks(balance: Balance) -> list[range]:
-    """Bodies whose contacts are locked, together."""
+def blocks(locked: list[bool]) -> list[range]:
+    """Bodies whose contacts are locked, together: `locked` of each gap between them."""
     found, first = [], 0
-    for k, locked in enumerate(balance.locked):
-        if not locked:
+    for k, one in enumerate(locked):
+        if not one:
             found.append(range(first, k + 1))
             first = k + 1
-    found.append(range(first, len(balance.force)))
+    found.append(range(first, len(locked) + 1))
     return found
 
 
@@ -129,7 +130,7 @@ def segments(balance: Balance) -> list[tuple[list[range], list[int | None]]]:
 
     None stands for an open end.
     """
-    rows, found = blocks(balance), []
+    rows, found = blocks(balance.locked), []
     own: list[range] = []
     for block in [*rows, None]:
         if block is not None and not any(balance.fixed[i] for i in block):
@@ -192,21 +193,43 @@ def _is_quiet(
 
 
 def _contacts(
-    balance: Balance, branches: list[Branch], over: list[float], across: list[float]
+    balance: Balance,
+    branches: list[Branch],
+    over: list[float],
+    across: list[float],
+    static: list[float],
 ) -> list[float] | None:
-    """N of each contact at rest; None where a locked block is held from both sides."""
+    """N of each contact at rest; None where a locked block is held by a wall and otherwise too.
+
+    `static` [N]: what friction can hold each body with; it shares the load of those that it holds
+    together (`friction_shares`).
+    """
     push = [
         0.0 if branch.locked else branch.force(o, 0.0)
         for branch, o in zip(branches, over, strict=True)
     ]
     total = [p + a for p, a in zip(push, across, strict=True)]
-    for block in blocks(balance):
+    for block in blocks(balance.locked):
         anchors = [i for i in block if balance.fixed[i]]
         if len(anchors) > 1:
-            return None
+            if any(static[i] == 0.0 for i in block):
+                return None
+            _share(block, balance.force, static, total)
+            continue
         turn = anchors[0] if anchors else block[-1]
         for i in range(block[0], turn):  # from the left: N_right = N_left + F
             total[i] = (total[i - 1] if i > 0 else 0.0) + balance.force[i]
         for i in range(block[-1], turn, -1):  # from the right
             total[i - 1] = (total[i] if i < len(total) else 0.0) - balance.force[i]
     return [t - a for t, a in zip(total, across, strict=True)]
+
+
+def _share(block: range, force: list[float], static: list[float], total: list[float]) -> None:
+    """Fill in what presses together the carts of a block that friction holds, each of them."""
+    before = total[block[0] - 1] if block[0] > 0 else 0.0
+    after = total[block[-1]] if block[-1] < len(total) else 0.0
+    load = before - after + math.fsum(force[i] for i in block)
+    bears = math.fsum(static[i] for i in block)
+    for i in block[:-1]:
+        before += force[i] - load * static[i] / bears
+        total[i] = before

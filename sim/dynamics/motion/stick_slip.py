@@ -33,17 +33,20 @@ def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
         else:
             if not pushes:
                 pushes = [push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
-            _judge(bodies, group, pushes)
+            _judge(bodies, group, gaps, pushes)
         group = []
 
 
-def _judge(bodies: list[Body], group: list[int], pushes: list[float]) -> None:
+def _judge(bodies: list[Body], group: list[int], gaps: list[Gap], pushes: list[float]) -> None:
     first, last = group[0], group[-1]
     members = [bodies[i] for i in group]
     total = sum(body.load.steady for body in members if body.carts)
     total += pushes[first - 1] if first > 0 else 0.0
     total -= pushes[last] if last < len(pushes) else 0.0
     fixed = any(not body.carts for body in members) and len(members) > 1
+    if fixed and all(gap.rate == 0.0 for gap in gaps[first:last]):
+        for body in members:
+            body.v = 0.0  # as the wall; they differ by rounding only
     resting = all(body.v == 0.0 for body in members)
     static = sum(body.load.static for body in members)
     slips = next((body.slips for body in members if body.slips), 0)

@@ -171,7 +171,7 @@ def _blocks(
     """The block of each body, and f of each gap; None where a block is held from both sides."""
     found: list[Block] = []
     left_mass = [0.0] * len(balance.locked)
-    for own in blocks(balance):
+    for own in blocks(balance.locked):
         first, last = own[0], own[-1]
         still = [i for i in own if balance.fixed[i]]
         if len(still) > 1:
