@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import statistics
+import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -116,6 +117,8 @@ def _delays() -> list[float]:
 
 
 def _killed(name: str, lost: list[str], delays: list[float]) -> dict[str, Any]:
+    for line in lost:
+        print(f"lost by {name}: {line}", file=sys.stderr, flush=True)
     what = f"answers lost to a killed browser, {name}"
     return _row(what, len(lost), "", 0, f"{len(delays)} kills, 50 ms after the last key")
 
