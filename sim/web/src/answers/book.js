@@ -2,6 +2,7 @@
 
 import {
   forStudent,
+  hearStudent,
   openAll,
   place,
   READINGS,
@@ -23,8 +24,6 @@ export class Book extends EventTarget {
   /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
   /** @type {Map<string, any>} */
   #known = new Map();
-  /** @type {BroadcastChannel | null} */
-  #channel = null;
   refused = false;
   /** Whether the browser could not list what was kept before: it may be there. */
   unread = false;
@@ -80,18 +79,20 @@ export class Book extends EventTarget {
   async take(student, found) {
     await this.ready;
     if (!this.all) return 0;
-    const { all } = this;
-    const here = new Map(await forStudent(all, student).entries());
+    const theirs = forStudent(this.all, student);
+    const here = new Map(await theirs.entries());
     const changed = found
-      .map(([key, entry]) => ({ key, old: here.get(key), both: merged(here.get(key), entry) }))
+      .map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) }))
       .filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
-    await Promise.all(
-      changed.map(({ key, both }) => all.put(student ? `@${student}/${key}` : key, both)),
-    );
-    if (student === this.student) for (const { key } of changed) this.#tell(key);
+    await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
+    const mine = student === this.student;
+    for (const { key, both } of mine ? changed : []) {
+      this.#own.delete(key);
+      this.#known.set(key, both); // it may be older than an empty one that this page knows
+    }
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
-    for (const [key] of student === this.student ? found : []) {
+    for (const [key] of mine ? found : []) {
       this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
     }
     return changed.length;
@@ -108,7 +109,6 @@ export class Book extends EventTarget {
       for (const [key] of found) await mine.remove(key);
     }
     await writeStudent(this.all, code);
-    this.#channel?.postMessage({ student: code });
   }
 
   /** Whether a student has answers here. @param {string} code @returns {Promise<boolean>} */
@@ -128,7 +128,6 @@ export class Book extends EventTarget {
     for (const [key] of await readings.entries()) await readings.remove(key);
     await writeStudent(this.all, "");
     this.#known.clear();
-    this.#channel?.postMessage({ student: "" });
   }
 
   /** How much of this page is answered. @param {string[]} forms beside the worksheet @returns {{done: number, of: number}} */
@@ -154,10 +153,8 @@ export class Book extends EventTarget {
     this.student = await readStudent(this.all);
     this.store = forStudent(this.all, this.student);
     await this.#read();
-    if (typeof BroadcastChannel === "function") {
-      this.#channel = new BroadcastChannel(`carts:${this.site}`);
-      this.#channel.onmessage = ({ data }) => void this.#hear(data);
-    }
+    this.store.hear((key) => void this.#hear(key));
+    hearStudent(this.all, () => void this.#another());
     document.addEventListener("carts-kept", () => void this.refresh());
   }
 
@@ -197,26 +194,20 @@ export class Book extends EventTarget {
       this.refused = true;
       throw error;
     }
-    this.#tell(key);
   }
 
-  /** @param {string} key */
-  #tell(key) {
-    this.#channel?.postMessage({ key, student: this.student });
+  /** Another tab says who works here. */
+  async #another() {
+    if (this.all && (await readStudent(this.all)) !== this.student) location.reload();
   }
 
-  /** Another tab wrote something. @param {any} told */
-  async #hear(told) {
-    if (!told?.key) {
-      if (typeof told?.student === "string" && told.student !== this.student) location.reload();
-      return;
-    }
-    if (told.student !== this.student) return;
-    this.#own.delete(told.key);
-    const entry = await this.store?.get(told.key).catch(() => null);
+  /** Another tab wrote something. @param {string} key */
+  async #hear(key) {
+    this.#own.delete(key);
+    const entry = await this.store?.get(key).catch(() => null);
     if (!entry) return;
-    this.#known.set(told.key, entry);
-    this.dispatchEvent(new CustomEvent("change", { detail: told.key }));
-    this.dispatchEvent(new CustomEvent("elsewhere", { detail: told.key }));
+    this.#known.set(key, entry);
+    this.dispatchEvent(new CustomEvent("change", { detail: key }));
+    this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
   }
 }
