@@ -120,6 +120,19 @@ def test_a_curve_that_is_changed_leaves_the_one_of_before() -> None:
     assert on_page(script, [0, 1, 2, 3, 4]) == [[0, 1, 2, 3, 4], [4, 1, 2, 3, 4]]
 
 
+def test_a_law_that_is_begun_again_stays_among_the_earlier_ones() -> None:
+    script = """const { lawKeeper } = await load("law/keep.js");
+    const { openStore } = await load("shared/storage.js");
+    const keeper = lawKeeper({ id: "own", hash: "0123456789ab", ask: "?" }, () => {});
+    await keeper.get();
+    await keeper.put("an hour of work");
+    keeper.setAside();
+    await keeper.put("start");
+    const { value, earlier } = await (await openStore("tests")).get("p#own");
+    give([value, earlier.map((one) => one.value)]);"""
+    assert on_page(script) == ["start", ["an hour of work"]]
+
+
 def test_one_size_is_too_large_before_and_after_a_file_is_read() -> None:
     script = """const { readFile, tooLarge } = await load("answers/file.js");
     const most = 2_000_000;
