@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.teach.test_teacher_page import LESSON, WAIT, open_teacher, saved, settled
+from tests.teach.at_work import LESSON, WAIT, open_teacher, saved, settled
 from tests.web.conftest import OpenPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.one_browser]

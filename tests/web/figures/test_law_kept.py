@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.figures.test_law_page import HEAVY, SPRING, STARTS, bench, opened, press, write
+from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
 from tests.web.question.answering import saved_file
 from tests.web.question.broken_stores import late_store
 

@@ -21,11 +21,11 @@ export class Book extends EventTarget {
   store = null;
   /** @type {import("../shared/storage.js").Store | null} */
   all = null;
-  /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
+  /** What this page knows, kept or not: a file can have it all. */
   /** @type {Map<string, any>} */
   #known = new Map();
   refused = false;
-  /** Whether the browser could not list what was kept before: it may be there. */
+  /** Whether the browser could not list what was kept before. */
   unread = false;
   /** @type {Set<string>} keys that this page wrote last, no other tab since */
   #own = new Set();
@@ -51,7 +51,7 @@ export class Book extends EventTarget {
     return this.#known.get(this.key(form, id)) ?? null;
   }
 
-  /** Every answer of this student that the browser lets this page see. @returns {[string, any][]} */
+  /** Every answer of this student that this page sees. @returns {[string, any][]} */
   entries() {
     return [...this.#known];
   }
@@ -75,7 +75,7 @@ export class Book extends EventTarget {
     }
   }
 
-  /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns {Promise<number>} how many are new or changed */
+  /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns how many are new or changed */
   async take(student, found) {
     await this.ready;
     if (!this.all) return 0;
@@ -86,10 +86,8 @@ export class Book extends EventTarget {
       .filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
     await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
     const mine = student === this.student;
-    for (const { key, both } of mine ? changed : []) {
-      this.#own.delete(key);
-      this.#known.set(key, both); // it may be older than an empty one that this page knows
-    }
+    // It may be older than an empty one that this page knows.
+    for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
     for (const [key] of mine ? found : []) {
@@ -98,7 +96,7 @@ export class Book extends EventTarget {
     return changed.length;
   }
 
-  /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered so far */
+  /** From now on another student works here. @param {string} code @param {boolean} carry with what was answered so far */
   async become(code, carry = false) {
     await this.ready;
     if (!this.all) return;
@@ -111,7 +109,7 @@ export class Book extends EventTarget {
     await writeStudent(this.all, code);
   }
 
-  /** Whether a student has answers here. @param {string} code @returns {Promise<boolean>} */
+  /** Whether a student has answers here. @param {string} code */
   async has(code) {
     await this.ready;
     return this.all ? (await forStudent(this.all, code).entries()).length > 0 : false;
@@ -130,7 +128,7 @@ export class Book extends EventTarget {
     this.#known.clear();
   }
 
-  /** How much of this page is answered. @param {string[]} forms beside the worksheet @returns {{done: number, of: number}} */
+  /** How much of this page is answered. @param {string[]} forms beside the worksheet */
   progress(forms = []) {
     const items = (outline()?.items ?? []).filter(
       ({ id, form, level, type }) =>
@@ -154,11 +152,11 @@ export class Book extends EventTarget {
     this.store = forStudent(this.all, this.student);
     await this.#read();
     this.store.hear((key) => void this.#hear(key));
-    hearStudent(this.all, () => void this.#another());
+    hearStudent(this.all, (code) => code !== this.student && location.reload());
     document.addEventListener("carts-kept", () => void this.refresh());
   }
 
-  /** What is kept under a key that this page does not know: nothing is written over it unseen. @param {string} key */
+  /** What is kept under a key that this page does not know. @param {string} key */
   async #before(key) {
     try {
       return await this.store?.get(key);
@@ -179,7 +177,7 @@ export class Book extends EventTarget {
     }
   }
 
-  /** Takes in what the scene's own script has kept: predictions. */
+  /** Takes in what another script has kept. */
   async refresh() {
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
@@ -194,11 +192,6 @@ export class Book extends EventTarget {
       this.refused = true;
       throw error;
     }
-  }
-
-  /** Another tab says who works here. */
-  async #another() {
-    if (this.all && (await readStudent(this.all)) !== this.student) location.reload();
   }
 
   /** Another tab wrote something. @param {string} key */

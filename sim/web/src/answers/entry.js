@@ -23,7 +23,7 @@ export function keepEarlier(old, value) {
   const opened = old.locked && old.locked !== value.locked;
   if (opened && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
   const other = opened || (old.hash && value.hash && old.hash !== value.hash);
-  return withEarlier(value, old.earlier, value.earlier, other ? kept(old) : []);
+  return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
 }
 
 /** Two versions of one answer: the later one counts, of two at once `b`; the other is kept. @param {any} a @param {any} b @returns {any} */
@@ -35,12 +35,12 @@ export function merged(a, b) {
   if (sameAnswer(old, young)) return { ...together(old, young), first };
   const cleared = isEmpty(young.value) && !isEmpty(old.value);
   const [loser, winner] = cleared ? [young, old] : [old, young];
-  return withEarlier({ ...winner, first }, old.earlier, young.earlier, kept(loser));
+  return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
 }
 
 /** The answer, and itself among the earlier ones: it is about to be replaced. @param {any} entry @returns {any} */
 export function setAside(entry) {
-  return withEarlier(entry, entry.earlier, kept(entry));
+  return withEarlier(entry, entry.earlier, alone(entry));
 }
 
 /** One answer with what either version says of it. @param {any} old @param {any} young */
@@ -56,7 +56,7 @@ function sameAnswer(a, b) {
 }
 
 /** As an earlier answer; none, where nothing was answered. @param {any} entry @returns {any[]} */
-function kept({ earlier: _, ...entry }) {
+function alone({ earlier: _, ...entry }) {
   return isEmpty(entry.value) ? [] : [entry];
 }
 

@@ -1,7 +1,7 @@
 /** The answer file: made, and read with checks. Nothing of a file is taken that is not known. Pure. */
 
 import { tr } from "../../../view/language.js";
-import { isEmpty, setAside } from "./entry.js";
+import { isEmpty } from "./entry.js";
 
 const FORMAT = 1;
 export const KIND = "newtons-carts-answers";
@@ -128,7 +128,12 @@ export function readFile(text, site) {
     const other = found.get(key);
     const full = { ...entry, form, lesson, lessonHash };
     // The last of the same name is today's answer, the others are earlier ones.
-    found.set(key, other ? { ...full, earlier: setAside(other).earlier } : full);
+    found.set(
+      key,
+      other
+        ? { ...full, earlier: [...(other.earlier ?? []), { ...other, earlier: undefined }] }
+        : full,
+    );
   }
   if (TIME.test(content.handed ?? "")) found.set(`${page}#${form}:_form`, handedIn(content));
   return { student: content.student, form, lesson, entries: [...found] };
@@ -168,7 +173,9 @@ function clean(row) {
     typeof type === "string" &&
     /^[a-z][a-z-]{2,23}$/.test(type) &&
     [first, last].every((time) => time === null || TIME.test(String(time))) &&
-    isCount(tries, MOST_TRIES) &&
+    Number.isInteger(tries) &&
+    tries >= 0 &&
+    tries <= MOST_TRIES &&
     isPlain(value, 0);
   if (!good) return null;
   const entry = /** @type {Record<string, unknown>} */ ({
@@ -183,25 +190,19 @@ function clean(row) {
   for (const name of TEXTS) {
     if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
   }
-  if (isNumber(row.own)) entry.own = row.own;
+  if (Number.isFinite(row.own) && isPlain(row.own, 0)) entry.own = row.own;
   if (isPlain(row.set, 1) && row.set) entry.set = row.set;
-  if (isCount(row.right, tries)) entry.right = row.right;
+  if (Number.isInteger(row.right) && row.right >= 0 && row.right <= tries) entry.right = row.right;
   if (row.before && isPlain(row.before, 0)) entry.before = row.before;
   if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
   return entry;
 }
 
-/** @param {unknown} value */
-const isNumber = (value) => typeof value === "number" && Math.abs(value) < LARGEST;
-
-/** @param {any} value @param {number} most */
-const isCount = (value, most) => Number.isInteger(value) && value >= 0 && value <= most;
-
 /** Texts, numbers, short lists and tables of them: all that an answer can be. @param {any} value @param {number} depth @returns {boolean} */
 function isPlain(value, depth) {
   if (value === null || value === undefined || typeof value === "boolean") return true;
   if (typeof value === "string") return value.length <= LONGEST;
-  if (typeof value === "number") return isNumber(value);
+  if (typeof value === "number") return Math.abs(value) < LARGEST;
   if (depth > 3 || typeof value !== "object") return false;
   const parts = Object.entries(value);
   return (

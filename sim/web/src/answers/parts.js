@@ -26,11 +26,7 @@ export function askingButton(text, question, yes, act, name) {
   const first = button(text, () => ask(true));
   const asked = html("span", "", `${question} `);
   const no = button(tr("No"), () => ask(false), "carts-answers-no");
-  const agreed = () => {
-    ask(false);
-    act();
-  };
-  asked.append(button(yes, agreed, "carts-answers-yes"), " ", no);
+  asked.append(button(yes, act, "carts-answers-yes"), " ", no);
   asked.hidden = true;
   row.append(first, asked);
   /** @param {boolean} on */

@@ -93,7 +93,7 @@ export function lawElement(base) {
     }
 
     async #restore() {
-      this.#take((await this.keeper?.get()) || this.editor?.text || "");
+      this.#take((await this.keeper?.get()) || String(this.#facts?.start));
       this.#open(true);
       this.dataset.state = "live"; // from now on it takes a law
     }
@@ -101,9 +101,8 @@ export function lawElement(base) {
     /** Nothing is typed over a kept law before it is here. @param {boolean} on */
     #open(on) {
       if (this.editor) this.editor.box.readOnly = !on;
-      for (const one of this.querySelectorAll(".carts-law-bar button")) {
-        /** @type {HTMLButtonElement} */ (one).disabled = !on || one === this.end;
-      }
+      for (const one of this.querySelectorAll(".carts-law-bar button"))
+        one.toggleAttribute("disabled", !on || one === this.end);
     }
 
     /** @param {string} text that was kept */
@@ -139,6 +138,7 @@ export function lawElement(base) {
       this.#tell("");
       this.found?.replaceChildren();
       this.#first();
+      need(this, ".carts-law-again .carts-answers-no").click(); // it has been asked
       this.editor.box.focus();
     }
 

@@ -9,7 +9,7 @@
 import { stamped } from "../answers/outline.js";
 import { indexed, SETTLED } from "./indexed-store.js";
 import { memory, sheltered } from "./shelter.js";
-import { told } from "./tabs.js";
+import { telling } from "./tabs.js";
 import { textStore } from "./text-store.js";
 
 /** What the name of a site gets where readings of real carts are kept, apart from its answers. */
@@ -53,9 +53,9 @@ export function writeStudent(all, code) {
   return all.put(STUDENT, { code, last: new Date().toISOString() });
 }
 
-/** Calls when another tab has said who works here. @param {Store} all @param {() => void} act */
+/** Calls when another tab has said who works here. @param {Store} all @param {(code: string) => void} act */
 export function hearStudent(all, act) {
-  all.hear((key) => key === STUDENT && act());
+  all.hear(async (key) => key === STUDENT && act(await readStudent(all)));
 }
 
 /** The same store with one student's keys only. @param {Store} all @param {string} code @returns {Store} */
@@ -80,10 +80,10 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    return told(sheltered(await indexed(`carts:${site}`), site), site);
+    return telling(sheltered(await indexed(`carts:${site}`), site), site);
   } catch {
     const texts = textStore(site);
-    return told(texts ? sheltered(texts, site) : memory(site), site);
+    return telling(texts ? sheltered(texts, site) : memory(site), site);
   }
 }
 
