@@ -1,6 +1,6 @@
 """The file of a student's answers: read with checks, so that nothing unknown gets any further.
 
-The page writes it (sim/web/src/answers/file.js) and reads it with the same rules. What is not
+The page writes it (sim/web/src/answers/file.js) and reads it within the same bounds. What is not
 understood is refused as a whole, with a message for the teacher; unknown keys are left out.
 """
 
@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeGuard
 
 from sim.lesson.opening import FORMS
 
@@ -29,7 +29,7 @@ _TIME = re.compile(r"\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z", re.ASCII
 _NAME = re.compile(r"[\w.+-]{1,64}", re.ASCII)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f#@]")
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
-TEXTS = ("unit", "said", "asked", "sure", "locked", "why")
+TEXTS = ("unit", "said", "asked", "sure", "locked", "why", "now")
 FOUND_FORCE, CHALLENGE = "found-force", "challenge"  # types of what was done with a run
 PREDICTIONS = ("arrows", "curve", "choice", "text")  # types of what was said before a run
 NO_QUESTIONS = (*PREDICTIONS, FOUND_FORCE, CHALLENGE)  # types of answers that no key knows
@@ -149,7 +149,7 @@ def _item(row: object) -> Item:
         first=row["first"],
         last=row["last"],
         tries=row["tries"],
-        own=float(own) if isinstance(own, (int, float)) and abs(own) < LARGEST else None,
+        own=float(own) if _is_number(own) else None,
         set=_settings(row.get("set")),
         right=_right(row),
         before=_before(row.get("before")),
@@ -159,6 +159,11 @@ def _item(row: object) -> Item:
             if isinstance(row.get(name), str) and len(row[name]) <= LONGEST
         },
     )
+
+
+def _is_number(value: Any) -> TypeGuard[float]:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return number and bool(abs(value) < LARGEST)
 
 
 def _right(row: Mapping[str, Any]) -> int | None:

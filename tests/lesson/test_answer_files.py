@@ -51,7 +51,8 @@ def damaged() -> dict[str, str]:
         "id script": item(id="<script>"), "id long": item(id="a" * 65), "hash": item(hash="xyz"),
         "hash number": item(hash=1), "type": item(type="<b>"), "time": item(first="yesterday"),
         "time number": item(last=5), "tries": item(tries=-1), "tries text": item(tries="1"),
-        "tries true": item(tries=True), "value long": item(value="x" * 20_001),
+        "tries true": item(tries=True), "tries many": item(tries=1_000_001),
+        "value long": item(value="x" * 20_001), "value vast": item(value=1e300),
         "value deep": item(value=[[[[["x"]]]]]), "value wide": item(value=list(range(201))),
         "value proto": file().replace('"because"', '{"__proto__": 1}'),
         "value key": item(value={"a b": 1}), "value infinite": file().replace('"because"', "1e999"),
@@ -102,6 +103,24 @@ def test_whatever_a_page_keeps_can_be_read_again_by_both(kind: str) -> None:
     give(readFile(data, "tests"));"""
     (_, entry) = in_node(script, text)["entries"][0]
     assert (entry["type"], entry["found"]) == (kind, found)
+
+
+@pytest.mark.parametrize(
+    ("extra", "taken"),
+    [
+        ({"own": True}, None), ({"own": 1e300}, None), ({"own": 2.5}, 2.5),
+        ({"right": 2}, None), ({"right": True}, None), ({"right": 1}, 1),
+    ],
+)  # fmt: skip
+def test_what_an_answer_has_beside_its_value_is_taken_by_both_or_by_neither(
+    extra: dict[str, Any], taken: float | None
+) -> None:
+    (name,) = extra
+    text = json.dumps({**GOOD, "items": [{**ITEM, **extra}]})
+    assert getattr(read_answer_file(text).latest()["why"], name) == taken
+    script = """const { readFile } = await import(source + "/answers/file.js");
+    give(readFile(data, "tests"));"""
+    assert in_node(script, text)["entries"][0][1].get(name) == taken
 
 
 def test_a_byte_changed_anywhere_gives_answers_or_a_message_and_nothing_else() -> None:

@@ -29,6 +29,23 @@ def test_a_class_and_its_key_give_means_and_then_intervals(page: Page) -> None:
 
 
 @pytest.mark.one_browser
+def test_what_is_still_read_when_everything_is_deleted_does_not_come_back(page: Page) -> None:
+    came = page.evaluate(
+        """async () => {
+          const element = document.querySelector("carts-class");
+          element.take([new File(["student,marks\\nA,1\\n"], "marks.csv")], 0);
+          element.take([new File(["{"], "bad.json")], 0);
+          element.clear();
+          await element.complete;
+          const { tables, refused } = element.classroom;
+          return [tables.length, refused.length];
+        }"""
+    )
+    assert came == [0, 0]
+    expect(page.locator(".carts-class-status")).to_contain_text("Everything is deleted")
+
+
+@pytest.mark.one_browser
 def test_a_bad_file_in_a_zip_is_named_and_the_others_are_counted(page: Page) -> None:
     packed = zipped([*sources(random_class(BANK, 6)), Source("bad.json", b"{"), KEY])
     choose(page, [Source("class.zip", packed), Source("picture.png", b"\x89PNG\r\n\xff")])

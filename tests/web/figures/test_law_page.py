@@ -6,17 +6,16 @@ import json
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
-from tests.web.figures.law_site import build_law
+from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
+
+__all__ = ["bench"]  # a fixture
 
 pytestmark = pytest.mark.browser
 
-STARTS = 60_000  # ms; Python on a loaded computer
-SPRING = "def force(overlap, rate):\n    return 100 * overlap\n"
-HEAVY = "def force(overlap, rate, mass_other):\n    return 100 * mass_other * overlap\n"
 SLOW = """\
 def force(overlap, rate):
     x = 0
@@ -25,29 +24,6 @@ def force(overlap, rate):
             x = x + j * overlap
     return 100 * overlap + 0 * x
 """
-
-
-@pytest.fixture(scope="module")
-def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_law(tmp_path_factory.mktemp("law"))
-
-
-def opened(open_page: OpenPage, bench: Path) -> Page:
-    page = open_page(bench / "law.html")
-    page.on("pageerror", lambda error: pytest.fail(str(error)))
-    page.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
-    return page
-
-
-def write(page: Page, text: str) -> None:
-    page.get_by_label("Your law, in Python").fill(text)
-
-
-def press(page: Page, name: str) -> None:
-    page.get_by_role("button", name=name, exact=True).click()
-    page.wait_for_function(
-        "() => !document.querySelector('carts-law').hasAttribute('data-working')", timeout=STARTS
-    )
 
 
 @pytest.mark.one_browser

@@ -95,3 +95,5 @@ def test_what_was_tried_in_a_lesson_is_kept_with_the_answers(
     again = page.context.new_page()  # another tab, another day
     again.goto(page.url)
     expect(again.locator("#third-break .carts-challenge-tries")).to_contain_text("tried: 2.")
+    page.evaluate("document.getElementById('third-own').set({'B.mass': 1.5})")
+    expect(again.locator("#third-break .carts-challenge-tries")).to_contain_text("tried: 3.")

@@ -77,6 +77,34 @@ def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_si
     expect(page.locator("#hidden .carts-found")).to_be_visible()
 
 
+KEPT = """async () => {
+  const [{ name }] = (await indexedDB.databases()).filter((one) => !one.name.endsWith("-measured"));
+  const open = indexedDB.open(name);
+  const db = await new Promise((done) => { open.onsuccess = () => done(open.result); });
+  const all = db.transaction("answers").objectStore("answers").getAll();
+  await new Promise((done) => { all.onsuccess = done; });
+  return all.result.find((entry) => entry.type === "found-force");
+}"""
+
+
+@pytest.mark.one_browser
+def test_what_another_tab_found_and_when_the_first_was_found_is_kept(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(write_page(widget_site, "hidden-tabs", HIDDEN)), "hidden")
+    other = page.context.new_page()
+    other.goto(page.url)
+    live(other, "hidden")
+    mean = on_scene(page, MEAN_ON_B, name="hidden")
+    assert "find the force on A too" in find(page, f"{mean:.2f}")
+    first = page.evaluate(KEPT)
+    find(other, f"{-mean:.2f}", which="A, while it touches B")
+    expect(other.locator("#hidden .carts-found")).to_be_visible()
+    kept = other.evaluate(KEPT)
+    assert len(kept["found"]) == 2
+    assert kept["first"] == first["first"] < kept["last"]
+
+
 @pytest.mark.one_browser
 def test_a_file_with_found_forces_is_read_by_the_teacher_and_brought_back(
     site: Path, open_page: OpenPage

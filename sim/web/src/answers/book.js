@@ -2,6 +2,7 @@
 
 import {
   forStudent,
+  hearStudent,
   openAll,
   place,
   READINGS,
@@ -20,13 +21,11 @@ export class Book extends EventTarget {
   store = null;
   /** @type {import("../shared/storage.js").Store | null} */
   all = null;
-  /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
+  /** What this page knows, kept or not: a file can have it all. */
   /** @type {Map<string, any>} */
   #known = new Map();
-  /** @type {BroadcastChannel | null} */
-  #channel = null;
   refused = false;
-  /** Whether the browser could not list what was kept before: it may be there. */
+  /** Whether the browser could not list what was kept before. */
   unread = false;
   /** @type {Set<string>} keys that this page wrote last, no other tab since */
   #own = new Set();
@@ -52,7 +51,7 @@ export class Book extends EventTarget {
     return this.#known.get(this.key(form, id)) ?? null;
   }
 
-  /** Every answer of this student that the browser lets this page see. @returns {[string, any][]} */
+  /** Every answer of this student that this page sees. @returns {[string, any][]} */
   entries() {
     return [...this.#known];
   }
@@ -76,28 +75,28 @@ export class Book extends EventTarget {
     }
   }
 
-  /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns {Promise<number>} how many are new or changed */
+  /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns how many are new or changed */
   async take(student, found) {
     await this.ready;
     if (!this.all) return 0;
-    const { all } = this;
-    const here = new Map(await forStudent(all, student).entries());
+    const theirs = forStudent(this.all, student);
+    const here = new Map(await theirs.entries());
     const changed = found
-      .map(([key, entry]) => ({ key, old: here.get(key), both: merged(here.get(key), entry) }))
+      .map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) }))
       .filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
-    await Promise.all(
-      changed.map(({ key, both }) => all.put(student ? `@${student}/${key}` : key, both)),
-    );
-    if (student === this.student) for (const { key } of changed) this.#tell(key);
+    await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
+    const mine = student === this.student;
+    // It may be older than an empty one that this page knows.
+    for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
-    for (const [key] of student === this.student ? found : []) {
+    for (const [key] of mine ? found : []) {
       this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
     }
     return changed.length;
   }
 
-  /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered so far */
+  /** From now on another student works here. @param {string} code @param {boolean} carry with what was answered so far */
   async become(code, carry = false) {
     await this.ready;
     if (!this.all) return;
@@ -108,10 +107,9 @@ export class Book extends EventTarget {
       for (const [key] of found) await mine.remove(key);
     }
     await writeStudent(this.all, code);
-    this.#channel?.postMessage({ student: code });
   }
 
-  /** Whether a student has answers here. @param {string} code @returns {Promise<boolean>} */
+  /** Whether a student has answers here. @param {string} code */
   async has(code) {
     await this.ready;
     return this.all ? (await forStudent(this.all, code).entries()).length > 0 : false;
@@ -128,10 +126,9 @@ export class Book extends EventTarget {
     for (const [key] of await readings.entries()) await readings.remove(key);
     await writeStudent(this.all, "");
     this.#known.clear();
-    this.#channel?.postMessage({ student: "" });
   }
 
-  /** How much of this page is answered. @param {string[]} forms beside the worksheet @returns {{done: number, of: number}} */
+  /** How much of this page is answered. @param {string[]} forms beside the worksheet */
   progress(forms = []) {
     const items = (outline()?.items ?? []).filter(
       ({ id, form, level, type }) =>
@@ -154,14 +151,12 @@ export class Book extends EventTarget {
     this.student = await readStudent(this.all);
     this.store = forStudent(this.all, this.student);
     await this.#read();
-    if (typeof BroadcastChannel === "function") {
-      this.#channel = new BroadcastChannel(`carts:${this.site}`);
-      this.#channel.onmessage = ({ data }) => void this.#hear(data);
-    }
+    this.store.hear((key) => void this.#hear(key));
+    hearStudent(this.all, (code) => code !== this.student && location.reload());
     document.addEventListener("carts-kept", () => void this.refresh());
   }
 
-  /** What is kept under a key that this page does not know: nothing is written over it unseen. @param {string} key */
+  /** What is kept under a key that this page does not know. @param {string} key */
   async #before(key) {
     try {
       return await this.store?.get(key);
@@ -182,7 +177,7 @@ export class Book extends EventTarget {
     }
   }
 
-  /** Takes in what the scene's own script has kept: predictions. */
+  /** Takes in what another script has kept. */
   async refresh() {
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
@@ -197,26 +192,15 @@ export class Book extends EventTarget {
       this.refused = true;
       throw error;
     }
-    this.#tell(key);
   }
 
-  /** @param {string} key */
-  #tell(key) {
-    this.#channel?.postMessage({ key, student: this.student });
-  }
-
-  /** Another tab wrote something. @param {any} told */
-  async #hear(told) {
-    if (!told?.key) {
-      if (typeof told?.student === "string" && told.student !== this.student) location.reload();
-      return;
-    }
-    if (told.student !== this.student) return;
-    this.#own.delete(told.key);
-    const entry = await this.store?.get(told.key).catch(() => null);
+  /** Another tab wrote something. @param {string} key */
+  async #hear(key) {
+    this.#own.delete(key);
+    const entry = await this.store?.get(key).catch(() => null);
     if (!entry) return;
-    this.#known.set(told.key, entry);
-    this.dispatchEvent(new CustomEvent("change", { detail: told.key }));
-    this.dispatchEvent(new CustomEvent("elsewhere", { detail: told.key }));
+    this.#known.set(key, entry);
+    this.dispatchEvent(new CustomEvent("change", { detail: key }));
+    this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
   }
 }

@@ -16,27 +16,38 @@ export function isEmpty(value) {
   return typeof value === "object" && Object.keys(value).length === 0;
 }
 
-/** What is to be stored in the place of `old`. @param {any} old @param {any} value @returns {any} */
+/** What is to be stored in the place of `old`. What was locked is not opened by a tab that has not heard of it. */
+/** @param {any} old @param {any} value @returns {any} */
 export function keepEarlier(old, value) {
   if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-  const earlier = union(old.earlier, value.earlier);
-  const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-  const all = other ? union(earlier, [alone(old)]) : earlier;
-  return all.length ? { ...value, earlier: all } : value;
+  const opened = old.locked && old.locked !== value.locked;
+  if (opened && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+  const other = opened || (old.hash && value.hash && old.hash !== value.hash);
+  return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
 }
 
-/** Two versions of one answer: the later one counts, the other is kept. @param {any} a @param {any} b @returns {any} */
+/** Two versions of one answer: the later one counts, of two at once `b`; the other is kept. @param {any} a @param {any} b @returns {any} */
 export function merged(a, b) {
   if (!a) return b;
   if (!b) return a;
   const [old, young] = String(a.last ?? "") <= String(b.last ?? "") ? [a, b] : [b, a];
-  const earlier = union(old.earlier, young.earlier);
-  const differs = !isEmpty(old.value) && !sameAnswer(old, young);
-  const winner = isEmpty(young.value) && differs ? old : young;
-  const loser = winner === young ? old : young;
-  const all = differs && winner === young ? union(earlier, [alone(loser)]) : earlier;
   const first = [a.first, b.first].filter(Boolean).sort()[0] ?? null;
-  return all.length ? { ...winner, first, earlier: all } : { ...winner, first };
+  if (sameAnswer(old, young)) return { ...together(old, young), first };
+  const cleared = isEmpty(young.value) && !isEmpty(old.value);
+  const [loser, winner] = cleared ? [young, old] : [old, young];
+  return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
+}
+
+/** The answer, and itself among the earlier ones: it is about to be replaced. @param {any} entry @returns {any} */
+export function setAside(entry) {
+  return withEarlier(entry, entry.earlier, alone(entry));
+}
+
+/** One answer with what either version says of it. @param {any} old @param {any} young */
+function together(old, young) {
+  const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+  const both = { ...young, ...old, ...Object.fromEntries(said) };
+  return withEarlier(both, old.earlier, young.earlier);
 }
 
 /** @param {any} a @param {any} b */
@@ -44,19 +55,21 @@ function sameAnswer(a, b) {
   return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
 }
 
-/** @param {any} entry */
+/** As an earlier answer; none, where nothing was answered. @param {any} entry @returns {any[]} */
 function alone({ earlier: _, ...entry }) {
-  return entry;
+  return isEmpty(entry.value) ? [] : [entry];
 }
 
-/** @param {any[] | undefined} a @param {any[] | undefined} b @returns {any[]} each answer once, oldest first */
-function union(a, b) {
+/** Each earlier answer once, the oldest first. @param {any} entry @param {(any[] | undefined)[]} lists @returns {any} */
+function withEarlier(entry, ...lists) {
   /** @type {Map<string, any>} */
   const found = new Map();
-  for (const entry of [...(a ?? []), ...(b ?? [])]) {
-    found.set(JSON.stringify([entry.hash, entry.value]), entry);
+  for (const one of lists.flatMap((list) => list ?? [])) {
+    const name = JSON.stringify([one.hash, one.value]);
+    const before = found.get(name);
+    found.set(name, before ? together(before, one) : one);
   }
   const all = [...found.values()];
   all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-  return all.slice(-MOST_EARLIER);
+  return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
 }

@@ -8,7 +8,9 @@ export const KIND = "newtons-carts-answers";
 const MOST_BYTES = 2_000_000; // an answer file has some 20 000
 const MOST_ITEMS = 2000;
 const LONGEST = 20_000; // characters of one answer
-const TEXTS = ["unit", "sure", "said", "asked", "locked", "why"];
+const LARGEST = 1e300; // a number
+const MOST_TRIES = 1_000_000;
+const TEXTS = ["unit", "sure", "said", "asked", "locked", "why", "now"];
 const FORMS = ["worksheet", "pre", "post", "delayed"];
 const ID = /^[a-z_][a-z0-9-]{0,63}$/;
 const HASH = /^[0-9a-f]{12}$/;
@@ -93,13 +95,19 @@ function item(entry) {
   return made;
 }
 
+/** Why a file of this size is not even read. @param {number} bytes @returns {{problem: string} | null} */
+export function tooLarge(bytes) {
+  if (bytes <= MOST_BYTES) return null;
+  return { problem: tr("This file is too large to be a file of answers.") };
+}
+
 /**
  * What a chosen file holds, or why it is not taken.
  * @param {string} text @param {string} site @returns {{student: string, entries: [string, any][], form: string, lesson: string} | {problem: string}}
  */
 export function readFile(text, site) {
-  if (text.length > MOST_BYTES)
-    return { problem: tr("This file is too large to be a file of answers.") };
+  const large = tooLarge(text.length);
+  if (large) return large;
   /** @type {any} */
   let content;
   try {
@@ -167,6 +175,7 @@ function clean(row) {
     [first, last].every((time) => time === null || TIME.test(String(time))) &&
     Number.isInteger(tries) &&
     tries >= 0 &&
+    tries <= MOST_TRIES &&
     isPlain(value, 0);
   if (!good) return null;
   const entry = /** @type {Record<string, unknown>} */ ({
@@ -181,9 +190,9 @@ function clean(row) {
   for (const name of TEXTS) {
     if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
   }
-  if (Number.isFinite(row.own)) entry.own = row.own;
+  if (Number.isFinite(row.own) && isPlain(row.own, 0)) entry.own = row.own;
   if (isPlain(row.set, 1) && row.set) entry.set = row.set;
-  if (Number.isInteger(row.right) && row.right >= 0) entry.right = row.right;
+  if (Number.isInteger(row.right) && row.right >= 0 && row.right <= tries) entry.right = row.right;
   if (row.before && isPlain(row.before, 0)) entry.before = row.before;
   if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
   return entry;
@@ -193,7 +202,7 @@ function clean(row) {
 function isPlain(value, depth) {
   if (value === null || value === undefined || typeof value === "boolean") return true;
   if (typeof value === "string") return value.length <= LONGEST;
-  if (typeof value === "number") return Number.isFinite(value);
+  if (typeof value === "number") return Math.abs(value) < LARGEST;
   if (depth > 3 || typeof value !== "object") return false;
   const parts = Object.entries(value);
   return (

@@ -5,7 +5,7 @@ import { html, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { readCode } from "./codes.js";
 import { csvText } from "./csv.js";
-import { fileName, makeFiles, readFile } from "./file.js";
+import { fileName, makeFiles, readFile, tooLarge } from "./file.js";
 import { button, clock, codeBox, part, status } from "./parts.js";
 
 const NAMES = /** @type {Record<string, string>} */ ({
@@ -14,7 +14,6 @@ const NAMES = /** @type {Record<string, string>} */ ({
   post: tr("test after"),
   delayed: tr("last test"),
 });
-const MOST_BYTES = 4_000_000;
 const AFTER_SAVING = 1500; // ms: the browser has the file, and the message can be read
 
 /** @param {import("./book.js").Book} book @returns {{root: HTMLElement, draw: () => void}} */
@@ -152,10 +151,8 @@ function importRow(book, told) {
   box.addEventListener("change", async () => {
     const file = box.files?.[0];
     if (!file) return;
-    const text =
-      file.size > MOST_BYTES ? " ".repeat(MOST_BYTES) : await file.text().catch(() => "");
+    const found = tooLarge(file.size) ?? readFile(await file.text().catch(() => ""), book.site);
     box.value = ""; // the same file may be chosen again
-    const found = readFile(text, book.site);
     if ("problem" in found) return say(told, found.problem);
     const changed = await book.take(found.student, found.entries).catch(() => -1);
     if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));

@@ -38,7 +38,6 @@ export function classElement(client) {
     complete = Promise.resolve();
     /** @type {Promise<void> | null} */
     #statistics = null;
-    #reading = 0;
     #read = 0;
     #drawn = 0;
     #lifetime = 0;
@@ -100,23 +99,21 @@ export function classElement(client) {
 
     /** Reads files into a group. @param {File[]} files @param {number} group */
     take(files, group) {
-      this.#reading += 1;
-      const reading = this.complete.then(() => this.#take(files, group));
-      this.complete = reading.finally(() => {
-        this.#reading -= 1;
-      });
+      const lifetime = this.#lifetime;
+      this.complete = this.complete.then(() => this.#take(files, group, lifetime));
       return this.complete;
     }
 
-    /** @param {File[]} files @param {number} group */
-    async #take(files, group) {
+    /** @param {File[]} files @param {number} group @param {number} lifetime in which they were dropped: what was deleted since does not come back */
+    async #take(files, group, lifetime) {
       for (const file of files.filter(isTable)) {
         const table = await asTable(file);
+        if (lifetime !== this.#lifetime) return;
         if (table) this.classroom.tables.push(table);
         else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
       }
+      if (lifetime !== this.#lifetime) return;
       const answers = files.filter((file) => !isTable(file));
-      const lifetime = this.#lifetime;
       const begun = performance.now();
       say(this.#status, client.state === "ready" ? tr("Reading …") : tr("Starting Python …"));
       Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
@@ -136,6 +133,7 @@ export function classElement(client) {
           },
         );
         await this.show();
+        if (lifetime !== this.#lifetime) return;
         performance.mark("carts:class-done");
         const took = ((performance.now() - begun) / 1000).toFixed(1);
         this.#read += files.length;

@@ -2,6 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { fromWire } from "../../../view/trajectory.js";
+import { askingButton } from "../answers/parts.js";
 import { bakedOf } from "../scene/baked.js";
 import { html, need, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
@@ -17,7 +18,6 @@ import { verdicts } from "./verdicts.js";
 /** @typedef {import("./verdicts.js").Judged} Judged */
 /** @typedef {{id: string, hash: string, ask: string, file: string, start: string, baked: any}} Facts */
 
-const LATER = 300; // ms after the last key until the text is put away
 const LINE = /^\D*(\d+)/; // "line 4: …", in any language
 
 /** @param {string} base address of the folder `runtime/` */
@@ -31,7 +31,6 @@ export function lawElement(base) {
     #pictures = null;
     #python = new OwnPython(base);
     #turn = 0;
-    #timer = 0;
     /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
     complete = Promise.resolve();
 
@@ -41,7 +40,7 @@ export function lawElement(base) {
       const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
       this.#facts = facts;
       this.#baked = bakedOf(facts.baked);
-      this.keeper = lawKeeper(facts);
+      this.keeper = lawKeeper(facts, (text) => this.#take(text));
       this.editor = new Editor(facts.id, (text) => this.#typed(text));
       this.editor.text = facts.start;
       this.note = html("p", "carts-law-note");
@@ -56,6 +55,7 @@ export function lawElement(base) {
       live.hidden = false;
       this.classList.add("carts-law-ready");
       this.#first();
+      this.#open(false);
       this.complete = this.#restore();
     }
 
@@ -81,29 +81,45 @@ export function lawElement(base) {
         this.judge,
         this.end,
         button(tr("Save as a file"), () => this.#save()),
-        button(tr("Begin again"), () => this.#again()),
+        askingButton(
+          tr("Begin again"),
+          tr("Back to the law that you began with? Yours stays in “My answers”."),
+          tr("Begin again"),
+          () => this.#again(),
+          "carts-law-again",
+        ),
       );
       return bar;
     }
 
     async #restore() {
-      const text = await this.keeper?.get();
-      if (text && this.editor && this.editor.text === this.#facts?.start) this.editor.text = text;
-      this.#paper();
+      this.#take((await this.keeper?.get()) || String(this.#facts?.start));
+      this.#open(true);
       this.dataset.state = "live"; // from now on it takes a law
+    }
+
+    /** Nothing is typed over a kept law before it is here. @param {boolean} on */
+    #open(on) {
+      if (this.editor) this.editor.box.readOnly = !on;
+      for (const one of this.querySelectorAll(".carts-law-bar button"))
+        one.toggleAttribute("disabled", !on || one === this.end);
+    }
+
+    /** @param {string} text that was kept */
+    #take(text) {
+      if (this.editor) this.editor.text = text;
+      this.#paper();
     }
 
     /** @param {string} text */
     #typed(text) {
       void this.#python.wake().catch(() => {}); // Python is there when the law is
-      clearTimeout(this.#timer);
-      this.#timer = window.setTimeout(() => void this.#keep(text), LATER);
+      void this.#keep(text);
       this.#paper();
     }
 
     /** @param {string} text @param {boolean} tried */
     async #keep(text, tried = false) {
-      clearTimeout(this.#timer);
       const kept = await this.keeper?.put(text, tried);
       if (!kept) say(/** @type {HTMLElement} */ (this.note), tr("Not saved"));
       this.toggleAttribute("data-kept", Boolean(kept));
@@ -116,11 +132,13 @@ export function lawElement(base) {
 
     #again() {
       if (!this.editor || !this.#facts || !this.#baked) return;
+      if (this.editor.text !== this.#facts.start) this.keeper?.setAside();
       this.editor.text = this.#facts.start;
       this.#typed(this.editor.text);
       this.#tell("");
       this.found?.replaceChildren();
       this.#first();
+      need(this, ".carts-law-again .carts-answers-no").click(); // it has been asked
       this.editor.box.focus();
     }
 
@@ -145,8 +163,9 @@ export function lawElement(base) {
     }
 
     async #run() {
+      void this.#keep(this.editor?.text ?? "", true);
       say(/** @type {HTMLElement} */ (this.note), tr("Computing …"));
-      const { header, numbers } = await this.#asked({ do: "run", scene: this.#scene() });
+      const { header, numbers } = await this.#python.ask({ do: "run", scene: this.#scene() });
       const run = { header, trajectory: fromWire(header, numbers) };
       this.#show(run, /** @type {Baked} */ (this.#baked), tr("Your law"));
       const unequal = /** @type {any} */ (header).unequal;
@@ -155,6 +174,7 @@ export function lawElement(base) {
     }
 
     async #judge() {
+      void this.#keep(this.editor?.text ?? "", true);
       const note = /** @type {HTMLElement} */ (this.note);
       this.found?.replaceChildren();
       const scene = this.#scene();
@@ -162,7 +182,7 @@ export function lawElement(base) {
       let before = null;
       for (let part = 0, parts = 6; part !== null; ) {
         say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
-        const { header } = await this.#asked({ do: "judge", scene, part, before });
+        const { header } = await this.#python.ask({ do: "judge", scene, part, before });
         before = header.judged;
         parts = header.parts;
         part = header.next;
@@ -173,16 +193,10 @@ export function lawElement(base) {
 
     /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
     async #example(verdict) {
-      const { header, numbers } = await this.#asked({ do: "run", scene: verdict.scene });
+      const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });
       const run = { header, trajectory: fromWire(header, numbers) };
       this.#show(run, alongWith(/** @type {Baked} */ (this.#baked), run), tr("A counterexample"));
       this.shown?.scrollIntoView({ block: "nearest" });
-    }
-
-    /** @param {Record<string, unknown>} message */
-    async #asked(message) {
-      void this.#keep(this.editor?.text ?? "", true);
-      return this.#python.ask(message);
     }
 
     /** The scene of the page, with the law as it is in the box. */

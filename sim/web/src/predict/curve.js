@@ -39,7 +39,7 @@ export class CurveForm {
   }
 
   get value() {
-    return this.#heights;
+    return [...this.#heights]; // what was said before stays when the curve is drawn on
   }
 
   /** @returns {string} */
@@ -50,7 +50,7 @@ export class CurveForm {
   }
 
   set value(value) {
-    if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
+    if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = [...value];
     this.#draw();
   }
 

@@ -11,8 +11,7 @@ import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
-import { keepOnPage } from "../shared/kept.js";
-import { openStore, place } from "../shared/storage.js";
+import { keepOnPage, keptOnPage } from "../shared/kept.js";
 import { readTyped } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
@@ -64,9 +63,7 @@ export class FindForces {
 
   /** The forces are shown at once where one was found before. */
   async restore() {
-    const { site, page } = place();
-    const store = await openStore(site);
-    const kept = await store.get(`${page}#${this.id}`).catch(() => null);
+    const kept = await keptOnPage(this.id);
     if (kept?.type !== TYPE) return;
     if (!Array.isArray(kept.found)) return this.found([]); // kept when one force was enough
     this.#found = new Map(kept.found);
@@ -148,11 +145,14 @@ export class FindForces {
   /** @param {string} typed */
   async #keep(typed) {
     const now = new Date().toISOString();
+    const before = await keptOnPage(this.id);
+    const elsewhere = Array.isArray(before?.found) ? before.found : []; // in another tab
+    this.#found = new Map([...elsewhere, ...this.#found]);
     await keepOnPage({
       id: this.id,
       type: TYPE,
       value: typed,
-      first: now,
+      first: before?.first ?? now,
       last: now,
       said: [...this.#found.values()].join("; "),
       found: [...this.#found],

@@ -4,12 +4,11 @@
  */
 
 import { tr } from "../../../view/language.js";
-import { isCurrent } from "../answers/outline.js";
 import { html, need, say } from "../shared/dom.js";
-import { openStore, place } from "../shared/storage.js";
 import { Again } from "./again.js";
 import { ArrowsForm } from "./arrows.js";
 import { CurveForm } from "./curve.js";
+import { Keeping } from "./keeping.js";
 import { RelativeArrows } from "./relative.js";
 import { Sure } from "./sure.js";
 import { Talk, Why } from "./talk.js";
@@ -30,8 +29,8 @@ import { ChoiceForm, WordsForm } from "./words.js";
 export class Predict {
   /** @type {Entry} */
   #entry;
-  /** @type {import("../shared/storage.js").Store | null} */
-  #store = null;
+  /** @type {Keeping} */
+  #keeping;
 
   /**
    * @param {HTMLElement} root of the prediction @param {Baked} baked
@@ -47,7 +46,7 @@ export class Predict {
       draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
       locked(now);
     };
-    this.saved = need(root, ".carts-saved");
+    this.#keeping = new Keeping(root);
     this.error = need(root, ".carts-predict-error");
     this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));
     this.#entry = {
@@ -87,7 +86,7 @@ export class Predict {
 
   /** @returns {boolean} */
   get isLocked() {
-    return this.#entry.locked !== null;
+    return Boolean(this.#entry.locked); // a file says nothing of one that is not
   }
 
   /** @returns {boolean} whether the run was seen to its end, now or at an earlier visit */
@@ -97,20 +96,23 @@ export class Predict {
 
   /** Brings back what the reader left here before. */
   async restore() {
-    this.key = `${place().page}#${this.#entry.id}`;
-    this.#store = await openStore(place().site);
-    if (this.#store.kind === "memory") {
-      say(
-        this.saved,
-        tr("This browser keeps nothing: your prediction is lost when you close the page."),
-      );
-    }
-    const found = await this.#store.get(this.key).catch(() => null);
-    if (found?.type === this.#entry.type && isCurrent(found)) {
-      this.#entry = found;
-      this.form.value = found.value;
-      say(this.saved, tr("Saved."));
-    }
+    const found = await this.#keeping.open(this.#entry, (found) => this.#elsewhere(found));
+    this.#back(found ?? this.#entry);
+    if (found) say(this.#keeping.saved, tr("Saved."));
+  }
+
+  /** Another tab has kept this prediction. What is locked here stays so. @param {Entry} found */
+  #elsewhere(found) {
+    if (!this.isLocked) return this.#back(found);
+    if (!found.locked) return;
+    this.#entry = found;
+    if (this.watched) this.why.show(found.why ?? "");
+  }
+
+  /** The page with what the reader said before. @param {Entry} entry */
+  #back(entry) {
+    this.#entry = entry;
+    if (entry.value !== null) this.form.value = entry.value;
     const talking = Boolean(this.#entry.talk) && !this.#entry.before;
     this.form.enable(!this.isLocked && !talking);
     this.sure.show(this.#entry.sure, !this.isLocked);
@@ -167,12 +169,10 @@ export class Predict {
   }
 
   async #changed() {
-    const now = new Date().toISOString();
     this.#entry.value = this.form.value;
     this.#entry.asked = this.spec.ask;
     this.#told();
-    this.#entry.first ??= now;
-    this.#entry.last = now;
+    this.#entry.first ??= new Date().toISOString();
     this.#entry.tries += 1;
     this.complain("");
     await this.#keep();
@@ -228,7 +228,7 @@ export class Predict {
   /** @returns {Promise<boolean>} whether the prediction is gone */
   async #forget() {
     try {
-      if (this.key) await this.#store?.remove(this.key);
+      await this.#keeping.forget();
       return true;
     } catch {
       this.complain(tr("This browser refuses to forget it."));
@@ -237,14 +237,7 @@ export class Predict {
   }
 
   async #keep() {
-    if (!this.#store || !this.key) return;
-    if (this.#store.kind === "kept") say(this.saved, tr("Saving…"));
-    try {
-      await this.#store.put(this.key, this.#entry);
-      document.dispatchEvent(new Event("carts-kept"));
-      if (this.#store.kind === "kept") say(this.saved, tr("Saved."));
-    } catch {
-      say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
-    }
+    this.#entry.last = new Date().toISOString();
+    await this.#keeping.put(this.#entry);
   }
 }

@@ -1,23 +1,15 @@
 /** What was tried for a challenge, kept with the answers of its lesson: a teacher sees how the class has looked. */
 
 import { outline } from "../answers/outline.js";
-import { keepOnPage } from "../shared/kept.js";
-import { openStore, place } from "../shared/storage.js";
+import { keepOnPage, keptOnPage } from "../shared/kept.js";
 
 const TYPE = "challenge";
 
 /** @typedef {{runs: number, found: number, values: string}} Tried `found`: in which run; 0: in none. `values`: what was set there, in words */
 
-/** @param {string} id of the challenge @returns {Promise<any>} */
-async function kept(id) {
-  const { site, page } = place();
-  const store = await openStore(site);
-  return store.get(`${page}#${id}`).catch(() => null);
-}
-
 /** What was tried at earlier visits; null: nothing. @param {string} id @returns {Promise<Tried | null>} */
 export async function triedBefore(id) {
-  const entry = await kept(id);
+  const entry = await keptOnPage(id);
   const { runs, found, values } = (entry?.type === TYPE && entry.value) || {};
   if (!Number.isInteger(runs)) return null;
   return { runs, found: Number.isInteger(found) ? found : 0, values: String(values ?? "") };
@@ -27,7 +19,7 @@ export async function triedBefore(id) {
 export async function keepTried(id, asked, tried, said) {
   if (!outline()) return; // a page that is no lesson has no answers
   const now = new Date().toISOString();
-  const before = await kept(id);
+  const before = await keptOnPage(id);
   const first = before?.first ?? now;
   await keepOnPage({
     id,

@@ -7,6 +7,7 @@ import { listed } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
+import { hearOnPage } from "../shared/kept.js";
 import { recall, retain } from "../shared/tab.js";
 import { keepTried, triedBefore } from "./challenge-kept.js";
 import { masses, setBy } from "./forms/run.js";
@@ -36,6 +37,7 @@ export class ChallengeElement extends HTMLElement {
     }
     this.#show();
     void this.#restore();
+    void hearOnPage(this.id, () => void this.#restore());
   }
 
   disconnectedCallback() {
@@ -46,9 +48,9 @@ export class ChallengeElement extends HTMLElement {
   /** What was tried in another tab, or on another day. */
   async #restore() {
     const earlier = await triedBefore(this.id);
-    if (!earlier || this.#runs) return;
-    this.#tries.before = earlier.runs;
-    if (earlier.found) this.#tries.found = { run: earlier.found, values: earlier.values };
+    if (!earlier || earlier.runs <= this.#runs) return;
+    this.#tries.before = earlier.runs - this.#tries.tried.length;
+    if (earlier.found) this.#tries.found ??= { run: earlier.found, values: earlier.values };
     this.#show();
   }
 

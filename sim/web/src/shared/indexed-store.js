@@ -5,7 +5,7 @@
 import { keepEarlier } from "../answers/entry.js";
 import { newestFirst } from "./newest-first.js";
 
-/** @typedef {import("./storage.js").Store} Store */
+/** @typedef {import("./storage.js").Opened} Opened */
 
 /** The key that is written last, so that all before it is on the disk. */
 export const SETTLED = "settled";
@@ -45,7 +45,7 @@ async function reopening(name) {
   };
 }
 
-/** The store in this database. @param {string} name @returns {Promise<Store>} */
+/** The store in this database. @param {string} name @returns {Promise<Opened>} */
 export async function indexed(name) {
   const begin = await reopening(name);
   /** @template T @param {(answers: IDBObjectStore) => IDBRequest<T>} ask @returns {Promise<T>} */

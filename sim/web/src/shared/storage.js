@@ -9,6 +9,7 @@
 import { stamped } from "../answers/outline.js";
 import { indexed, SETTLED } from "./indexed-store.js";
 import { memory, sheltered } from "./shelter.js";
+import { telling } from "./tabs.js";
 import { textStore } from "./text-store.js";
 
 /** What the name of a site gets where readings of real carts are kept, apart from its answers. */
@@ -20,7 +21,9 @@ const STUDENT = "student"; // the key under which the code word of who works her
  * caller knows what is kept under the key and has already moved earlier answers: one step less to wait.
  * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory",
  *   get: (key: string) => Promise<any>, put: (key: string, value: unknown, alone?: boolean) => Promise<void>,
- *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Store
+ *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Opened
+ * `hear`: what to do when another tab, or another script of this page, has kept something under a key.
+ * @typedef {Opened & {hear: (act: (key: string) => void) => void}} Store
  */
 
 /** @type {Map<string, Promise<Store>>} */
@@ -50,6 +53,11 @@ export function writeStudent(all, code) {
   return all.put(STUDENT, { code, last: new Date().toISOString() });
 }
 
+/** Calls when another tab has said who works here. @param {Store} all @param {(code: string) => void} act */
+export function hearStudent(all, act) {
+  all.hear(async (key) => key === STUDENT && act(await readStudent(all)));
+}
+
 /** The same store with one student's keys only. @param {Store} all @param {string} code @returns {Store} */
 export function forStudent(all, code) {
   const before = code ? `@${code}/` : "";
@@ -61,6 +69,7 @@ export function forStudent(all, code) {
     get: (key) => all.get(before + key),
     put: (key, value, alone) => all.put(before + key, stamped(value), alone),
     remove: (key) => all.remove(before + key),
+    hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
     entries: async () =>
       (await all.entries())
         .filter(([key]) => mine(key))
@@ -71,10 +80,10 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    return sheltered(await indexed(`carts:${site}`));
+    return telling(sheltered(await indexed(`carts:${site}`), site), site);
   } catch {
     const texts = textStore(site);
-    return texts ? sheltered(texts) : memory();
+    return telling(texts ? sheltered(texts, site) : memory(site), site);
   }
 }
 

@@ -2,9 +2,9 @@
 
 import { keepEarlier } from "../answers/entry.js";
 
-/** @typedef {import("./storage.js").Store} Store */
+/** @typedef {import("./storage.js").Opened} Opened */
 
-/** @param {string} site @returns {Store | null} */
+/** @param {string} site @returns {Opened | null} */
 export function textStore(site) {
   const before = `carts:${site}:`;
   try {

@@ -85,13 +85,17 @@ export class Panel {
     this.root.dataset.state = "ready";
   }
 
+  /** @param {Look} look at the text without changes @param {string} base that text */
+  published({ pieces }, base) {
+    this.#base = base;
+    this.#published = new Set(pieces.map((piece) => piece.text));
+  }
+
   /** @param {Look} look */
   take(look) {
     const { pieces, findings } = look;
-    if (this.#base !== this.session.base && this.session.text === this.session.base) {
-      this.#base = this.session.base;
-      this.#published = new Set(pieces.map((piece) => piece.text));
-    }
+    if (this.#base !== this.session.base && this.session.text === this.session.base)
+      this.published(look, this.session.base);
     if (shape(pieces) !== shape(this.#pieces)) this.#build(pieces);
     this.#pieces = pieces;
     const file = this.session.told.file;

@@ -63,30 +63,38 @@ export class Session {
 
   /** @param {boolean} published whether the text is the one that the page was built from */
   async #begin(published = true) {
+    const built = this.text;
+    const draft = this.#takeBack(await this.drafts.current());
     try {
-      let look = await this.#ask();
-      this.#take(look);
-      const show = async () => (published ? this.page.adopt(look) : await this.page.show(look));
-      for (await show(); look.more || (await this.#got(look)); await show()) {
-        look = await this.#ask();
-        this.#take(look);
+      for (let more = true; more; ) {
+        const look = await this.#ask(draft && built);
+        if (draft) this.panel.published(look, built);
+        else this.#take(look);
+        if (published) this.page.adopt(look);
+        else await this.page.show(look);
+        more = look.more || (await this.#got(look));
       }
+      if (draft) this.#take(await this.#ask());
     } catch (error) {
       const { message, detail } = /** @type {Error & {detail?: string}} */ (error);
       console.warn(message, detail ?? "");
       return this.panel.withoutPython(message);
     }
-    const draft = await this.drafts.current();
-    if (draft && draft.text !== this.text) {
-      this.base = draft.base;
-      this.withheld = this.withheld && draft.base === this.told.text;
-      this.history.change(draft.text, "");
-      this.panel.status(`Your draft of ${clock(draft.last)} is back.`);
-      this.panel.kept(true);
-      await this.lookNow();
-    } else this.panel.status("");
+    this.panel.status(draft ? `Your draft of ${clock(draft.last)} is back.` : "");
+    if (draft) await this.lookNow();
     this.panel.offerEarlier(await this.drafts.earlier());
     this.panel.root.dataset.state = "ready";
+  }
+
+  /** A kept draft is the text before anything can be typed: it would be lost under the first key. */
+  /** @param {import("./drafts.js").Draft | null} draft @returns {import("./drafts.js").Draft | null} null: there is none */
+  #takeBack(draft) {
+    if (!draft || draft.text === this.text) return null;
+    this.base = draft.base;
+    this.withheld = this.withheld && draft.base === this.told.text;
+    this.history.change(draft.text, "");
+    this.panel.kept(true);
+    return draft;
   }
 
   show() {
@@ -174,16 +182,12 @@ export class Session {
     this.panel.take(look);
   }
 
-  /** @returns {Promise<Look>} */
-  async #ask() {
+  /** @param {string | null} text null: as it is when it is sent @returns {Promise<Look>} */
+  async #ask(text = null) {
     const { lesson, files } = this.told;
     const { header } = await this.client.ask(this.#looking, () => ({
-      kind: "teach",
-      do: "look",
-      text: this.text,
-      lesson,
-      files,
-      have: this.page.have,
+      ...{ kind: "teach", do: "look", lesson, files },
+      ...{ text: text ?? this.text, have: this.page.have },
     }));
     return /** @type {any} */ (header);
   }

@@ -1,0 +1,102 @@
+"""A reader's law is kept at every input, back before anything is typed, and never just gone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
+from tests.web.question.answering import saved_file
+from tests.web.question.broken_stores import late_store
+
+__all__ = ["bench"]  # a fixture
+
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
+
+
+def text_box(page: Page) -> Locator:
+    return page.get_by_label("Your law, in Python")
+
+
+def kept(page: Page, text: str) -> None:
+    write(page, text)
+    page.wait_for_selector("carts-law[data-kept]")
+
+
+def test_keys_before_the_kept_law_is_back_do_not_take_its_place(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    kept(page, HEAVY)
+    page.add_init_script(late_store("1500"))
+    page.reload()
+    text_box(page).focus()
+    page.keyboard.type("too early")
+    expect(page.get_by_role("button", name="Run", exact=True)).to_be_disabled()
+    page.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
+    expect(text_box(page)).to_have_value(HEAVY)
+    expect(page.get_by_role("button", name="Run", exact=True)).to_be_enabled()
+    text_box(page).press("End")
+    page.keyboard.type("#")
+    assert "#" in text_box(page).input_value()
+
+
+def test_the_last_key_is_kept_when_the_page_is_left_soon_after(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    page.evaluate(
+        """async (text) => {
+          const box = document.querySelector("carts-law textarea");
+          box.value = text;
+          box.dispatchEvent(new Event("input"));
+          await new Promise((done) => setTimeout(done, 100));
+          location.reload();
+        }""",
+        HEAVY,
+    )
+    page.wait_for_selector("carts-law[data-state=live]")
+    expect(text_box(page)).to_have_value(HEAVY)
+
+
+def test_who_begins_again_is_asked_and_loses_nothing(open_page: OpenPage, bench: Path) -> None:
+    page = opened(open_page, bench)
+    start = text_box(page).input_value()
+    kept(page, HEAVY)
+    again = page.locator(".carts-law-again")
+    again.get_by_role("button", name="Begin again").click()
+    expect(again).to_contain_text("Yours stays")
+    again.get_by_role("button", name="No").click()
+    expect(text_box(page)).to_have_value(HEAVY)
+    again.get_by_role("button", name="Begin again").click()
+    again.locator(".carts-answers-yes").click()
+    expect(text_box(page)).to_have_value(start)
+    expect(text_box(page)).to_be_focused()
+    expect(again.get_by_role("button", name="Begin again")).to_be_visible()
+    page.wait_for_function("document.querySelector('.carts-bar[data-ready]')")
+    assert [item["value"] for item in saved_file(page)["items"]] == [HEAVY, start]
+
+
+def test_a_law_that_is_changed_in_one_tab_is_changed_in_the_other(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    other = page.context.new_page()
+    other.goto(page.url)
+    other.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
+    write(page, HEAVY)
+    expect(text_box(other)).to_have_value(HEAVY)
+    press(other, "Run")
+    assert [item["value"] for item in saved_file(other)["items"]] == [HEAVY]
+
+
+def test_one_press_on_judge_is_one_try(open_page: OpenPage, bench: Path) -> None:
+    page = opened(open_page, bench)
+    write(page, SPRING)
+    press(page, "Judge")
+    expect(page.locator(".carts-law-verdicts li")).to_have_count(6)
+    press(page, "Run")
+    assert [item["tries"] for item in saved_file(page)["items"]] == [2]
