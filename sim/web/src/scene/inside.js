@@ -29,7 +29,7 @@ import { TakeAlong } from "./take-along/take-along.js";
 export function wireInside(element, baked, view, client, acts) {
   element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
   element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
-  const presets = new Presets(element, baked.fence.presets, acts.preset);
+  const presets = new Presets(element, baked.fence, acts.preset);
   presets.show({}, baked.run.header);
   const { scene, controls, switches } = baked.fence;
   const sliders = new Controls(element, controls, acts, switches);
