@@ -38,3 +38,37 @@ def test_a_comma_before_three_digits_has_two_readings_with_a_unit_too() -> None:
     ]
     assert scene[5:] == [{"text": "1.2345 kg"}, {"text": "0.500 kg"}]
     assert [one.get("problem") for one in question] == [one.get("problem") for one in scene]
+
+
+def test_a_refused_value_leaves_nothing_to_undo() -> None:
+    found = in_node(
+        """const { Values } = await import(source + "/scene/values.js");
+        const values = new Values();
+        const undone = () => [values.canUndo, { ...values.wanted }];
+        const found = [];
+        values.ask({ "A.mass": -1 });
+        values.giveUp({ "A.mass": -1 });
+        found.push(undone());
+        values.ask({ "A.mass": 2 }); // at once, of the same slider: a change of its own
+        values.good = { "A.mass": 2 };
+        found.push(undone());
+        values.ask({ "A.velocity": "far" });
+        values.giveUp({ "A.velocity": "far" });
+        found.push(undone());
+        values.undo();
+        found.push(undone());
+        values.ask({ "A.mass": 3 });
+        values.good = { "A.mass": 3 };
+        values.ask({ "A.mass": -3 }); // one drag, refused at its end only
+        values.giveUp({ "A.mass": -3 });
+        found.push(undone());
+        give(found);""",
+        None,
+    )
+    assert found == [
+        [False, {}],
+        [True, {"A.mass": 2}],
+        [True, {"A.mass": 2}],
+        [False, {}],
+        [True, {"A.mass": 3}],
+    ]

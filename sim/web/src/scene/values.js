@@ -38,6 +38,9 @@ export class Values {
       if (good === undefined) delete this.wanted[key];
       else this.wanted[key] = good;
     }
+    if (!alike(this.#before.at(-1), this.wanted)) return;
+    this.#before.pop(); // nothing was changed: nothing to undo
+    this.#last.target = "";
   }
 
   /** Other values in the place of all, as one change. @param {Settings} changes */
@@ -68,4 +71,10 @@ export class Values {
     this.reset();
     this.#before = [];
   }
+}
+
+/** @param {Settings | undefined} a @param {Settings} b */
+function alike(a, b) {
+  const keys = Object.keys({ ...a, ...b });
+  return a !== undefined && keys.every((key) => a[key] === b[key]);
 }
