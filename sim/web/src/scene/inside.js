@@ -3,7 +3,6 @@
 import { WANTED } from "../../../view/ledger-effects.js";
 import { FindForces } from "../predict/find-forces.js";
 import { Predict } from "../predict/predict.js";
-import { ASKED } from "../shared/ask-scene.js";
 import { need } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { Controls, valueIn } from "./controls.js";
@@ -57,12 +56,6 @@ export function wireInside(element, baked, view, client, acts) {
         ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
         () => detail.answer(null),
       );
-  });
-  const worlds = {};
-  element.addEventListener(ASKED, (event) => {
-    const { detail } = /** @type {CustomEvent} */ (event);
-    const set = { ...acts.settings() };
-    detail.answer(client.ask(worlds, () => ({ scene, set, ...detail.message })));
   });
   const find = element.querySelector(".carts-find")
     ? new FindForces(element, baked.fence.id, acts.found)

@@ -4,6 +4,7 @@
  */
 
 import { fromWire } from "../../../view/trajectory.js";
+import { ASKED } from "../shared/ask-scene.js";
 import { drawn, refusal } from "../shared/waiting.js";
 import { Values } from "./values.js";
 
@@ -26,6 +27,17 @@ export class Runs {
     this.owner = owner;
     this.client = client;
     this.acts = acts;
+  }
+
+  /** Answers what others of the page ask of the scene as it is set. @param {AbortSignal} signal */
+  hear(signal) {
+    const others = {}; // who asks: apart from the requests for runs
+    const answer = (/** @type {Event} */ event) => {
+      const { detail } = /** @type {CustomEvent} */ (event);
+      const [scene, set] = [this.acts.scene(), { ...this.values.good }];
+      detail.answer(this.client.ask(others, () => ({ scene, set, ...detail.message })));
+    };
+    this.owner.addEventListener(ASKED, answer, { signal });
   }
 
   /** Whether there are runs that need no Python. */
