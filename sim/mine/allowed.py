@@ -4,8 +4,8 @@ A law is arithmetic: numbers, lists, functions, conditions, loops, `math`. What 
 out by its form, before anything runs: other modules, files, classes, names with an underscore in
 front. Every loop, every comprehension and every function gets a line that counts, so that a loop
 without an end is told with its number instead of waited for; what could grow beyond all memory at
-one stroke has bounds (`sim.mine.bounded`). This keeps accidents away from a reader, and from a teacher who
-judges a student's file; it is no wall against somebody who wants in.
+one stroke has bounds (`sim.mine.bounded`). This keeps accidents away from a reader, and from a
+teacher who judges a student's file; it is no wall against somebody who wants in.
 """
 
 from __future__ import annotations
