@@ -51,8 +51,8 @@ def test_readings_that_scatter_more_than_it_changes_cannot_show_it() -> None:
 
 
 # What acts over 0.8 s, the noise, and what is to be said of each rung, the largest change first.
-# A tilt bends all four sides one way, friction and drag bend them against their velocities, of which
-# one is the other way: on a tilted track friction fits nothing, and a tilt where carts rub does harm.
+# A tilt bends all four sides one way; friction and drag bend each against its velocity, and one of
+# them goes the other way. So friction fits no tilt, and a tilt where carts rub makes it worse.
 VERDICTS = {
     "a tilt of 0.3 m/s², 0.1 mm": (
         ("tilt", 0.3, 1e-4),
