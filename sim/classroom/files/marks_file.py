@@ -41,7 +41,12 @@ def pseudonym(text: str) -> str:
     """
     parts = _AND.split(normalize("NFKC", text).upper())
     words = {_GAPS.sub("-", part.strip(_SPACES)) for part in parts}
-    return "+".join(sorted(words, key=lambda word: word.encode("utf-16-be", "surrogatepass")))
+    return "+".join(sorted(words, key=_order))
+
+
+def _order(word: str) -> list[tuple[int, int]]:
+    """By units of UTF-16, as JavaScript sorts: signs beyond the first plane come before U+E000."""
+    return [(0xD800 if ord(sign) > 0xFFFF else ord(sign), ord(sign)) for sign in word]
 
 
 def read_marks(text: str) -> Given:
