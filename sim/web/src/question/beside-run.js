@@ -23,7 +23,7 @@ function sceneBeside(question) {
   return above;
 }
 
-/** Calls when the run beside a question was watched. @param {HTMLElement} question @param {() => void} act @param {AbortSignal} signal the question is gone */
+/** Calls when the run beside a question was watched. @param {HTMLElement} question @param {() => void} act @param {AbortSignal} signal */
 export function whenWatched(question, act, signal) {
   const watched = (/** @type {Event} */ { target }) => {
     if (target === sceneBeside(question)) act();

@@ -6,7 +6,7 @@
 
 const OPEN_ALL = "carts-open-questions";
 
-/** @param {HTMLElement} element @param {boolean} answered before @param {AbortSignal} signal the element is gone */
+/** @param {HTMLElement} element @param {boolean} answered before @param {AbortSignal} signal */
 export function wait(element, answered, signal) {
   const id = element.dataset.after;
   if (!id || element.dataset.opened !== undefined) return;

@@ -26,7 +26,7 @@ export class Live {
     return this.#waiting.promise;
   }
 
-  /** @param {AbortSignal} signal the element is gone: nothing of the worker is heard any more */
+  /** @param {AbortSignal} signal */
   listen(signal) {
     this.client.addEventListener("state", () => this.follow(), { signal });
     this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });

@@ -29,13 +29,12 @@ export class Runs {
     this.acts = acts;
   }
 
-  /** Answers what others of the page ask of the scene as it is set. @param {AbortSignal} signal */
+  /** Answers others of the page. @param {AbortSignal} signal */
   hear(signal) {
-    const others = {}; // who asks: apart from the requests for runs
-    const answer = (/** @type {Event} */ event) => {
-      const { detail } = /** @type {CustomEvent} */ (event);
-      const [scene, set] = [this.acts.scene(), { ...this.values.good }];
-      detail.answer(this.client.ask(others, () => ({ scene, set, ...detail.message })));
+    const owner = {}; // who asks: apart from the requests for runs
+    const answer = (/** @type {any} */ { detail }) => {
+      const asked = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
+      detail.answer(this.client.ask(owner, () => asked));
     };
     this.owner.addEventListener(ASKED, answer, { signal });
   }

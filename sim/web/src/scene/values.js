@@ -38,7 +38,7 @@ export class Values {
       if (good === undefined) delete this.wanted[key];
       else this.wanted[key] = good;
     }
-    if (!alike(this.#before.at(-1), this.wanted)) return;
+    if (JSON.stringify(this.#before.at(-1)) !== JSON.stringify(this.wanted)) return;
     this.#before.pop(); // nothing was changed: nothing to undo
     this.#last.target = "";
   }
@@ -71,10 +71,4 @@ export class Values {
     this.reset();
     this.#before = [];
   }
-}
-
-/** @param {Settings | undefined} a @param {Settings} b */
-function alike(a, b) {
-  const keys = Object.keys({ ...a, ...b });
-  return a !== undefined && keys.every((key) => a[key] === b[key]);
 }
