@@ -109,8 +109,8 @@ def _wide(node: ast.AST) -> str:
         return node.attr
     spec = node.format_spec if isinstance(node, ast.FormattedValue) else None
     parts = spec.values if isinstance(spec, ast.JoinedStr) else []
-    plain = all(isinstance(p, ast.Constant) and not WIDE.search(str(p.value)) for p in parts)
-    return "" if plain else ast.unparse(node)
+    shown = "".join(str(p.value) if isinstance(p, ast.Constant) else "{*}" for p in parts)
+    return f":{shown}" if WIDE.search(shown) else ""
 
 
 def _modules(node: ast.AST) -> list[str]:

@@ -196,7 +196,7 @@ WRONG_TEXTS = {
     ),
     "a wide text": ("def force(overlap):\n    x = '%100000d' % 1\n    return 1\n", 2, "too wide"),
     "a wide field": ("def force(overlap):\n    x = f'{1:100000}'\n    return 1\n", 2, ":100000"),
-    "a reckoned width": ("def force(overlap):\n    x = f'{1:{9}}'\n    return 1\n", 2, ":{9}"),
+    "a reckoned width": ("def force(overlap):\n    x = f'{1:{9}}'\n    return 1\n", 2, ":{*}"),
     "a filled text": ("def force(overlap):\n    return len('a'.ljust(10 ** 6))\n", 2, "ljust"),
     "a factorial": (
         "import math\ndef force(overlap):\n    math.factorial(2000)\n    return 1\n", 3, "number"
