@@ -30,22 +30,24 @@ TEXTS = sorted(
 )
 
 CART_KEYS = [field.key for field in fields.CART]
-OTHER_KEYS = [
-    *SCENE_KEYS,
-    *FENCE_KEYS,
-    "file",
-    *laws(),
-    *PREDICTIONS,
-    *SHOWS,
-    *VIEWS,
-    *TOOLS,
-    *PACKAGES,
+OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *laws(), *PREDICTIONS]
+VALUES = [
+    (key, value)
+    for key, values in {"show": SHOWS, "with": (*VIEWS, *TOOLS), "packages": PACKAGES}.items()
+    for value in values
 ]
 
 
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])
-def test_the_reference_names_every_key(key: str) -> None:
-    assert re.search(rf"(`|\.|\[|\b){re.escape(key)}(`|\.|\b)", REFERENCE), key
+def test_the_reference_has_a_row_for_every_key(key: str) -> None:
+    """Its first cell has the key in code: as a word, `until` stands in any English sentence."""
+    assert re.search(rf"^\| [^|]*`{re.escape(key)}`[^|]*\|", REFERENCE, re.M), key
+
+
+@pytest.mark.parametrize(("key", "value"), VALUES)
+def test_the_reference_names_every_value_in_the_row_of_its_key(key: str, value: str) -> None:
+    (row,) = re.findall(rf"^\| `{key}` \|.*$", REFERENCE, re.M)
+    assert re.search(rf"[`[]{re.escape(value)}[`\]]", row), value
 
 
 @pytest.mark.parametrize("key", [*MAP_KEYS, "file", "v.A", "F.A-B", "warmed"])

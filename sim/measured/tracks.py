@@ -7,7 +7,7 @@ knows a text reads it. Readings become SI there. Two files with one track each m
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sim.measured.readers import read_text
 from sim.measured.refusal import ReadingError, refuse, shown
@@ -135,4 +135,4 @@ def between(measured: Measured, begin: float | None, end: float | None) -> Measu
                 tuple(track.lines[k] for k in kept),
             )
         )
-    return Measured(measured.kind, (tracks[0], tracks[1]), measured.notes, measured.own)
+    return replace(measured, tracks=(tracks[0], tracks[1]))

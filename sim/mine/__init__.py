@@ -2,6 +2,7 @@
 
     arguments.py   what a function may ask for by the name of an argument
     allowed.py     which Python a law may use: numbers, loops that end, the module math
+    bounded.py     its operators, where they could grow; growing.py: the bounds
     instance.py    from a text to a function that answers, or says at which line it went wrong
     contact.py     one pair's force as a stepping method asks for it, each side asked for itself
     field.py       the forces of a scene with it

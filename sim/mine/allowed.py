@@ -3,8 +3,9 @@
 A law is arithmetic: numbers, lists, functions, conditions, loops, `math`. What is left out is left
 out by its form, before anything runs: other modules, files, classes, names with an underscore in
 front. Every loop, every comprehension and every function gets a line that counts, so that a loop
-without an end is told with its number instead of waited for. This keeps accidents away from a
-reader, and from a teacher who judges a student's file; it is no wall against somebody who wants in.
+without an end is told with its number instead of waited for; what could grow beyond all memory at
+one stroke has bounds (`sim.mine.bounded`). This keeps accidents away from a reader, and from a
+teacher who judges a student's file; it is no wall against somebody who wants in.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import ast
 import builtins
 from collections.abc import Iterator
 
+from sim.mine.bounded import Bounded
+from sim.mine.growing import WIDE
 from sim.mine.wrong import WrongLawError
 from sim.scene.said import said
 
@@ -40,7 +43,10 @@ REFUSED: tuple[tuple[type[ast.AST], str], ...] = (
 )
 """A loop inside of these could swallow the counting; none of them is arithmetic."""
 
-COUNT, RESULT, POWER = "_count", "_result", "_power"
+FILLING = ("center", "expandtabs", "ljust", "rjust", "to_bytes", "zfill")
+"""Methods that fill up to any width."""
+
+COUNT, RESULT = "_count", "_result"
 """Names of what is put into a law; its author's names have no underscore in front."""
 
 
@@ -60,8 +66,11 @@ def parsed(text: str, file: str) -> ast.Module:
         raise WrongLawError(file, line, said("this is not Python: {why}", why=why), hint) from None
     for fault in _faults(tree, file):
         raise fault
-    counted: ast.Module = _Counted().visit(tree)
-    return ast.fix_missing_locations(counted)
+    try:
+        counted: ast.Module = _Counted().visit(Bounded(tree).visit(tree))
+        return ast.fix_missing_locations(counted)
+    except RecursionError:
+        raise WrongLawError(file, 1, said("this is longer than a law can be")) from None
 
 
 def _faults(tree: ast.Module, file: str) -> Iterator[WrongLawError]:
@@ -78,6 +87,10 @@ def _faults(tree: ast.Module, file: str) -> Iterator[WrongLawError]:
                 message = said("a law cannot import “{name}”", name=module)
                 hint = said("only the module math is there: import math")
                 yield WrongLawError(file, node.lineno, message, hint)
+        wide = _wide(node)
+        if wide:
+            message = said("a law cannot use “{name}”", name=wide)
+            yield WrongLawError(file, node.lineno, message, said("numbers, if, for and def do"))
         name = _name(node)
         if name.startswith("_") or (isinstance(node, ast.Attribute) and "format" in name):
             message = said("a law cannot use “{name}”", name=name)
@@ -88,6 +101,16 @@ def _faults(tree: ast.Module, file: str) -> Iterator[WrongLawError]:
             message = said("a law cannot use “{name}”", name=name)
             hint = said("it may use {names}", names=", ".join(BUILTINS))
             yield WrongLawError(file, node.lineno, message, hint)
+
+
+def _wide(node: ast.AST) -> str:
+    """What makes a text as wide as it is told, at one stroke."""
+    if isinstance(node, ast.Attribute) and node.attr in FILLING:
+        return node.attr
+    spec = node.format_spec if isinstance(node, ast.FormattedValue) else None
+    parts = spec.values if isinstance(spec, ast.JoinedStr) else []
+    shown = "".join(str(p.value) if isinstance(p, ast.Constant) else "{*}" for p in parts)
+    return f":{shown}" if WIDE.search(shown) else ""
 
 
 def _modules(node: ast.AST) -> list[str]:
@@ -120,10 +143,9 @@ class _Counted(ast.NodeTransformer):
     def _count(self, node: ast.AST) -> ast.Expr:
         return ast.copy_location(ast.Expr(self._call(COUNT, node)), node)
 
-    def _call(self, name: str, node: ast.AST, *values: ast.expr) -> ast.expr:
+    def _call(self, name: str, node: ast.AST) -> ast.expr:
         line = ast.Constant(getattr(node, "lineno", 1))
-        made = ast.Call(ast.Name(name, ast.Load()), [*values, line], [])
-        return ast.copy_location(made, node)
+        return ast.copy_location(ast.Call(ast.Name(name, ast.Load()), [line], []), node)
 
     def _loop(self, node: ast.For | ast.While | ast.FunctionDef) -> ast.AST:
         self.generic_visit(node)
@@ -138,9 +160,10 @@ class _Counted(ast.NodeTransformer):
         node.ifs.insert(0, self._call(COUNT, node.target))
         return node
 
-    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
-        """Powers of whole numbers may grow beyond all memory."""
+    def visit_Lambda(self, node: ast.Lambda) -> ast.AST:
+        """One that calls itself twice would go on for ever: `_count` gives True, and it goes on."""
         self.generic_visit(node)
-        if isinstance(node.op, ast.Pow):
-            return self._call(POWER, node, node.left, node.right)
+        node.body = ast.copy_location(
+            ast.BoolOp(ast.And(), [self._call(COUNT, node), node.body]), node.body
+        )
         return node

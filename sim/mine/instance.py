@@ -14,17 +14,16 @@ from functools import lru_cache
 from types import CodeType
 from typing import Any
 
-from sim.mine.allowed import BUILTINS, COUNT, POWER, RESULT, parsed
+from sim.mine.allowed import BUILTINS, COUNT, RESULT, parsed
 from sim.mine.arguments import ARGUMENTS, PLACES
+from sim.mine.bounded import PUT_IN
+from sim.mine.growing import OPERATORS, bounded_math, bounded_range, bounded_round
 from sim.mine.wrong import EndlessError, WrongLawError
 from sim.scene.problem import nearest
 from sim.scene.said import said
 
 MOST_TURNS = 20_000
 """Turns of all loops in one answer. A spring needs none, a sum over a table some hundred."""
-
-LARGEST_POWER = 4_096
-"""Bits of a whole number to a power: more is no length, no mass and no force."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +126,7 @@ class Instance:
             "__builtins__": _builtins(),
             COUNT: self._count,
             RESULT: self._result,
-            POWER: _power,
+            **PUT_IN,
         }
         try:
             exec(written.code, names)
@@ -211,38 +210,21 @@ def _line_of(error: BaseException, file: str) -> int | None:
     return line
 
 
-def _power(base: Any, exponent: Any, line: int) -> Any:
-    del line
-    whole = isinstance(base, int) and isinstance(exponent, int) and exponent > 0
-    if whole and base.bit_length() * exponent > LARGEST_POWER:
-        raise OverflowError(f"{base} to the power {exponent}")
-    return base**exponent
-
-
 def _builtins() -> dict[str, Any]:
     """Those of `BUILTINS`, and the one import."""
     import builtins
 
     names = {name: getattr(builtins, name) for name in BUILTINS}
+    bounded = bounded_math()
 
     def only_math(name: str, *_: Any) -> Any:
         assert name == "math"  # `allowed` has refused all others
-        return math
+        return bounded
 
     return names | {
         "print": lambda *_, **__: None,
-        "range": _range,
-        "pow": _pow,
+        "range": bounded_range,
+        "round": bounded_round,
+        "pow": OPERATORS["**"],
         "__import__": only_math,
     }
-
-
-def _range(*bounds: int) -> range:
-    made = range(*bounds)
-    if len(made) > MOST_TURNS:
-        raise OverflowError(f"range of {len(made)}")
-    return made
-
-
-def _pow(base: Any, exponent: Any) -> Any:
-    return _power(base, exponent, 0)

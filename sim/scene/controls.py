@@ -72,7 +72,7 @@ def _control(
     problems: list[Problem],
 ) -> Control | None:
     target = str(table.get("set"))
-    found = _target(target, scene) or effect_number(target, effects)
+    found = number_of(target, scene, effects)
     if found is None:
         problems.append(_unknown(target, (*path, "set"), scene, effects))
         return None
@@ -139,8 +139,14 @@ def _hint(owner: str, effects: Sequence[Effect]) -> str:
     )
 
 
-def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
+def number_of(
+    target: str, scene: Scene, effects: Sequence[Effect]
+) -> tuple[Field, str, float] | None:
     """The field behind a control's target, its label, and the scene's own value."""
+    return _target(target, scene) or effect_number(target, effects)
+
+
+def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
     name, _, key = target.rpartition(".")
     for cart in scene.carts:
         if cart.name == name:

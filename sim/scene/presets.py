@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.scene.changes import apply_changes
+from sim.scene.controls import number_of
 from sim.scene.problem import Path, Problem, SceneError
-from sim.scene.read import collect_scene
+from sim.scene.read import collect_scene, read_scene
+from sim.scene.read_effects import listed_effects
 from sim.scene.tables import mapping
 
 HINT = "presets: {elastic: {contact.restitution: 1}, heavy hits light: {A.mass: 4 kg}}"
@@ -34,3 +36,13 @@ def read_presets(
         problems.extend(Problem(path, p.code, p.message, p.hint) for p in found)
         presets[str(name)] = dict(listed)
     return presets
+
+
+def numbers_of(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, float]:
+    """The numbers of a preset in SI, by their paths: a page looks for them in the run it shows."""
+    changed = apply_changes(plain, changes)
+    scene = read_scene(changed)
+    names = [cart.name for cart in scene.carts]
+    effects = listed_effects(changed.get("effects", []), names, scene.track, [])
+    found = {target: number_of(target, scene, effects) for target in changes}
+    return {target: number[2] for target, number in found.items() if number is not None}

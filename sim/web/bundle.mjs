@@ -78,6 +78,21 @@ const noListeners = {
   },
 };
 
+/** Types are for `tsc`: a line that tells nothing else would stay in the body of a class, and be loaded. */
+const noTypes = {
+  name: "no-types",
+  setup(bundler) {
+    bundler.onLoad({ filter: /\.js$/ }, ({ path: file }) =>
+      file.includes("node_modules")
+        ? undefined
+        : {
+            contents: readFileSync(file, "utf8").replace(/^ *\/\*\* @.*\*\/\n/gm, ""),
+            loader: "js",
+          },
+    );
+  },
+};
+
 /** sim/effects/views.js names the view of every effect: of each folder there, whatever has one. */
 function collectEffects() {
   const effects = path.join(here, "..", "effects");
@@ -124,7 +139,12 @@ function collectLicences() {
 
 async function make(entry, output) {
   const outfile = path.resolve(here, output);
-  await build({ ...shared, entryPoints: [entry], outfile, plugins: [asText, noListeners] });
+  await build({
+    ...shared,
+    entryPoints: [entry],
+    outfile,
+    plugins: [asText, noListeners, noTypes],
+  });
 }
 
 collectEffects();

@@ -12,11 +12,12 @@ from collections.abc import Callable
 
 import pytest
 
-from sim.classroom.files.archive import MOST_ENTRIES, is_zip
+from sim.classroom.files.archive import LARGEST, MOST_ENTRIES, is_zip
 from sim.classroom.files.reading import MOST_NAMED, Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.lesson.answer_file import read_answer_file
 from tests.classroom.given.makers import answers, bank, keys, random_class, sources, zipped
+from tests.web.scene.given.widget_site import in_node
 
 BANK = bank(6)
 GOOD = sources(random_class(BANK, 5))
@@ -48,6 +49,35 @@ def test_what_students_zipped_is_read_from_the_zip_of_a_platform() -> None:
 def test_a_key_file_is_recognised_by_what_is_in_it() -> None:
     reading = Reading.of([*GOOD, Source("whatever.json", keys(BANK).encode())])
     assert [key.form for key in reading.keys] == ["pre", "post"]
+
+
+def test_marks_that_the_page_saved_are_read_however_many_students_there_are() -> None:
+    row = {"lesson": "newton-3", "form": "worksheet", "item": "explain-why", "marks": 1}
+    rows = [{**row, "student": f"BLUE-FOX-{k}"} for k in range(20_000)]
+    saved = {"format": 1, "kind": "newtons-carts-marks", "marks": rows}
+    content = json.dumps(saved, indent=1).encode()  # as sim/web/src/class/saves.js
+    for source in ("all.marks.json", content), ("all.zip", zipped([Source("m.json", content)])):
+        reading = Reading.of([Source(*source)])
+        assert not reading.refused
+        assert len(reading.given) == len(rows)
+
+
+def test_each_kind_of_file_has_its_own_limit() -> None:
+    answered = json.dumps(answers(BANK, "FOX", "pre", {"item-0": "a"}))
+    marked = '{"format": 1, "kind": "newtons-carts-marks", "marks": []}'
+    for text, most, kind in (
+        (answered, 2_000_000, "answers"),
+        (keys(BANK), 5_000_000, "key file"),
+        (marked, 30_000_000, "too large"),  # larger than any kind: it is not looked into
+    ):
+        assert not Reading.of([Source("a.json", text.ljust(most).encode())]).refused
+        (refused,) = Reading.of([Source("a.json", text.ljust(most + 1).encode())]).refused
+        assert "too large" in refused.reason and kind in refused.reason
+
+
+def test_the_page_sends_what_python_reads() -> None:
+    most = 'give((await import(source + "/class/intake.js")).MOST_JSON);'
+    assert in_node(most, None) == LARGEST
 
 
 def test_a_file_from_a_windows_editor_is_read() -> None:

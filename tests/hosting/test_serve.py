@@ -20,6 +20,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.site.build import build_site
+from sim.cli.site.page_server import own_names
 from sim.cli.site.serve import Previewer
 from sim.pages import runtime, site_files
 
@@ -166,6 +167,11 @@ def status_of(address: str, host: str | None) -> int:
             return int(answer.status)
     except urllib.error.HTTPError as error:
         return error.code
+
+
+def test_a_browser_leaves_out_the_port_of_the_web_and_no_other() -> None:
+    assert {"localhost", "127.0.0.1", "localhost:80", "127.0.0.1:80"} == own_names(80)
+    assert {"localhost:8000", "127.0.0.1:8000"} == own_names(8000)
 
 
 def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path) -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import pytest
 
 from sim.measured.refusal import ReadingError
-from sim.measured.tracks import read_measured
+from sim.measured.tracks import between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
 from tests.measured.device_reports import LOGGED, known, report
@@ -110,3 +111,12 @@ def test_of_several_runs_the_one_that_is_asked_for_is_read(
     with pytest.raises(ReadingError, match="there is no run 4: this file has 3"):
         read_measured([text], Units(run=4))
     assert read_measured([texts[0]]).runs == ()
+
+
+def test_a_span_of_time_changes_nothing_else_that_was_read() -> None:
+    text = below([sensor_carts(Motion(), seed=k) for k in (1, 2)])
+    whole = read_measured([text], Units(run=2))
+    span = between(whole, 0.1, None)
+    assert whole.runs == ("1", "2")
+    assert span.tracks[0].t[0] >= 0.1 > whole.tracks[0].t[0]
+    assert replace(span, tracks=whole.tracks) == whole

@@ -12,8 +12,12 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from sim.classroom.files import keyed, marks_file
 from sim.lesson.answer_file import MOST_BYTES
 from sim.scene.said import reason_of, said, template
+
+LARGEST = max(MOST_BYTES, keyed.MOST_CHARACTERS, marks_file.MOST_CHARACTERS)
+"""Bytes of a file of any kind; who reads it knows the kind, and looks at that kind's own limit."""
 
 MOST_ENTRIES = 20_000
 """Entries of one zip, folders included."""
@@ -113,7 +117,7 @@ def _content(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> tuple[bytes | 
     """The bytes of an entry, or the reason why there are none. What it claims is not believed."""
     if entry.flag_bits & _ENCRYPTED:
         return None, PASSWORD
-    if entry.file_size > MOST_BYTES:
+    if entry.file_size > LARGEST:
         return None, TOO_LARGE
     if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         return None, PACKED
@@ -122,7 +126,7 @@ def _content(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> tuple[bytes | 
         with archive.open(entry) as stream:
             while part := stream.read(READ_AT_ONCE):
                 size += len(part)
-                if size > MOST_BYTES:
+                if size > LARGEST:
                     return None, TOO_LARGE
                 parts.append(part)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, NotImplementedError):

@@ -6,8 +6,10 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from typing import Any
+from unicodedata import normalize
 
 from sim.lesson.opening import FORMS
 
@@ -18,6 +20,11 @@ MOST_CHARACTERS = 30_000_000
 ALLOWED = range(10)
 PLACE = ("lesson", "form", "student", "item")
 
+_SPACES = "\t\n\v\f\r \xa0\u1680" + "".join(map(chr, range(0x2000, 0x200B)))
+_SPACES += "\u2028\u2029\u202f\u205f\u3000\ufeff"  # what is a space in JavaScript
+_AND = re.compile("[+&]")
+_GAPS = re.compile(f"[{_SPACES}–—−_]+")
+
 Given = Mapping[tuple[str, str, str, str], int]
 """(lesson, form, student, item) -> marks."""
 
@@ -27,8 +34,19 @@ class MarksFileError(ValueError):
 
 
 def pseudonym(text: str) -> str:
-    """A code word as it is compared: capitals and spaces around it do not count."""
-    return " ".join(text.split()).upper()
+    """A code word as it is compared: “blue fox 27” and “Blue–Fox–27” are BLUE-FOX-27.
+
+    The rules of a student's browser (sim/web/src/answers/codes.js), to the last sign: two on one
+    laptop, with + or & between them, stand in one order.
+    """
+    parts = _AND.split(normalize("NFKC", text).upper())
+    words = {_GAPS.sub("-", part.strip(_SPACES)) for part in parts}
+    return "+".join(sorted(words, key=_order))
+
+
+def _order(word: str) -> list[tuple[int, int]]:
+    """By units of UTF-16, as JavaScript sorts: signs beyond the first plane come before U+E000."""
+    return [(0xD800 if ord(sign) > 0xFFFF else ord(sign), ord(sign)) for sign in word]
 
 
 def read_marks(text: str) -> Given:

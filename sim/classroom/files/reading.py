@@ -11,18 +11,18 @@ from dataclasses import dataclass, replace
 from sys import intern
 from typing import TypeGuard
 
-from sim.classroom.files.archive import TOO_LARGE, entries, is_zip, shown
+from sim.classroom.files.archive import LARGEST, TOO_LARGE, entries, is_zip, shown
 from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
 from sim.lesson.answer_file import (
-    MOST_BYTES,
     NO_QUESTIONS,
     AnswerFile,
     AnswerFileError,
     Item,
     read_answer_file,
 )
+from sim.lesson.key_file import KIND as KEY
 from sim.scene.said import reason_of, said, template
 
 MOST_FILES = 20_000
@@ -131,7 +131,7 @@ def _of_source(source: Source) -> Iterator[Outcome]:
 def of_file(name: str, content: bytes) -> Outcome:
     """What one file that is no zip holds."""
     name = shown(name)
-    if len(content) > MOST_BYTES:
+    if len(content) > LARGEST:
         return Refused(name, TOO_LARGE)
     if is_zip(content):
         return Refused(name, template("too many zips inside each other: unpack them first"))
@@ -151,11 +151,11 @@ def of_file(name: str, content: bytes) -> Outcome:
 def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:
     """A key or marks, or the reason why the file is no file of answers either."""
     try:
-        return read_marks(text) if f'"{MARKS}"' in text else read_key_file(text)
-    except MarksFileError as error:
+        if f'"{MARKS}"' in text:
+            return read_marks(text)
+        return read_key_file(text) if f'"{KEY}"' in text else Refused(name, otherwise)
+    except (MarksFileError, KeyFileError) as error:
         return Refused(name, reason_of(error))
-    except KeyFileError as error:
-        return Refused(name, reason_of(error) if '"newtons-carts-key"' in text else otherwise)
 
 
 def _slim(answers: AnswerFile) -> AnswerFile:

@@ -162,7 +162,7 @@ def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> M
     by_id: dict[str, list[Item]] = {}
     for item in file.items:
         by_id.setdefault(item.id, []).append(item)
-    person = pseudonym(file.student) or f"{NO_CODE} ({read.name})".upper()
+    person = pseudonym(file.student) or pseudonym(f"{NO_CODE} ({read.name})")
     who = (file.lesson, file.form, person)
     answers = {
         name: _marked(keyed, by_id.get(name, []), given.get((*who, name)))

@@ -7,9 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from sim.classroom.files.archive import MOST_UNPACKED, is_zip
+from sim.classroom.files.archive import LARGEST, MOST_UNPACKED, is_zip
 from sim.classroom.files.reading import Source
-from sim.lesson.answer_file import MOST_BYTES
 
 ENDINGS = (".json", ".zip")
 MOST_ZIP = MOST_UNPACKED
@@ -42,7 +41,7 @@ def _source(path: Path) -> Source:
         with path.open("rb") as file:
             start = file.read(4)
             return Source(
-                path.as_posix(), start + file.read(MOST_ZIP if is_zip(start) else MOST_BYTES)
+                path.as_posix(), start + file.read(MOST_ZIP if is_zip(start) else LARGEST)
             )
     except OSError as error:
         return Source(f"{path.as_posix()} ({error.strerror})", b"")

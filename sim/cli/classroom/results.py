@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -12,9 +13,10 @@ from sim.classroom.files.codes import read_codes
 from sim.classroom.files.reading import Reading, outcomes
 from sim.classroom.report.report import class_report
 from sim.classroom.tables.report import table_report
-from sim.cli.classroom.calls import Given, asked, group, only_country, only_one_way, placed, student
+from sim.cli.classroom.calls import Given, asked, only_country, only_one_way, placed
 from sim.cli.classroom.country import country_report, of_country, to_hand_on, write_answers
 from sim.cli.classroom.files import sources
+from sim.cli.classroom.options import Options
 from sim.cli.classroom.out import Out
 from sim.cli.classroom.papers import Papers
 from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_whole
@@ -95,31 +97,7 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     "that Ibis knows.",
 )
 @click.pass_context
-def command(
-    ctx: click.Context,
-    files: tuple[Path, ...],
-    as_json: bool,
-    html: Path | None,
-    slips: Path | None,
-    sheet: Path | None,
-    language: str,
-    answers: bool,
-    csv_file: Path | None,
-    items_file: Path | None,
-    keys: tuple[Path, ...],
-    marks: Path | None,
-    codes: Path | None,
-    groups: tuple[str, ...],
-    students: tuple[str, ...],
-    tables: tuple[str, ...],
-    most: str | None,
-    lesson: str | None,
-    summary: Path | None,
-    by_total: bool,
-    merge: bool,
-    parquet: Path | None,
-    backend: str | None,
-) -> None:
+def command(ctx: click.Context, /, files: tuple[Path, ...], **options: Any) -> None:
     """Say what a class answered and learned, from its answer files.
 
     FILES are answer files, folders with answer files in them, zips, and key files. A file that
@@ -139,28 +117,31 @@ def command(
     carts class answers/ --parquet country/
     carts class --table country/ --html country.html
     """
-    out = Out(ctx, as_json, html, csv_file, items_file, summary, by_total, language)
-    marked = [*files, *keys, *([marks] if marks else [])]
-    typed = codes.read_text(encoding="utf-8-sig") if codes else ""
-    given = Given(marked, list(map(group, groups)), dict(map(student, students)), typed)
-    if by_total and (not summary or merge):
+    wanted = Options(**options)
+    out, given = wanted.out(ctx), wanted.given(files)
+    if wanted.by_total and (not wanted.summary or wanted.merge):
         raise click.UsageError("--by-total belongs to --summary")
-    if parquet or (tables and of_country(tables, backend)):
-        only_country(ctx, parquet, tables)
-        if parquet:
-            _written(out, parquet, given)
+    if wanted.parquet or (wanted.tables and of_country(wanted.tables, wanted.backend)):
+        only_country(ctx, wanted.parquet, wanted.tables)
+        if wanted.parquet:
+            _written(out, wanted.parquet, given)
         else:
-            _country(out, tables, backend, keys, [])
+            _country(out, wanted.tables, wanted.backend, wanted.keys, [])
         return
-    only_one_way(ctx, files, tables)
-    if merge:
-        _merged(out, files, summary)
-    elif tables:
-        found, unread = tables_of(tables, given.groups, most, lesson)
-        out.sums([found.lesson], found.groups)
-        out.report(table_report(found), [*unread, *found.refused], anything=bool(found.taken))
+    only_one_way(ctx, files, wanted.tables)
+    if wanted.merge:
+        _merged(out, files, wanted.summary)
+    elif wanted.tables:
+        _tables(out, wanted, given)
     else:
-        _answers(out, Papers(slips, sheet, answers), given)
+        _answers(out, wanted.papers, given)
+
+
+def _tables(out: Out, wanted: Options, given: Given) -> None:
+    """The report on tables of marks."""
+    found, unread = tables_of(wanted.tables, given.groups, wanted.most, wanted.lesson)
+    out.sums([found.lesson], found.groups)
+    out.report(table_report(found), [*unread, *found.refused], anything=bool(found.taken))
 
 
 def _merged(out: Out, files: tuple[Path, ...], summary: Path | None) -> None:

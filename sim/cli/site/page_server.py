@@ -30,6 +30,12 @@ def _refused(start_response: Any, status: str) -> list[bytes]:
     return [status.encode()]
 
 
+def own_names(port: int) -> set[str]:
+    """How a browser of this computer calls the server; it leaves out the web's own port."""
+    names = {"127.0.0.1", "localhost"}
+    return {f"{name}:{port}" for name in names} | (names if port == 80 else set())
+
+
 class PageServer(LiveReloadServer):
     """Serves the folder `site` on this computer alone; bound to its port from the start."""
 
@@ -43,7 +49,7 @@ class PageServer(LiveReloadServer):
         self.server_bind()
         self.server_activate()
         # A page elsewhere may let its own name point at this computer and read what is unpublished.
-        self.names = {f"{name}:{self.server_port}" for name in ("127.0.0.1", "localhost")}
+        self.names = own_names(self.server_port)
 
     def serve(self, *, open_in_browser: bool = False) -> None:
         """Answer requests and build at each change, until the program is ended."""

@@ -13,6 +13,7 @@ from sim.pages.language import told
 from sim.pages.widget.layout import lay_out
 from sim.pages.widget.run import Run, from_wire
 from sim.pages.widget.scale_of import Scales, read_scales
+from sim.scene.presets import numbers_of
 from sim.scene.said import Said
 
 # Significant digits of the baked numbers: far below what can be seen, and few enough for 60 kB
@@ -96,6 +97,9 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
             {"set": s.set, "label": told(s.label), "value": s.value} for s in fence.switches
         ],
         "presets": {name: dict(changes) for name, changes in fence.presets.items()},
+        "presetNumbers": {
+            name: numbers_of(fence.plain, changes) for name, changes in fence.presets.items()
+        },
         "predict": None if fence.predict is None else _prediction(fence.predict),
     }
 

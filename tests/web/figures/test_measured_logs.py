@@ -58,5 +58,12 @@ def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPa
     expect(page.locator(".carts-measured-table table")).not_to_have_text(first or "")
     page.reload()
     expect(run).to_have_value("2", timeout=STARTS)  # kept with the readings
+    table = page.locator(".carts-measured-table table")
+    second = table.text_content()
+    begin = page.locator(".carts-measured-from")
+    begin.fill("0.2")
+    begin.press("Enter")
+    expect(table).not_to_have_text(second or "")
+    expect(run).to_have_value("2")  # a span is of the run that was chosen
     choose(page, "one.csv", logs[0].removeprefix("\ufeff"))
     expect(run).to_be_hidden()

@@ -138,6 +138,11 @@ def test_the_next_student_can_start_again(open_page: OpenPage, widget_site: Path
     expect(page.locator("#choice .carts-results")).to_be_visible()
     again.click()
     page.get_by_role("button", name="Forget it").click()
+    asked_once = """let answers = 0;
+    const detail = { message: { kind: "run" }, answer: () => (answers += 1) };
+    el.dispatchEvent(new CustomEvent("carts-asked", { detail }));
+    return answers;"""
+    assert on_scene(page, asked_once, name="choice") == 1  # not once more for each student
     page.get_by_label("It turns back", exact=True).check()  # a second time in the same page
     page.locator("#choice .carts-lock").click()
     expect(page.locator("#choice .carts-results")).to_be_visible()

@@ -98,6 +98,77 @@ def test_a_python_that_is_lost_comes_back_with_its_packages() -> None:
     assert said == [3, ["numpy"], "map"]
 
 
+# Starts that come when the test says so: the one with packages and the one after a loss cross.
+CROSSING = """
+        let wait = false;
+        const held = [];
+        const slow = new Client(async (more) => {
+          if (wait) await new Promise((resolve, reject) => held.push({ resolve, reject }));
+          return start(more);
+        });
+        slow.wake();
+        await turn();
+        wait = true;
+        const grown = slow.need(["numpy"]);
+        await turn();
+        started[0].onlost(new Error("gone"));
+        await turn();
+        held[0].resolve();
+        await grown;
+"""
+
+
+def test_a_python_that_comes_after_one_with_more_packages_takes_nothing_over() -> None:
+    said = told(
+        CROSSING
+        + """
+        held[1].resolve();
+        await turn();
+        await slow.need(["numpy"]);
+        const asked = slow.ask({}, () => ({ kind: "map" }));
+        await turn();
+        said.push(started.map(({ more, stopped, asked }) => [more, stopped, asked.length]));
+        answer(started[1]);
+        said.push((await asked).header.by, slow.state);
+        """
+    )
+    assert said == [[[[], True, 0], [["numpy"], False, 1], [[], True, 0]], ["numpy"], "ready"]
+
+
+def test_a_late_start_that_fails_leaves_the_python_that_answers() -> None:
+    said = told(
+        CROSSING
+        + """
+        held[1].reject(failure("stalled"));
+        await turn();
+        const asked = slow.ask({}, () => ({ kind: "map" }));
+        await turn();
+        answer(started[1]);
+        said.push((await asked).header.by, slow.state);
+        """
+    )
+    assert said == [["numpy"], "ready"]
+
+
+def test_a_python_that_is_lost_twice_comes_back_with_the_packages_it_had() -> None:
+    said = told(
+        CROSSING
+        + """
+        started[1].onlost(new Error("gone"));
+        held[1].resolve();
+        await turn();
+        held[2].resolve();
+        const asked = slow.ask({}, () => ({ kind: "map" }));
+        await turn();
+        answer(started[3]);
+        said.push(started.map(({ more, stopped }) => [more, stopped]));
+        said.push((await asked).header.by, slow.state);
+        """
+    )
+    pythons = [[[], True], [["numpy"], True], [[], True], [["numpy"], False]]
+    assert said == [pythons, ["numpy"], "ready"]
+
+
 def test_the_client_keeps_the_newest_request_and_survives_three_deaths() -> None:
     log = in_node(
         """const { Client } = await import(source + "/runtime/client.js");

@@ -19,3 +19,56 @@ def test_typed_numbers_are_read_as_people_mean_them() -> None:
     assert [v for k, v in enumerate(values) if k in {6, 7, 8} or k >= 12] == ["problem"] * 11
     assert read[6]["problem"] == "1,000 can mean 1 or 1000: type 1 or 1000"
     assert read[7]["problem"] == "12,500 can mean 12.5 or 12500: type 12.5 or 12500"
+
+
+def test_a_comma_before_three_digits_has_two_readings_with_a_unit_too() -> None:
+    typed = ["1,000 kg", "12,500g", "1,000,000 g", "1,234.5 kg", "1,234.5", "1,2345 kg", "0,500 kg"]
+    scene, question = in_node(
+        """const { readTyped } = await import(source + "/shared/typed.js");
+        const { readNumber } = await import(source + "/question/marking/typed-number.js");
+        give([data.map(readTyped), data.map((one) => readNumber(one, { kg: 1, g: 0.001 }))]);""",
+        typed,
+    )
+    assert [one.get("problem") for one in scene] == [
+        "1,000 can mean 1 or 1000: type 1 or 1000",
+        "12,500 can mean 12.5 or 12500: type 12.5 or 12500",
+        "Type 1000000 without commas.",
+        *["Type 1234.5 without commas."] * 2,
+        *[None] * 2,
+    ]
+    assert scene[5:] == [{"text": "1.2345 kg"}, {"text": "0.500 kg"}]
+    assert [one.get("problem") for one in question] == [one.get("problem") for one in scene]
+
+
+def test_a_refused_value_leaves_nothing_to_undo() -> None:
+    found = in_node(
+        """const { Values } = await import(source + "/scene/values.js");
+        const values = new Values();
+        const undone = () => [values.canUndo, { ...values.wanted }];
+        const found = [];
+        values.ask({ "A.mass": -1 });
+        values.giveUp({ "A.mass": -1 });
+        found.push(undone());
+        values.ask({ "A.mass": 2 }); // at once, of the same slider: a change of its own
+        values.good = { "A.mass": 2 };
+        found.push(undone());
+        values.ask({ "A.velocity": "far" });
+        values.giveUp({ "A.velocity": "far" });
+        found.push(undone());
+        values.undo();
+        found.push(undone());
+        values.ask({ "A.mass": 3 });
+        values.good = { "A.mass": 3 };
+        values.ask({ "A.mass": -3 }); // one drag, refused at its end only
+        values.giveUp({ "A.mass": -3 });
+        found.push(undone());
+        give(found);""",
+        None,
+    )
+    assert found == [
+        [False, {}],
+        [True, {"A.mass": 2}],
+        [True, {"A.mass": 2}],
+        [False, {}],
+        [True, {"A.mass": 3}],
+    ]

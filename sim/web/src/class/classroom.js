@@ -1,6 +1,7 @@
 /** What the teacher has dropped on the page so far. Nothing of it is kept when the page is closed. */
 
 import { tr } from "../../../view/language.js";
+import { codeWord } from "../shared/code-word.js";
 
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean}} Held `out`: left out by the teacher */
@@ -60,7 +61,7 @@ export class Classroom {
   /** @param {GivenMark} mark */
   give(mark) {
     const { lesson, form, student, item } = mark;
-    this.marks.set(JSON.stringify([lesson, form, plain(student), item]), mark);
+    this.marks.set(JSON.stringify([lesson, form, codeWord(student), item]), mark);
   }
 
   /** What Python is told with every question. @returns {Record<string, unknown>} */
@@ -89,11 +90,8 @@ export class Classroom {
   marksFile() {
     const rows = [...this.marks.values()].map((mark) => ({
       ...mark,
-      student: plain(mark.student),
+      student: codeWord(mark.student),
     }));
     return `${JSON.stringify({ format: 1, kind: "newtons-carts-marks", marks: rows }, null, 1)}\n`;
   }
 }
-
-/** A code word as it is compared, as in sim/classroom/files/marks_file.py. @param {string} student */
-export const plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();

@@ -6,7 +6,7 @@ import { tr } from "../../../view/language.js";
 /** @typedef {{name: string, base64: string}} Parcel */
 /** @typedef {(message: Record<string, unknown>) => Promise<Record<string, any>>} Ask */
 
-const MOST_JSON = 2_000_000; // bytes; as in sim/lesson/answer_file.py
+export const MOST_JSON = 30_000_000; // bytes of a file of any kind; Python knows the kind, and its limit
 const MOST_ZIP = 60_000_000; // in a page; the command line takes more
 const PARCEL_BYTES = 1_000_000;
 const PARCEL_FILES = 25;

@@ -1,6 +1,7 @@
 /** The files that were read, each with a box to leave it out; and hand-in codes typed from paper. */
 
 import { counted, tr } from "../../../view/language.js";
+import { codeWord } from "../shared/code-word.js";
 import { html, say } from "../shared/dom.js";
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
@@ -61,7 +62,7 @@ function codeFor(file, changed) {
   box.placeholder = tr("code word");
   box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
   box.addEventListener("change", () => {
-    file.row[STUDENT] = box.value.trim().toUpperCase();
+    file.row[STUDENT] = codeWord(box.value);
     changed();
   });
   return box;

@@ -2,8 +2,8 @@
 
 import { counted, tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
+import { codeWord } from "../shared/code-word.js";
 import { html, say } from "../shared/dom.js";
-import { plain } from "./classroom.js";
 
 /**
  * @typedef {{lesson: string, form: string, id: string, title: string, ask: string, worth: number,
@@ -26,7 +26,7 @@ export function reader(classroom, marked) {
 
   /** @param {Words} one @param {string} student */
   const markOf = (one, student) =>
-    classroom.marks.get(JSON.stringify([one.lesson, one.form, plain(student), one.id]))?.marks;
+    classroom.marks.get(JSON.stringify([one.lesson, one.form, codeWord(student), one.id]))?.marks;
 
   /** @param {Words} one @param {number} marks */
   const give = (one, marks) => {

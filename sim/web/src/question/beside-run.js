@@ -23,11 +23,12 @@ function sceneBeside(question) {
   return above;
 }
 
-/** Calls when the run beside a question was watched. @param {HTMLElement} question @param {() => void} act */
-export function whenWatched(question, act) {
-  document.addEventListener("carts-watched", ({ target }) => {
+/** Calls when the run beside a question was watched. @param {HTMLElement} question @param {() => void} act @param {AbortSignal} signal */
+export function whenWatched(question, act, signal) {
+  const watched = (/** @type {Event} */ { target }) => {
     if (target === sceneBeside(question)) act();
-  });
+  };
+  document.addEventListener("carts-watched", watched, { signal });
 }
 
 /** The entry with the answer as it stood at the run, told once. @param {any} entry */

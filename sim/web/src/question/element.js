@@ -33,10 +33,20 @@ export function questionElement(book) {
     #entry = null;
     #writes = 0;
     closed = false;
+    #leaving = new AbortController(); // ends what the question hears of page and answers
     #ready = false; // what was answered before is back: until then no field takes a key
 
     connectedCallback() {
-      if (this.#form) return;
+      this.#leaving = new AbortController();
+      if (!this.#form) this.#adopt();
+      if (this.#form) this.#listen(this.#leaving.signal);
+    }
+
+    disconnectedCallback() {
+      this.#leaving.abort();
+    }
+
+    #adopt() {
       this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
       this.formName = this.closest("carts-quiz")?.getAttribute("data-form") ?? "worksheet";
       const make = FORMS[this.facts.type];
@@ -46,22 +56,24 @@ export function questionElement(book) {
       for (const radio of this.#certainty()) {
         radio.addEventListener("change", () => this.#changed());
       }
-      setTimeout(() => {
-        if (!this.#ready) this.#say(tr("Opening your answers …"));
-      }, SOON);
+      setTimeout(() => this.#ready || this.#say(tr("Opening your answers …")), SOON);
       if (this.facts.key)
         this.#feedback = new Feedback(
           this,
           () => this.#attempt(),
           (shown, verdict) => this.#marked(shown, verdict),
         );
-      book.addEventListener("elsewhere", (event) => {
-        const key = /** @type {CustomEvent} */ (event).detail;
-        if (key === book.key(this.formName ?? "worksheet", this.facts.id)) this.#show();
-      });
-      book.addEventListener("change", () => this.#form?.follow?.(book));
-      whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)));
       void book.ready.then(() => this.#restore());
+    }
+
+    /** @param {AbortSignal} signal */
+    #listen(signal) {
+      const elsewhere = (/** @type {any} */ { detail }) =>
+        detail === book.key(this.formName ?? "worksheet", this.facts.id) && this.#show();
+      book.addEventListener("elsewhere", elsewhere, { signal });
+      book.addEventListener("change", () => this.#form?.follow?.(book), { signal });
+      whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)), signal);
+      if (this.#ready) wait(this, this.answered, signal); // put elsewhere in the page
     }
 
     /** Whether this question has an answer now. */
@@ -103,7 +115,7 @@ export function questionElement(book) {
       this.#enable();
       this.dataset.ready = "";
       this.#form?.follow?.(book);
-      wait(this, this.answered);
+      wait(this, this.answered, this.#leaving.signal);
     }
 
     /** Shows what is kept; an answer to another version of the question is shown beside it. */

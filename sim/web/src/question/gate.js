@@ -6,8 +6,8 @@
 
 const OPEN_ALL = "carts-open-questions";
 
-/** @param {HTMLElement} element @param {boolean} answered before */
-export function wait(element, answered) {
+/** @param {HTMLElement} element @param {boolean} answered before @param {AbortSignal} signal */
+export function wait(element, answered, signal) {
   const id = element.dataset.after;
   if (!id || element.dataset.opened !== undefined) return;
   const open = () => (element.dataset.opened = "");
@@ -15,15 +15,22 @@ export function wait(element, answered) {
   const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
   if (answered || shown()) return open();
   for (const kind of ["carts-watched", "carts-error"]) {
-    document.addEventListener(kind, () => shown() && open());
+    document.addEventListener(kind, () => shown() && open(), { signal });
   }
-  document.addEventListener(OPEN_ALL, open);
+  document.addEventListener(OPEN_ALL, open, { signal });
 }
 
 /** `<carts-after>`: text that waits. */
 export class CartsAfter extends HTMLElement {
+  #leaving = new AbortController();
+
   connectedCallback() {
-    wait(this, false);
+    this.#leaving = new AbortController();
+    wait(this, false, this.#leaving.signal);
+  }
+
+  disconnectedCallback() {
+    this.#leaving.abort();
   }
 }
 

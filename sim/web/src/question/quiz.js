@@ -13,7 +13,12 @@ const STATE = "_form"; // the id under which the form itself is kept, beside its
 /** The element class for the page's answers. @param {import("../answers/book.js").Book} book */
 export function quizElement(book) {
   return class CartsQuiz extends HTMLElement {
+    #leaving = new AbortController(); // ends what the form hears of the answers
+
     connectedCallback() {
+      this.#leaving = new AbortController();
+      const { signal } = this.#leaving;
+      book.addEventListener("change", () => this.#follow(), { signal });
       if (this.facts) return;
       this.facts = JSON.parse(need(this, "script.carts-quiz-facts").textContent ?? "{}");
       this.#listen();
@@ -21,6 +26,10 @@ export function quizElement(book) {
         if (this.facts.shuffle && book.student) shuffleOptions(this, book.student);
         this.#follow();
       });
+    }
+
+    disconnectedCallback() {
+      this.#leaving.abort();
     }
 
     #listen() {
@@ -36,7 +45,6 @@ export function quizElement(book) {
       need(this, ".carts-quiz-no").addEventListener("click", () => this.#ask(false));
       need(this, ".carts-quiz-yes").addEventListener("click", () => void this.#handIn());
       this.addEventListener("carts-answer", () => this.#count());
-      book.addEventListener("change", () => this.#follow());
     }
 
     /** @returns {any} opened, handed, words: what is known of the form itself */

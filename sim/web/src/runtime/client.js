@@ -129,13 +129,16 @@ export class Client extends EventTarget {
   }
 
   async #boot() {
+    const more = this.#more;
     this.#become("starting");
     try {
-      this.#use(await this.start(this.#more));
+      const runtime = await this.start(more);
+      if (more !== this.#more) return runtime.stop(); // one with more packages came meanwhile
+      this.#use(runtime);
       this.#become("ready");
       this.#next();
     } catch (error) {
-      this.#fail(error);
+      if (more === this.#more) this.#fail(error);
     }
   }
 

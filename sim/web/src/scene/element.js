@@ -61,7 +61,8 @@ export function sceneElement(client, folder) {
     #listen() {
       this.#leaving = new AbortController();
       const { signal } = this.#leaving;
-      client.addEventListener("state", () => this.#live.follow(), { signal });
+      this.#live.listen(signal);
+      this.#runs.hear(signal);
       addEventListener("beforeprint", () => this.#view?.print(true), { signal });
       addEventListener("afterprint", () => this.#view?.print(false), { signal });
     }

@@ -3,7 +3,6 @@
 import { WANTED } from "../../../view/ledger-effects.js";
 import { FindForces } from "../predict/find-forces.js";
 import { Predict } from "../predict/predict.js";
-import { ASKED } from "../shared/ask-scene.js";
 import { need } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { Controls, valueIn } from "./controls.js";
@@ -29,7 +28,7 @@ import { TakeAlong } from "./take-along/take-along.js";
 export function wireInside(element, baked, view, client, acts) {
   element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
   element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
-  const presets = new Presets(element, baked.fence.presets, acts.preset);
+  const presets = new Presets(element, baked.fence, acts.preset);
   presets.show({}, baked.run.header);
   const { scene, controls, switches } = baked.fence;
   const sliders = new Controls(element, controls, acts, switches);
@@ -57,12 +56,6 @@ export function wireInside(element, baked, view, client, acts) {
         ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
         () => detail.answer(null),
       );
-  });
-  const worlds = {};
-  element.addEventListener(ASKED, (event) => {
-    const { detail } = /** @type {CustomEvent} */ (event);
-    const set = { ...acts.settings() };
-    detail.answer(client.ask(worlds, () => ({ scene, set, ...detail.message })));
   });
   const find = element.querySelector(".carts-find")
     ? new FindForces(element, baked.fence.id, acts.found)

@@ -26,12 +26,17 @@ export class Live {
     return this.#waiting.promise;
   }
 
+  /** @param {AbortSignal} signal */
+  listen(signal) {
+    this.client.addEventListener("state", () => this.follow(), { signal });
+    this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
+  }
+
   /** The picture stands: Python starts at the first touch at the latest. */
   still() {
     for (const kind of ["pointerdown", "keydown", "focusin"]) {
       this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
     }
-    this.client.addEventListener("slow", () => this.#slow(), { once: true });
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
   }
 

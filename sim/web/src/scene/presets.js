@@ -10,9 +10,10 @@ export class Presets {
   /** @type {Set<string>} those whose run was seen to its end */
   #seen = new Set();
 
-  /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings, name: string) => void} choose */
-  constructor(root, presets, choose) {
-    this.presets = presets;
+  /** @param {HTMLElement} root @param {import("../../../view/types.js").Fence} fence @param {(changes: Settings, name: string) => void} choose */
+  constructor(root, fence, choose) {
+    this.presets = fence.presets;
+    this.numbers = fence.presetNumbers;
     /** @type {NodeListOf<HTMLElement>} */
     this.buttons = root.querySelectorAll(".carts-preset");
     this.line = root.querySelector(".carts-presets-left");
@@ -48,11 +49,10 @@ export class Presets {
   show(settings, header) {
     for (const button of this.buttons) {
       const values = Object.entries(this.#of(button));
+      const numbers = this.numbers[button.dataset.preset ?? ""];
       const asked = values.every(([target, value]) => settings[target] === value);
-      // Before anything was pressed: what the lesson begins with may be one of them, in its own units.
-      const same = values.every(
-        ([target, value]) => valueIn(header, target) === Number.parseFloat(String(value)),
-      );
+      // Before anything was pressed: what the lesson begins with may be one of them.
+      const same = values.every(([target]) => valueIn(header, target) === numbers?.[target]);
       put(button, "aria-pressed", String(values.length > 0 && (asked || same)));
     }
   }

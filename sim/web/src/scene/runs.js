@@ -4,6 +4,7 @@
  */
 
 import { fromWire } from "../../../view/trajectory.js";
+import { ASKED } from "../shared/ask-scene.js";
 import { drawn, refusal } from "../shared/waiting.js";
 import { Values } from "./values.js";
 
@@ -26,6 +27,16 @@ export class Runs {
     this.owner = owner;
     this.client = client;
     this.acts = acts;
+  }
+
+  /** Answers others of the page. @param {AbortSignal} signal */
+  hear(signal) {
+    const owner = {}; // who asks: apart from the requests for runs
+    const answer = (/** @type {any} */ { detail }) => {
+      const asked = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
+      detail.answer(this.client.ask(owner, () => asked));
+    };
+    this.owner.addEventListener(ASKED, answer, { signal });
   }
 
   /** Whether there are runs that need no Python. */

@@ -38,6 +38,9 @@ export class Values {
       if (good === undefined) delete this.wanted[key];
       else this.wanted[key] = good;
     }
+    if (JSON.stringify(this.#before.at(-1)) !== JSON.stringify(this.wanted)) return;
+    this.#before.pop(); // nothing was changed: nothing to undo
+    this.#last.target = "";
   }
 
   /** Other values in the place of all, as one change. @param {Settings} changes */

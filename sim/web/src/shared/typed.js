@@ -4,6 +4,7 @@ import { tr } from "../../../view/language.js";
 import { withExponent } from "../question/marking/notation.js";
 
 const LONGEST = 40;
+const GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
 
 /**
  * A number in the box's own unit, or text with a unit for Python to read, or why it is neither.
@@ -13,7 +14,8 @@ export function readTyped(typed) {
   const text = withExponent(typed.trim());
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
-  if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
+  const grouped = twoReadings(text);
+  if (grouped) return { problem: grouped };
   if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
     const value = Number(text.replace(",", "."));
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
@@ -24,10 +26,12 @@ export function readTyped(typed) {
   return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
 }
 
-/** What a comma before three digits can mean. @param {string} text */
-export function twoReadings(text) {
+/** What a comma before three digits can mean, with a unit behind it or none; empty: there is none. @param {string} typed */
+export function twoReadings(typed) {
+  const text = GROUPED.exec(typed)?.[0];
+  if (!text) return "";
   const whole = text.replaceAll(",", "");
-  if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
+  if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole });
   const decimal = String(Number(text.replace(",", ".")));
   return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
     text,

@@ -31,9 +31,11 @@ export class WorldsElement extends HTMLElement {
     });
     const waits = this.scene.querySelector(".carts-predict, .carts-end") !== null;
     if (!waits || "watched" in this.scene.dataset) this.#open();
-    new MutationObserver(() => {
+    const again = new MutationObserver(() => {
       if (this.scene.classList.contains("carts-asks")) this.#close();
-    }).observe(this.scene, { attributeFilter: ["class"] }); // “Start again”
+    });
+    again.observe(this.scene, { attributeFilter: ["class"] }); // “Start again”
+    signal.addEventListener("abort", () => again.disconnect());
   }
 
   disconnectedCallback() {

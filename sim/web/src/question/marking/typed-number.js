@@ -6,7 +6,6 @@ import { sameUnit, withExponent } from "./notation.js";
 
 const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
-const GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
 
 const BARE = /^[\s+\-−–\d.,eE]*$/; // a number without a unit
 
@@ -24,8 +23,8 @@ export function readNumber(typed, units) {
   const text = withExponent(typed.trim());
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
-  const grouped = GROUPED.exec(text);
-  if (grouped) return { problem: twoReadings(String(grouped[1])) };
+  const grouped = twoReadings(text);
+  if (grouped) return { problem: grouped };
   const found = NUMBER.exec(text);
   if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   const number = String(found[1]);

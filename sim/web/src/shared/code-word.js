@@ -1,0 +1,11 @@
+/** A code word as it is compared; as in answers/codes.js and `pseudonym` of sim/classroom/files/marks_file.py. */
+
+/** @param {string} typed @returns {string} “blue fox 27” is BLUE-FOX-27; of two with a + between them in one order */
+export function codeWord(typed) {
+  const parts = typed
+    .normalize("NFKC")
+    .toUpperCase()
+    .split(/[+&]/)
+    .map((part) => part.trim().replace(/[\s–—−_]+/g, "-"));
+  return [...new Set(parts)].sort().join("+");
+}

@@ -1,0 +1,70 @@
+"""One code word however it is written: in a student's browser, by a teacher, in Python."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from sim.classroom.files.marks_file import given_marks, pseudonym
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.report.report import Asked, class_report
+from tests.classroom.given.makers import answers, bank, keys
+from tests.web.scene.given.widget_site import in_node
+
+WORDS = {
+    "BLUE-FOX-27": [
+        "BLUE-FOX-27", "blue fox 27", "Blue–Fox–27", " blue_fox−27 ", "ｂｌｕｅ　ｆｏｘ　２７",
+        "blue\u00a0fox\u202f27", "BLUE  FOX — 27\ufeff",
+    ],
+    "BLUE-FOX-27+RED-OWL-13": [
+        "RED-OWL-13+BLUE-FOX-27", "blue fox 27 & red owl 13", "BLUE-FOX-27 + RED–OWL–13",
+        "red owl 13+blue fox 27+RED-OWL-13",
+    ],
+    "ÄPFEL-STRASSE": ["äpfel straße", "A\u0308pfel-Strasse"],
+    "\U00020000\U00020001+\ufa0e\ufa0f": ["\ufa0e\ufa0f+\U00020000\U00020001"],
+    "": ["", "  \t"],
+    "NO-CODE-WORD-(A-B.JSON)": ["no code word (a b.json)"],
+}  # fmt: skip
+TYPED = [(typed, word) for word, many in WORDS.items() for typed in many]
+
+
+@pytest.mark.parametrize(("typed", "word"), TYPED)
+def test_a_code_word_is_compared_by_what_it_says(typed: str, word: str) -> None:
+    assert pseudonym(typed) == word
+    assert pseudonym(word) == word
+
+
+def test_the_class_page_and_a_students_browser_have_the_same_rules() -> None:
+    compared, stored = in_node(
+        """globalThis.document = { documentElement: { dataset: {}, lang: "en" },
+          getElementById: () => null };
+        const { codeWord } = await import(source + "/shared/code-word.js");
+        const { readCode } = await import(source + "/answers/codes.js");
+        give([data.map(codeWord), data.map((one) => readCode(one).code ?? null)]);""",
+        [typed for typed, _ in TYPED],
+    )
+    assert compared == [word for _, word in TYPED]
+    for (_, word), code in zip(TYPED, stored, strict=True):
+        assert code == word or (code is None and word in ("", "NO-CODE-WORD-(A-B.JSON)"))
+
+
+def test_a_code_word_that_a_teacher_typed_pairs_with_the_students_own() -> None:
+    six = bank(6)
+    chosen = {f"item-{k}": "a" for k in range(6)}
+    files = [
+        answers(six, "BLUE-FOX-27", "pre", chosen),
+        answers(six, "blue fox 27", "post", chosen),
+        answers(six, "Red Owl 13", "pre", chosen),
+        answers(six, "Red–Owl–13", "post", chosen),
+    ]
+    sources = [Source(f"{k}.json", json.dumps(one).encode()) for k, one in enumerate(files)]
+    reading = Reading.of([*sources, Source("key.json", keys(six).encode())])
+    read = [(file, "7a") for file in reading.files]
+    made = class_report(read, reading.keys, reading.refused, Asked(groups=("7a",)))
+    assert made["lessons"][0]["gains"][0]["n"] == 2
+
+
+def test_a_mark_counts_under_every_way_of_writing_the_code_word() -> None:
+    row = {"lesson": "carts", "form": "pre", "item": "why-0", "marks": 1, "student": "blue fox 27"}
+    assert given_marks([row]) == {("carts", "pre", "BLUE-FOX-27", "why-0"): 1}
