@@ -144,7 +144,6 @@
     return drawn;
   }
   var Bar = class {
-    /** @param {import("./book.js").Book} book @param {() => void} openPanel */
     constructor(book2, openPanel) {
       this.book = book2;
       this.root = html("aside", "carts carts-bar");
@@ -231,37 +230,42 @@
   }
   function keepEarlier(old, value) {
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
+    const opened2 = old.locked && old.locked !== value.locked;
+    if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
+    return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }
   function merged(a, b) {
     if (!a) return b;
     if (!b) return a;
     const [old, young] = String(a.last ?? "") <= String(b.last ?? "") ? [a, b] : [b, a];
-    const earlier = union(old.earlier, young.earlier);
-    const differs = !isEmpty(old.value) && !sameAnswer(old, young);
-    const winner = isEmpty(young.value) && differs ? old : young;
-    const loser = winner === young ? old : young;
-    const all = differs && winner === young ? union(earlier, [alone(loser)]) : earlier;
     const first = [a.first, b.first].filter(Boolean).sort()[0] ?? null;
-    return all.length ? { ...winner, first, earlier: all } : { ...winner, first };
+    if (sameAnswer(old, young)) return { ...together(old, young), first };
+    const cleared = isEmpty(young.value) && !isEmpty(old.value);
+    const [loser, winner] = cleared ? [young, old] : [old, young];
+    return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
+  }
+  function together(old, young) {
+    const said = Object.entries(young).filter(([, part2]) => (part2 ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
   }
   function sameAnswer(a, b) {
     return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
   }
   function alone({ earlier: _, ...entry }) {
-    return entry;
+    return isEmpty(entry.value) ? [] : [entry];
   }
-  function union(a, b) {
+  function withEarlier(entry, ...lists) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found2.get(name);
+      found2.set(name, before ? together(before, one) : one);
     }
     const all = [...found2.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
+    return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
   // src/shared/newest-first.js
@@ -387,36 +391,37 @@
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page = (
       /** @type {any} */
       globalThis
     );
-    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page[name] ??= /* @__PURE__ */ new Map();
     return page[name];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value, alone2) => {
         try {
           await store.put(key, value, alone2);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
+          refused.set(key, keepEarlier(refused.get(key), value));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept = shelter();
+  function memory(site) {
+    const kept = shelter(site);
     return {
       kind: "memory",
       how: "memory",
@@ -424,6 +429,19 @@
       put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        await store.put(key, value, alone2);
+        channel?.postMessage(key);
+      },
+      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -469,6 +487,9 @@
   function writeStudent(all, code) {
     return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
   }
+  function hearStudent(all, act) {
+    all.hear(async (key) => key === STUDENT && act(await readStudent(all)));
+  }
   function forStudent(all, code) {
     const before = code ? `@${code}/` : "";
     const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
@@ -478,15 +499,16 @@
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
+      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place() {
@@ -515,21 +537,14 @@
   // src/answers/book.js
   var Book = class extends EventTarget {
     student = "";
-    /** @type {import("../shared/storage.js").Store | null} */
     store = null;
-    /** @type {import("../shared/storage.js").Store | null} */
     all = null;
-    /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
-    /** @type {Map<string, any>} */
+    /** What this page knows, kept or not: a file can have it all. */
     #known = /* @__PURE__ */ new Map();
-    /** @type {BroadcastChannel | null} */
-    #channel = null;
     refused = false;
-    /** Whether the browser could not list what was kept before: it may be there. */
+    /** Whether the browser could not list what was kept before. */
     unread = false;
-    /** @type {Set<string>} keys that this page wrote last, no other tab since */
     #own = /* @__PURE__ */ new Set();
-    /** @type {Set<Promise<void>>} */
     #writing = /* @__PURE__ */ new Set();
     constructor() {
       super();
@@ -542,11 +557,10 @@
     key(form2, id) {
       return form2 === "worksheet" ? `${this.page}#${id}` : `${this.page}#${form2}:${id}`;
     }
-    /** @param {string} form @param {string} id @returns {any} */
     get(form2, id) {
       return this.#known.get(this.key(form2, id)) ?? null;
     }
-    /** Every answer of this student that the browser lets this page see. @returns {[string, any][]} */
+    /** Every answer of this student that this page sees. @returns {[string, any][]} */
     entries() {
       return [...this.#known];
     }
@@ -568,25 +582,24 @@
         this.dispatchEvent(new CustomEvent("change", { detail: key }));
       }
     }
-    /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns {Promise<number>} how many are new or changed */
+    /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns how many are new or changed */
     async take(student, found2) {
       await this.ready;
       if (!this.all) return 0;
-      const { all } = this;
-      const here = new Map(await forStudent(all, student).entries());
-      const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(here.get(key), entry) })).filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
-      await Promise.all(
-        changed.map(({ key, both }) => all.put(student ? `@${student}/${key}` : key, both))
-      );
-      if (student === this.student) for (const { key } of changed) this.#tell(key);
+      const theirs = forStudent(this.all, student);
+      const here = new Map(await theirs.entries());
+      const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) })).filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
+      await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
+      const mine = student === this.student;
+      for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
-      for (const [key] of student === this.student ? found2 : []) {
+      for (const [key] of mine ? found2 : []) {
         this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
       }
       return changed.length;
     }
-    /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered so far */
+    /** From now on another student works here. @param {string} code @param {boolean} carry with what was answered so far */
     async become(code, carry = false) {
       await this.ready;
       if (!this.all) return;
@@ -597,9 +610,8 @@
         for (const [key] of found2) await mine.remove(key);
       }
       await writeStudent(this.all, code);
-      this.#channel?.postMessage({ student: code });
     }
-    /** Whether a student has answers here. @param {string} code @returns {Promise<boolean>} */
+    /** Whether a student has answers here. @param {string} code */
     async has(code) {
       await this.ready;
       return this.all ? (await forStudent(this.all, code).entries()).length > 0 : false;
@@ -615,9 +627,8 @@
       for (const [key] of await readings.entries()) await readings.remove(key);
       await writeStudent(this.all, "");
       this.#known.clear();
-      this.#channel?.postMessage({ student: "" });
     }
-    /** How much of this page is answered. @param {string[]} forms beside the worksheet @returns {{done: number, of: number}} */
+    /** How much of this page is answered. @param {string[]} forms beside the worksheet */
     progress(forms = []) {
       const items2 = (outline()?.items ?? []).filter(
         ({ id, form: form2, level, type }) => (form2 === "worksheet" || forms.includes(form2)) && level !== "stretch" && type !== "drawn" && !isOptional(id)
@@ -635,13 +646,11 @@
       this.student = await readStudent(this.all);
       this.store = forStudent(this.all, this.student);
       await this.#read();
-      if (typeof BroadcastChannel === "function") {
-        this.#channel = new BroadcastChannel(`carts:${this.site}`);
-        this.#channel.onmessage = ({ data }) => void this.#hear(data);
-      }
+      this.store.hear((key) => void this.#hear(key));
+      hearStudent(this.all, (code) => code !== this.student && location.reload());
       document.addEventListener("carts-kept", () => void this.refresh());
     }
-    /** What is kept under a key that this page does not know: nothing is written over it unseen. @param {string} key */
+    /** What is kept under a key that this page does not know. @param {string} key */
     async #before(key) {
       try {
         return await this.store?.get(key);
@@ -660,12 +669,11 @@
         }
       }
     }
-    /** Takes in what the scene's own script has kept: predictions. */
+    /** Takes in what another script has kept. */
     async refresh() {
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
     }
-    /** @param {string} key @param {any} entry */
     async #write(key, entry) {
       try {
         await this.store?.put(key, entry, this.#own.has(key));
@@ -674,25 +682,15 @@
         this.refused = true;
         throw error;
       }
-      this.#tell(key);
     }
-    /** @param {string} key */
-    #tell(key) {
-      this.#channel?.postMessage({ key, student: this.student });
-    }
-    /** Another tab wrote something. @param {any} told */
-    async #hear(told) {
-      if (!told?.key) {
-        if (typeof told?.student === "string" && told.student !== this.student) location.reload();
-        return;
-      }
-      if (told.student !== this.student) return;
-      this.#own.delete(told.key);
-      const entry = await this.store?.get(told.key).catch(() => null);
+    /** Another tab wrote something. @param {string} key */
+    async #hear(key) {
+      this.#own.delete(key);
+      const entry = await this.store?.get(key).catch(() => null);
       if (!entry) return;
-      this.#known.set(told.key, entry);
-      this.dispatchEvent(new CustomEvent("change", { detail: told.key }));
-      this.dispatchEvent(new CustomEvent("elsewhere", { detail: told.key }));
+      this.#known.set(key, entry);
+      this.dispatchEvent(new CustomEvent("change", { detail: key }));
+      this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
     }
   };
 
@@ -772,7 +770,9 @@
   var MOST_BYTES = 2e6;
   var MOST_ITEMS = 2e3;
   var LONGEST = 2e4;
-  var TEXTS = ["unit", "sure", "said", "asked", "locked", "why"];
+  var LARGEST = 1e300;
+  var MOST_TRIES = 1e6;
+  var TEXTS = ["unit", "sure", "said", "asked", "locked", "why", "now"];
   var FORMS2 = ["worksheet", "pre", "post", "delayed"];
   var ID = /^[a-z_][a-z0-9-]{0,63}$/;
   var HASH = /^[0-9a-f]{12}$/;
@@ -840,9 +840,13 @@
     }
     return made2;
   }
+  function tooLarge(bytes) {
+    if (bytes <= MOST_BYTES) return null;
+    return { problem: tr("This file is too large to be a file of answers.") };
+  }
   function readFile(text, site) {
-    if (text.length > MOST_BYTES)
-      return { problem: tr("This file is too large to be a file of answers.") };
+    const large = tooLarge(text.length);
+    if (large) return large;
     let content;
     try {
       content = JSON.parse(text.replace(/^\uFEFF/, ""));
@@ -892,7 +896,7 @@
   function clean(row) {
     if (typeof row !== "object" || row === null) return null;
     const { id, hash: hash2, type, value, first, last, tries } = row;
-    const good = typeof id === "string" && ID.test(id) && (hash2 === "" || HASH.test(String(hash2))) && typeof type === "string" && /^[a-z][a-z-]{2,23}$/.test(type) && [first, last].every((time) => time === null || TIME.test(String(time))) && Number.isInteger(tries) && tries >= 0 && isPlain(value, 0);
+    const good = typeof id === "string" && ID.test(id) && (hash2 === "" || HASH.test(String(hash2))) && typeof type === "string" && /^[a-z][a-z-]{2,23}$/.test(type) && [first, last].every((time) => time === null || TIME.test(String(time))) && Number.isInteger(tries) && tries >= 0 && tries <= MOST_TRIES && isPlain(value, 0);
     if (!good) return null;
     const entry = (
       /** @type {Record<string, unknown>} */
@@ -909,9 +913,9 @@
     for (const name of TEXTS) {
       if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
     }
-    if (Number.isFinite(row.own)) entry.own = row.own;
+    if (Number.isFinite(row.own) && isPlain(row.own, 0)) entry.own = row.own;
     if (isPlain(row.set, 1) && row.set) entry.set = row.set;
-    if (Number.isInteger(row.right) && row.right >= 0) entry.right = row.right;
+    if (Number.isInteger(row.right) && row.right >= 0 && row.right <= tries) entry.right = row.right;
     if (row.before && isPlain(row.before, 0)) entry.before = row.before;
     if (Array.isArray(row.found) && isPlain(row.found, 1)) entry.found = row.found;
     return entry;
@@ -919,7 +923,7 @@
   function isPlain(value, depth) {
     if (value === null || value === void 0 || typeof value === "boolean") return true;
     if (typeof value === "string") return value.length <= LONGEST;
-    if (typeof value === "number") return Number.isFinite(value);
+    if (typeof value === "number") return Math.abs(value) < LARGEST;
     if (depth > 3 || typeof value !== "object") return false;
     const parts = Object.entries(value);
     return parts.length <= 200 && parts.every(
@@ -1008,7 +1012,6 @@
       delayed: tr("last test")
     }
   );
-  var MOST_BYTES2 = 4e6;
   var AFTER_SAVING = 1500;
   function filesPart(book2) {
     const root = part("files", tr("Hand in: save a file"));
@@ -1133,9 +1136,8 @@
     box.addEventListener("change", async () => {
       const file = box.files?.[0];
       if (!file) return;
-      const text = file.size > MOST_BYTES2 ? " ".repeat(MOST_BYTES2) : await file.text().catch(() => "");
+      const found2 = tooLarge(file.size) ?? readFile(await file.text().catch(() => ""), book2.site);
       box.value = "";
-      const found2 = readFile(text, book2.site);
       if ("problem" in found2) return say(told, found2.problem);
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
@@ -1151,7 +1153,7 @@
 
   // src/question/gate.js
   var OPEN_ALL = "carts-open-questions";
-  function wait(element, answered) {
+  function wait(element, answered, signal) {
     const id = element.dataset.after;
     if (!id || element.dataset.opened !== void 0) return;
     const open2 = () => element.dataset.opened = "";
@@ -1159,13 +1161,18 @@
     const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
     if (answered || shown()) return open2();
     for (const kind of ["carts-watched", "carts-error"]) {
-      document.addEventListener(kind, () => shown() && open2());
+      document.addEventListener(kind, () => shown() && open2(), { signal });
     }
-    document.addEventListener(OPEN_ALL, open2);
+    document.addEventListener(OPEN_ALL, open2, { signal });
   }
   var CartsAfter = class extends HTMLElement {
+    #leaving = new AbortController();
     connectedCallback() {
-      wait(this, false);
+      this.#leaving = new AbortController();
+      wait(this, false, this.#leaving.signal);
+    }
+    disconnectedCallback() {
+      this.#leaving.abort();
     }
   };
   function anyWaits() {
@@ -1368,7 +1375,12 @@
   var STATE = "_form";
   function quizElement(book2) {
     return class CartsQuiz extends HTMLElement {
+      #leaving = new AbortController();
+      // ends what the form hears of the answers
       connectedCallback() {
+        this.#leaving = new AbortController();
+        const { signal } = this.#leaving;
+        book2.addEventListener("change", () => this.#follow(), { signal });
         if (this.facts) return;
         this.facts = JSON.parse(need(this, "script.carts-quiz-facts").textContent ?? "{}");
         this.#listen();
@@ -1376,6 +1388,9 @@
           if (this.facts.shuffle && book2.student) shuffleOptions(this, book2.student);
           this.#follow();
         });
+      }
+      disconnectedCallback() {
+        this.#leaving.abort();
       }
       #listen() {
         const word = (
@@ -1393,9 +1408,7 @@
         need(this, ".carts-quiz-no").addEventListener("click", () => this.#ask(false));
         need(this, ".carts-quiz-yes").addEventListener("click", () => void this.#handIn());
         this.addEventListener("carts-answer", () => this.#count());
-        book2.addEventListener("change", () => this.#follow());
       }
-      /** @returns {any} opened, handed, words: what is known of the form itself */
       get state() {
         const found2 = book2.get(this.facts.form, STATE);
         return found2 ?? {
@@ -1443,7 +1456,6 @@
         const { done, of } = book2.progress();
         return of > 0 && done === of;
       }
-      /** @param {string} typed */
       async #tryWord(typed) {
         const sum = wordSum(this.facts.id, typed);
         const { open: open2, review } = this.facts;
@@ -1467,7 +1479,6 @@
           left ? tr("{count} not answered yet", { count: left }) : tr("All answered.")
         );
       }
-      /** @param {boolean} on */
       #ask(on) {
         const left = this.#questions().filter((question) => !question.answered).length;
         const missing = counted(
@@ -1513,14 +1524,12 @@
         });
         return encode(options, chosen2, `${this.facts.form}:${this.facts.hash}`);
       }
-      /** @param {any} state */
       async #keep(state) {
         try {
           await book2.put(this.facts.form, state);
         } catch {
         }
       }
-      /** @param {string | null | undefined} handed @param {boolean} review */
       #done(handed, review) {
         const place2 = need(this, ".carts-quiz-done");
         place2.hidden = !handed;
@@ -1670,7 +1679,6 @@
 
   // src/answers/panel.js
   var Panel = class {
-    /** @param {import("./book.js").Book} book */
     constructor(book2) {
       this.book = book2;
       this.root = document.createElement("dialog");
@@ -1681,7 +1689,6 @@
         if (this.root.open) this.#files?.();
       });
     }
-    /** @type {(() => void) | null} draws the table of files anew */
     #files = null;
     async open() {
       await this.book.ready;
@@ -1722,10 +1729,11 @@
     }
     return above;
   }
-  function whenWatched(question, act) {
-    document.addEventListener("carts-watched", ({ target }) => {
+  function whenWatched(question, act, signal) {
+    const watched = ({ target }) => {
       if (target === sceneBeside(question)) act();
-    });
+    };
+    document.addEventListener("carts-watched", watched, { signal });
   }
   function atTheRun(entry) {
     const { value, said } = entry;
@@ -1980,7 +1988,6 @@
       this.place.setAttribute("aria-live", "off");
       return this.#show(tried)[0];
     }
-    /** @param {Tried} tried @returns {[string[], string]} the parts marked one by one, and the whole */
     #show({ value, own, tries }) {
       const facts = (
         /** @type {any} */
@@ -2171,10 +2178,8 @@
     }
   );
   var Diagram = class {
-    /** @type {number | null} */
     #picked = null;
     #open = false;
-    /** @param {HTMLElement} root @param {string[]} names @param {(a: number, b: number) => void} join */
     constructor(root, names, join) {
       this.names = names;
       this.join = join;
@@ -2191,12 +2196,10 @@
       for (const [k, node] of this.nodes.entries()) this.#listen(node, k);
       this.#show();
     }
-    /** @param {boolean} on */
     enable(on) {
       this.#open = on;
       this.#pick(null);
     }
-    /** @param {Line[]} lines */
     draw(lines) {
       const twice = ({ a, b }) => lines.filter((line) => line.a === a && line.b === b).length > 1;
       this.drawn.replaceChildren(
@@ -2207,7 +2210,6 @@
         })
       );
     }
-    /** @param {SVGGElement} node @param {number} k */
     #listen(node, k) {
       put(node, "role", "button");
       put(node, "aria-label", this.names[k] ?? "");
@@ -2240,7 +2242,6 @@
         if (!detail) this.#choose(k);
       });
     }
-    /** @param {KeyboardEvent} event @param {number} k */
     #key(event, k) {
       const step = NEXT[event.key];
       if (step) this.#focus((k + step + this.nodes.length) % this.nodes.length);
@@ -2249,7 +2250,6 @@
       else return;
       event.preventDefault();
     }
-    /** @param {number} k */
     #focus(k) {
       for (const [other, node] of this.nodes.entries())
         put(node, "tabindex", other === k ? "0" : "-1");
@@ -2263,12 +2263,10 @@
       else if (first === k) this.#pick(null);
       else this.#done(first, k);
     }
-    /** @param {number} from @param {number} to */
     #done(from, to) {
       this.#pick(null);
       this.join(Math.min(from, to), Math.max(from, to));
     }
-    /** @param {number | null} k */
     #pick(k) {
       this.#picked = k;
       this.#show();
@@ -2298,7 +2296,6 @@
       const line = old ?? this.drawn.appendChild(svg("path", { class: "carts-q-rubber" }));
       put(line, "d", path(from, to, 0));
     }
-    /** @param {number} k */
     #centre(k) {
       const place2 = /translate\(([\d.]+) ([\d.]+)\)/.exec(
         this.nodes[k]?.getAttribute("transform") ?? ""
@@ -2550,9 +2547,12 @@
   }
 
   // src/shared/typed.js
-  function twoReadings(text) {
+  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function twoReadings(typed) {
+    const text = GROUPED.exec(typed)?.[0];
+    if (!text) return "";
     const whole2 = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole2 });
+    if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole2 });
     const decimal = String(Number(text.replace(",", ".")));
     return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
       text,
@@ -2564,7 +2564,6 @@
   // src/question/marking/typed-number.js
   var LONGEST3 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
-  var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
   var BARE = /^[\s+\-−–\d.,eE]*$/;
   function withUnit(typed, unit) {
     const text = typed.trim();
@@ -2574,8 +2573,8 @@
     const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
-    const grouped2 = GROUPED.exec(text);
-    if (grouped2) return { problem: twoReadings(String(grouped2[1])) };
+    const grouped2 = twoReadings(text);
+    if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number2 = String(found2[1]);
@@ -2858,18 +2857,24 @@
   var ASKED = 300;
   function questionElement(book2) {
     return class CartsQuestion extends HTMLElement {
-      /** @type {Form | null} */
       #form = null;
-      /** @type {Feedback | null} */
       #feedback = null;
-      /** @type {any} */
       #entry = null;
       #writes = 0;
       closed = false;
+      #leaving = new AbortController();
+      // ends what the question hears of page and answers
       #ready = false;
       // what was answered before is back: until then no field takes a key
       connectedCallback() {
-        if (this.#form) return;
+        this.#leaving = new AbortController();
+        if (!this.#form) this.#adopt();
+        if (this.#form) this.#listen(this.#leaving.signal);
+      }
+      disconnectedCallback() {
+        this.#leaving.abort();
+      }
+      #adopt() {
         this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
         this.formName = this.closest("carts-quiz")?.getAttribute("data-form") ?? "worksheet";
         const make = FORMS3[this.facts.type];
@@ -2879,25 +2884,21 @@
         for (const radio of this.#certainty()) {
           radio.addEventListener("change", () => this.#changed());
         }
-        setTimeout(() => {
-          if (!this.#ready) this.#say(tr("Opening your answers …"));
-        }, SOON);
+        setTimeout(() => this.#ready || this.#say(tr("Opening your answers …")), SOON);
         if (this.facts.key)
           this.#feedback = new Feedback(
             this,
             () => this.#attempt(),
             (shown, verdict) => this.#marked(shown, verdict)
           );
-        book2.addEventListener("elsewhere", (event) => {
-          const key = (
-            /** @type {CustomEvent} */
-            event.detail
-          );
-          if (key === book2.key(this.formName ?? "worksheet", this.facts.id)) this.#show();
-        });
-        book2.addEventListener("change", () => this.#form?.follow?.(book2));
-        whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)));
         void book2.ready.then(() => this.#restore());
+      }
+      #listen(signal) {
+        const elsewhere2 = ({ detail }) => detail === book2.key(this.formName ?? "worksheet", this.facts.id) && this.#show();
+        book2.addEventListener("elsewhere", elsewhere2, { signal });
+        book2.addEventListener("change", () => this.#form?.follow?.(book2), { signal });
+        whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)), signal);
+        if (this.#ready) wait(this, this.answered, signal);
       }
       /** Whether this question has an answer now. */
       get answered() {
@@ -2935,7 +2936,7 @@
         this.#enable();
         this.dataset.ready = "";
         this.#form?.follow?.(book2);
-        wait(this, this.answered);
+        wait(this, this.answered, this.#leaving.signal);
       }
       /** Shows what is kept; an answer to another version of the question is shown beside it. */
       #show() {
@@ -2982,7 +2983,6 @@
         this.#print();
         this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
       }
-      /** @param {any} entry */
       #keepAs(entry) {
         if (entry === this.#entry) return;
         this.#entry = entry;
@@ -3028,7 +3028,6 @@
         const { own = null, tries = 0 } = this.#entry;
         return { value: this.#form?.value, own, tries };
       }
-      /** @param {string[]} shown @param {string} verdict */
       #marked(shown, verdict) {
         this.#form?.marked?.(shown);
         this.#keepAs(checked(this.#entry, verdict));
@@ -3042,13 +3041,11 @@
         const first = this.facts.idea && this.answered && book2.get("worksheet", this.facts.idea);
         showFirstIdea(this, first || null);
       }
-      /** @param {string} word */
       #say(word) {
         const place2 = need(this, ".carts-q-saved");
         say(place2, word);
         place2.classList.toggle("carts-q-unsaved", word === NOT_SAVED);
       }
-      /** @param {string} problem */
       #complain(problem) {
         const place2 = need(this, ".carts-q-error");
         say(place2, problem);

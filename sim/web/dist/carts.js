@@ -256,12 +256,9 @@
     /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
-    /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
-    /** @type {number[]} s, where playing stops by itself */
     halts = [];
     halting = false;
-    /** @type {number[]} */
     stops = [];
     /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -269,18 +266,15 @@
     // s since the last still
     #frame = 0;
     #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
     constructor(changed) {
       this.changed = changed;
     }
     get #parts() {
       return this.slow ? this.parts : [];
     }
-    /** @returns {number} cart seconds per second now */
     get rate() {
       return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
     }
-    /** @returns {boolean} whether slow motion is on at this instant */
     get isSlow() {
       return this.rate < this.speed;
     }
@@ -304,7 +298,6 @@
       cancelAnimationFrame(this.#frame);
       this.changed(this.time, false);
     }
-    /** @param {number} t in s */
     seek(t3) {
       this.#move(Math.min(t3, this.seen));
       if (t3 <= 0) this.own = 0;
@@ -329,7 +322,6 @@
       }
       this.stepped(start);
     }
-    /** @param {number} now */
     #tick(now) {
       if (!this.playing) return;
       const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
@@ -351,12 +343,10 @@
       this.#tell(before, true);
       if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
-    /** @param {number} t */
     #move(t3) {
       this.time = Math.min(this.until, Math.max(0, t3));
       this.seen = Math.max(this.seen, this.time);
     }
-    /** @param {number} before @param {boolean} playing */
     #tell(before, playing) {
       this.changed(before, playing);
       if (this.time >= this.until) this.ended();
@@ -471,7 +461,6 @@
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
-    /** @param {string} text */
     constructor(text) {
       this.text = text;
     }
@@ -576,7 +565,6 @@
   // src/cost/breaks.js
   var PARTS = ["method", "map", "value", "step", "run"];
   var BreaksFigure = class {
-    /** @param {HTMLElement} root @param {Breaks} breaks @param {Run} run */
     constructor(root, breaks, run) {
       this.root = root;
       this.breaks = breaks;
@@ -604,7 +592,6 @@
         this.#tell();
       });
     }
-    /** @param {string} part @returns {HTMLSelectElement} */
     #part(part) {
       return (
         /** @type {HTMLSelectElement} */
@@ -626,7 +613,6 @@
       const parts2 = Number(this.breaks.parts[point.row]);
       return { point, method, parts: parts2, scene: sceneOf(this.breaks, this.#map, point.column) };
     }
-    /** @param {boolean} [values] whether other values stand across now */
     #draw(values) {
       const [map, method] = [this.#map, this.#part("method").value];
       const kinds = squares(this.breaks, map, method).map(
@@ -694,13 +680,11 @@
 
   // src/cost/figure.js
   var CostFigure = class {
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.root = root;
       this.ring = need(root, ".carts-cost-ring");
       this.floor = void 0;
     }
-    /** @param {CostRow[]} rows */
     show(rows) {
       for (const group2 of this.root.querySelectorAll("[data-method]")) {
         const method = group2.getAttribute("data-method") ?? "";
@@ -714,7 +698,6 @@
         );
       }
     }
-    /** @param {number | undefined} floor m/s @param {Record<string, number>} digits by method, as far as they are known */
     tell(floor, digits) {
       this.floor = floor;
       put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
@@ -866,7 +849,6 @@
   var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
   var MOST = 3;
   var CostStage = class {
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.stage = need(root, ".carts-cost-stage");
       this.energy = need(root, ".carts-cost-energy");
@@ -874,7 +856,6 @@
       this.ghosts = [];
       this.cursor = null;
     }
-    /** @param {CostHeader} header @param {ArrayLike<number>} numbers columns as `cost_answer.py` says */
     show(header, numbers) {
       this.header = header;
       const { rows, bodies } = header;
@@ -938,11 +919,9 @@
         ...this.ghosts
       );
     }
-    /** @param {number} x in m */
     #place(x2) {
       return SIDE + (x2 - Number(this.left)) * Number(this.scale);
     }
-    /** @param {number[]} stepped @param {number[]} exact J */
     #plot(stepped, exact) {
       const { until } = (
         /** @type {CostHeader} */
@@ -1035,21 +1014,15 @@
   // src/cost/element.js
   function costElement(client2) {
     return class CartsCost extends HTMLElement {
-      /** @type {CostFacts | null} */
       #facts = null;
-      /** @type {CostRow[]} */
       rows = [];
-      /** @type {CostRun | null} */
       run = null;
       /** Resolves when the newest measurement is complete or was stopped. @type {Promise<void>} */
       complete = Promise.resolve();
       #generation = 0;
       #measuring = 0;
-      /** @type {CostStage | null} */
       #stage = null;
-      /** @type {CostFigure | null} */
       #figure = null;
-      /** @type {Player | null} */
       #player = null;
       connectedCallback() {
         if (this.#facts) return;
@@ -1093,7 +1066,6 @@
         this.#player?.pause();
         this.stop();
       }
-      /** @param {string} part @returns {HTMLSelectElement} */
       #select(part) {
         return (
           /** @type {HTMLSelectElement} */
@@ -1195,7 +1167,6 @@
         say(need(this, ".carts-cost-say"), said);
         void this.compute();
       }
-      /** @param {CostRow[]} rows */
       #rows(rows) {
         this.rows = [...rows];
         this.#figure?.show(rows);
@@ -1216,7 +1187,6 @@
         });
         this.#figure?.mark(chosen);
       }
-      /** @param {CostRun} run */
       #show(run) {
         this.run = run;
         this.#stage?.show(run.header, run.numbers);
@@ -1244,12 +1214,10 @@
         this.dataset.state = "live";
         need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
       }
-      /** @param {Error & {reason?: string}} error */
       #fail(error) {
         this.dataset.reason = error.reason ?? "failed";
         this.#note(`${error.message} What was prepared stays as it is.`);
       }
-      /** @param {string} message */
       #note(message) {
         const note2 = need(this, ".carts-note");
         say(note2, message);
@@ -1318,7 +1286,6 @@
   var PATIENCE = 60;
   function hardElement(client2) {
     return class CartsHard extends HTMLElement {
-      /** @type {Record<string, Case> | null} */
       #cases = null;
       /** Answers by the name of the case. @type {Record<string, Answer>} */
       answers = {};
@@ -1395,7 +1362,6 @@
           if (this.#turn === turn) this.#turn = 0;
         }
       }
-      /** @param {string} name @param {Case} one @param {Answer} answer */
       #show(name2, one, answer) {
         const row = need(this, `[data-case="${name2}"]`);
         say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
@@ -1409,7 +1375,6 @@
         }
         row.classList.add("carts-hard-fresh");
       }
-      /** @param {boolean} on */
       #working(on) {
         const [go, stop] = [need(this, ".carts-hard-go"), need(this, ".carts-hard-stop")];
         const focused = document.activeElement === (on ? go : stop);
@@ -1425,7 +1390,6 @@
         this.dataset.state = "live";
         need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
       }
-      /** @param {Error & {reason?: string}} error */
       #fail(error) {
         this.dataset.reason = error.reason ?? "failed";
         const note2 = need(this, ".carts-note");
@@ -1433,7 +1397,6 @@
         note2.hidden = false;
         this.#say("");
       }
-      /** @param {string} text */
       #say(text) {
         say(need(this, ".carts-hard-say"), text);
       }
@@ -1493,11 +1456,13 @@
 
   // src/shared/typed.js
   var LONGEST = 40;
+  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
   function readTyped(typed) {
     const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
-    if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
+    const grouped = twoReadings(text);
+    if (grouped) return { problem: grouped };
     if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
       const value = Number(text.replace(",", "."));
       return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
@@ -1507,9 +1472,11 @@
     }
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   }
-  function twoReadings(text) {
+  function twoReadings(typed) {
+    const text = GROUPED.exec(typed)?.[0];
+    if (!text) return "";
     const whole = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
+    if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole });
     const decimal = String(Number(text.replace(",", ".")));
     return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
       text,
@@ -2088,9 +2055,7 @@
 
   // src/scene/switches.js
   var Switches = class {
-    /** @type {Map<string, HTMLInputElement>} */
     #boxes = /* @__PURE__ */ new Map();
-    /** @type {Header | null} of the run on screen */
     #header = null;
     /**
      * @param {HTMLElement} root @param {{set: string, value: boolean}[]} switches
@@ -2107,7 +2072,6 @@
         box2.addEventListener("change", (event) => change2(set, box2.checked, event.timeStamp));
       }
     }
-    /** @param {boolean} on */
     enable(on) {
       for (const box2 of this.#boxes.values()) box2.disabled = !on;
     }
@@ -2154,9 +2118,7 @@
   // src/scene/controls.js
   var KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 3, PageDown: -3 };
   var Controls = class {
-    /** @type {Map<string, ControlView>} */
     #views = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {Control[]} controls @param {{change: Change, stops?: Stops}} acts @param {import("../../../view/types.js").Fence["switches"]} switches */
     constructor(root, controls, { change: change2, stops = () => void 0 }, switches = []) {
       this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
@@ -2167,7 +2129,6 @@
         if (element) this.#views.set(control.set, new ControlView(element, control, change2, stops));
       }
     }
-    /** @param {boolean} on */
     enable(on) {
       for (const view of this.#views.values()) view.enable(on);
       this.switches.enable(on);
@@ -2185,7 +2146,6 @@
     take(target, value, at3) {
       this.#views.get(target)?.take(value, at3);
     }
-    /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
       this.#views.get(target)?.complain(message);
       return this.#views.has(target) || this.switches.complain(target, message);
@@ -2194,7 +2154,6 @@
   var ControlView = class {
     #sent = "";
     // the text in the box that a run was asked for with
-    /** @param {HTMLElement} root @param {Control} control @param {Change} change @param {Stops} stops */
     constructor(root, control, change2, stops) {
       this.root = root;
       this.control = control;
@@ -2228,25 +2187,20 @@
         if (event.key === "Enter") this.#typed(change2, event.timeStamp);
       });
     }
-    /** @param {boolean} on */
     enable(on) {
       this.slider.disabled = !on;
       this.box.disabled = !on;
     }
-    /** @param {number} value in the control's unit @param {number} at */
     take(value, at3) {
       this.#accept(value);
       this.change(this.control.set, this.#asked(value), at3);
     }
-    /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
     shown(value) {
       return Number((value / this.control.per).toPrecision(12));
     }
-    /** @param {number} value in the control's unit @returns {number | string} what to ask for: SI, or text with the unit */
     #asked(value) {
       return this.control.per === 1 ? value : `${value} ${this.control.unit}`;
     }
-    /** @param {number} value in the control's unit; leaves alone what the reader has typed since */
     show(value) {
       this.slider.valueAsNumber = value;
       put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
@@ -2254,7 +2208,6 @@
       if (!typing) this.#write(value);
       this.clear();
     }
-    /** @param {string} message */
     complain(message) {
       this.#sent = "";
       say(this.error, message);
@@ -2267,7 +2220,6 @@
       this.root.classList.remove("carts-wrong");
       this.box.removeAttribute("aria-invalid");
     }
-    /** @param {Change} change @param {number} at */
     #typed(change2, at3) {
       const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
@@ -2285,20 +2237,17 @@
       this.#accept(read.value);
       return change2(this.control.set, this.#asked(read.value), at3);
     }
-    /** @param {number} value */
     #accept(value) {
       this.slider.valueAsNumber = value;
       put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
       this.#write(value);
       this.clear();
     }
-    /** @param {number} value */
     #write(value) {
       const text = this.#text(value).replace("−", "-");
       this.#sent = text;
       if (this.box.value !== text) this.box.value = text;
     }
-    /** @param {number} value */
     #text(value) {
       return fixed(value, Math.max(this.decimals, decimalsOf(value)));
     }
@@ -2324,7 +2273,6 @@
 
   // src/map/axis.js
   var AxisControl = class {
-    /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
     constructor(root, axis2, chosen) {
       this.root = root;
       this.axis = axis2;
@@ -2342,12 +2290,10 @@
         if (event.key === "Enter") typed();
       });
     }
-    /** @param {boolean} on */
     enable(on) {
       this.slider.disabled = !on;
       this.box.disabled = !on;
     }
-    /** @param {number[]} values of the grid, SI @param {number} place */
     show(values, place4) {
       this.values = values;
       put(this.slider, "max", String(values.length - 1));
@@ -2359,11 +2305,9 @@
     speak(place4, value) {
       put(this.slider, "aria-valuetext", `${this.text(place4)} ${this.axis.unit}: ${value}`);
     }
-    /** @param {number} place @returns {string} in the axis's unit */
     text(place4) {
       return fixed(shown(Number(this.values[place4]), this.axis), this.decimals);
     }
-    /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
       let best = 0;
       for (const [k, at3] of this.values.entries()) {
@@ -2371,7 +2315,6 @@
       }
       return best;
     }
-    /** @param {(place: number) => void} chosen */
     #typed(chosen) {
       const { low, high, unit, label, per } = this.axis;
       const { decimals } = this;
@@ -2384,7 +2327,6 @@
       }
       return chosen(this.nearest(read.value, per));
     }
-    /** @param {string} message */
     #complain(message) {
       say(this.error, message);
       this.error.hidden = !message;
@@ -2563,9 +2505,7 @@
 
   // src/map/figure.js
   var MapFigure = class {
-    /** @type {HTMLCanvasElement | null} */
     #canvas = null;
-    /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
     constructor(root, facts, point) {
       this.facts = facts;
       this.scale = scaleFor(facts.low, facts.high);
@@ -2583,7 +2523,6 @@
         if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
       });
     }
-    /** @param {Grid} grid */
     show(grid) {
       this.axes = grid.axes;
       if (grid.axes.length === 1) {
@@ -2593,7 +2532,6 @@
       this.#canvas ??= this.#laid();
       paint(this.#canvas, grid, this.scale);
     }
-    /** @param {number[]} places @param {number} value */
     mark(places, value) {
       const x2 = this.#along(0, places[0] ?? 0, across);
       const flat = places.length === 1;
@@ -2619,7 +2557,6 @@
       this.over.before(canvas);
       return canvas;
     }
-    /** @param {number} k axis @param {number} place @param {typeof g.across} draw @returns {number} drawing coordinate */
     #along(k, place4, draw) {
       const along = (
         /** @type {import("../../../view/map/types.js").Axis} */
@@ -2628,7 +2565,6 @@
       const value = shown(Number(this.axes[k]?.[place4]), along);
       return draw(value, span(along.low, along.high, 1));
     }
-    /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
     #placesAt(event) {
       const box2 = this.over.getBoundingClientRect();
       const x2 = (event.clientX - box2.left) / box2.width * WIDTH2;
@@ -2735,24 +2671,15 @@
   // src/map/element.js
   function mapElement(client2) {
     return class CartsMap extends HTMLElement {
-      /** @type {MapFacts | null} */
       #facts = null;
-      /** @type {MapFigure | null} */
       #figure = null;
-      /** @type {AxisControl[]} */
       #axes = [];
-      /** @type {Controls | null} */
       #controls = null;
-      /** @type {Grid | null} */
       #grid = null;
-      /** @type {number[]} the chosen point, one place per axis */
       #places = [];
-      /** @type {Record<string, number | string>} what the further sliders set */
       #settings = {};
       #generation = 0;
-      /** @type {Promise<void> | null} */
       #opening = null;
-      /** @type {Promise<void>} */
       #filling = Promise.resolve();
       #leaving = new AbortController();
       // ends what the element hears of the page
@@ -2857,14 +2784,12 @@
           );
         }
       }
-      /** @param {Error & {reason?: string}} error */
       #fail(error) {
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
         for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
       }
-      /** @param {string} message */
       #tell(message) {
         const note2 = need(this, ".carts-note");
         say(note2, message);
@@ -2908,12 +2833,10 @@
         showProgress(this, 1, 1);
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
       }
-      /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
       #ask(settings, from) {
         const map = this.#facts?.map;
         return client2.ask(this, () => ({ kind: "map", map, set: settings, from }));
       }
-      /** @param {Grid} grid */
       #draw(grid) {
         const before = this.#grid?.axes;
         this.#grid = grid;
@@ -2931,7 +2854,6 @@
         if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
         say(need(this, ".carts-map-why"), grid.why);
       }
-      /** @param {number[]} places */
       #choose(places) {
         if (!this.#grid) return;
         this.#places = places;
@@ -2949,7 +2871,6 @@
         this.#figure?.mark(places, value);
         say(need(this, ".carts-map-number"), text);
       }
-      /** @param {number[]} places */
       #valueAt([column = 0, row = 0]) {
         return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
       }
@@ -2964,25 +2885,16 @@
   // src/runtime/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
-    /** @type {State} */
     state = "idle";
-    /** @type {(Error & {reason?: string}) | null} */
     error = null;
-    /** @type {Runtime | null} */
     #runtime = null;
-    /** @type {Job[]} */
     #waiting = [];
-    /** @type {Job | null} */
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    /** @type {string[]} packages that were asked for after the start */
     #asked = [];
-    /** @type {string[]} those of them that Python has, and gets again after a restart */
     #more = [];
-    /** @type {Promise<void>} when they are there */
     #growing = Promise.resolve();
-    /** @param {Start} start */
     constructor(start) {
       super();
       this.start = start;
@@ -3008,7 +2920,6 @@
       });
       return needed;
     }
-    /** @param {string[]} names */
     async #grow(names) {
       this.wake();
       await this.#settled();
@@ -3072,16 +2983,18 @@
       );
     }
     async #boot() {
+      const more = this.#more;
       this.#become("starting");
       try {
-        this.#use(await this.start(this.#more));
+        const runtime = await this.start(more);
+        if (more !== this.#more) return runtime.stop();
+        this.#use(runtime);
         this.#become("ready");
         this.#next();
       } catch (error) {
-        this.#fail(error);
+        if (more === this.#more) this.#fail(error);
       }
     }
-    /** @param {Runtime} runtime @param {unknown} reason */
     #lost(runtime, reason) {
       if (runtime !== this.#runtime) return;
       this.#runtime = null;
@@ -3108,7 +3021,6 @@
       if (newer) newer.settle.unshift(...job.settle);
       else this.#waiting.unshift(job);
     }
-    /** @param {unknown} reason */
     #fail(reason) {
       this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
       this.#become("failed");
@@ -3116,7 +3028,6 @@
         for (const { reject } of settle) reject(this.error);
       }
     }
-    /** @param {State} state */
     #become(state) {
       this.state = state;
       this.dispatchEvent(new Event("state"));
@@ -3308,7 +3219,6 @@
     }
   }
   var Unpacker = class {
-    /** @param {(error: RuntimeFailure) => void} reject told of a damaged file, and if it can't work at all */
     constructor(reject) {
       const { worker, address } = workerOf([unpacker_default]);
       this.worker = worker;
@@ -3422,7 +3332,6 @@
       if (!snapshot) return [index.package, ...packages2];
       return packages2.length && index.later.length ? [index.rest, ...packages2] : packages2;
     }
-    /** @returns {Promise<Started>} */
     async run() {
       let reject = () => {
       };
@@ -3468,7 +3377,6 @@
         }
       });
     }
-    /** @param {string} stage */
     progress(stage) {
       if (this.over) return;
       this.slow?.progress();
@@ -3528,7 +3436,6 @@
       this.onProgress({ fraction: 1, stage: "ready" });
       return { worker, start };
     }
-    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
     async module(parts2) {
       const module = modules.get(this.folder) ?? await compile(parts2);
       modules.set(this.folder, module);
@@ -3562,7 +3469,6 @@
     ...new Set(packages2.flatMap((name2) => name2 === "scipy" ? ["numpy", "scipy"] : [name2]))
   ];
   var Runtime = class {
-    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -3603,7 +3509,6 @@
       this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
       this.worker.postMessage({ do: "request", number: next.number, text: next.text });
     }
-    /** @param {any} data */
     hear(data) {
       const current = this.queue[0];
       if (data.number !== current?.number) return;
@@ -3623,11 +3528,9 @@
       }
       if (!this.gone) this.send();
     }
-    /** @param {Reason} reason @param {string} detail */
     lose(reason, detail) {
       if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
     }
-    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
     end(reason, detail) {
       if (this.gone) return false;
       this.gone = reason;
@@ -3773,8 +3676,8 @@
   function isRest(velocity3, scale) {
     return Math.abs(velocity3) < NOISE * scale;
   }
-  function eventSentence(event, telling, laws, bare) {
-    const { decimals, scale, camera, forces: forces2 } = telling;
+  function eventSentence(event, telling2, laws, bare) {
+    const { decimals, scale, camera, forces: forces2 } = telling2;
     const names = event.bodies;
     const pair = capital(listed(names.map(body)));
     const impulse = event.impulse ?? 0;
@@ -3788,7 +3691,7 @@
         if (impulse && laws[names.join("-")] === "velcro") {
           return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
         }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown3);
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling2, pair), shown3);
         if (impulse) {
           return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
         }
@@ -3813,7 +3716,7 @@
           const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
           return told3(stay2, shown3, after);
         }
-        return told3(pushEnded(event, telling, ended2.pair), shown3);
+        return told3(pushEnded(event, telling2, ended2.pair), shown3);
       }
       case "stick":
         return told3(tr("{pair} stay together.", { pair }), after);
@@ -3839,12 +3742,12 @@
     const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
     return isRest(Number(left) - Number(right), scale);
   }
-  function hitAndGoOn(event, telling, pair) {
-    const how = together(event, telling);
+  function hitAndGoOn(event, telling2, pair) {
+    const how = together(event, telling2);
     return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
   }
-  function pushEnded(event, telling, pair) {
-    const how = together(event, telling);
+  function pushEnded(event, telling2, pair) {
+    const how = together(event, telling2);
     return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
       pair,
       velocity: how
@@ -3912,22 +3815,32 @@
   }
   function keepEarlier(old, value) {
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
+    const opened2 = old.locked && old.locked !== value.locked;
+    if (opened2 && sameAnswer(old, value)) return { ...together2(old, value), locked: old.locked };
+    const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
+    return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
+  }
+  function together2(old, young) {
+    const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
+  }
+  function sameAnswer(a2, b2) {
+    return a2.hash === b2.hash && JSON.stringify(a2.value) === JSON.stringify(b2.value);
   }
   function alone({ earlier: _2, ...entry2 }) {
-    return entry2;
+    return isEmpty(entry2.value) ? [] : [entry2];
   }
-  function union(a2, b2) {
+  function withEarlier(entry2, ...lists) {
     const found3 = /* @__PURE__ */ new Map();
-    for (const entry2 of [...a2 ?? [], ...b2 ?? []]) {
-      found3.set(JSON.stringify([entry2.hash, entry2.value]), entry2);
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name2 = JSON.stringify([one.hash, one.value]);
+      const before = found3.get(name2);
+      found3.set(name2, before ? together2(before, one) : one);
     }
     const all = [...found3.values()];
     all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
-    return all.slice(-MOST_EARLIER);
+    return all.length ? { ...entry2, earlier: all.slice(-MOST_EARLIER) } : entry2;
   }
 
   // src/shared/newest-first.js
@@ -4053,36 +3966,37 @@
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page2 = (
       /** @type {any} */
       globalThis
     );
-    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name2 = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name2] ??= /* @__PURE__ */ new Map();
     return page2[name2];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value, alone3) => {
         try {
           await store.put(key, value, alone3);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
+          refused.set(key, keepEarlier(refused.get(key), value));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept = shelter();
+  function memory(site) {
+    const kept = shelter(site);
     return {
       kind: "memory",
       how: "memory",
@@ -4090,6 +4004,19 @@
       put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel2 = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value, alone3) => {
+        await store.put(key, value, alone3);
+        channel2?.postMessage(key);
+      },
+      hear: (act) => channel2?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -4144,15 +4071,16 @@
       get: (key) => all.get(before + key),
       put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
       remove: (key) => all.remove(before + key),
+      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place2() {
@@ -4166,6 +4094,11 @@
   }
 
   // src/shared/kept.js
+  async function keptOnPage(id) {
+    const { site, page: page2 } = place2();
+    const store = await openStore(site);
+    return store.get(`${page2}#${id}`).catch(() => null);
+  }
   async function keepOnPage(entry2) {
     const { site, page: page2 } = place2();
     try {
@@ -4181,14 +4114,10 @@
   var MANY2 = 3;
   var TYPE = "found-force";
   var FindForces = class {
-    /** @type {Mean[]} */
     #means = [];
-    /** @type {Run | null} */
     #run = null;
     #tries = 0;
-    /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
     #found = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {string} id of the scene @param {(said: string[]) => void} found what to do then, with the sentences on what was found */
     constructor(root, id, found3) {
       this.id = `${id}-forces`;
       this.found = found3;
@@ -4204,7 +4133,6 @@
         void this.#check();
       });
     }
-    /** @param {Run} run a run that may be told */
     show(run) {
       this.#run = run;
       this.#means = meanForces(run);
@@ -4222,9 +4150,7 @@
     }
     /** The forces are shown at once where one was found before. */
     async restore() {
-      const { site, page: page2 } = place2();
-      const store = await openStore(site);
-      const kept = await store.get(`${page2}#${this.id}`).catch(() => null);
+      const kept = await keptOnPage(this.id);
       if (kept?.type !== TYPE) return;
       if (!Array.isArray(kept.found)) return this.found([]);
       this.#found = new Map(kept.found);
@@ -4266,7 +4192,6 @@
       this.box.value = "";
       this.#tell();
     }
-    /** @param {Mean} mean @param {number} typed in N */
     #advice(mean, typed) {
       const ratio = typed / mean.value;
       if (Math.abs(ratio + 1) <= NEAR) {
@@ -4315,14 +4240,16 @@
       );
       return `${steps2} ${here}`;
     }
-    /** @param {string} typed */
     async #keep(typed) {
       const now = (/* @__PURE__ */ new Date()).toISOString();
+      const before = await keptOnPage(this.id);
+      const elsewhere = Array.isArray(before?.found) ? before.found : [];
+      this.#found = new Map([...elsewhere, ...this.#found]);
       await keepOnPage({
         id: this.id,
         type: TYPE,
         value: typed,
-        first: now,
+        first: before?.first ?? now,
         last: now,
         said: [...this.#found.values()].join("; "),
         found: [...this.#found],
@@ -4669,7 +4596,6 @@
 
   // src/predict/again.js
   var Again = class {
-    /** @param {HTMLElement} root of the prediction @param {() => void} forget */
     constructor(root, forget) {
       this.row = need(root, ".carts-again-row");
       this.button = need(root, ".carts-again");
@@ -4689,7 +4615,6 @@
     offer() {
       this.row.hidden = false;
     }
-    /** @param {boolean} on */
     #ask(on) {
       this.question.hidden = !on;
       this.button.hidden = on;
@@ -4746,7 +4671,6 @@
   // src/predict/arrows.js
   var MOST2 = 10;
   var ArrowsForm = class {
-    /** @type {Row[]} */
     #rows;
     /**
      * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
@@ -4785,7 +4709,6 @@
     get value() {
       return this.#rows.map(({ pair, on, size }) => ({ pair, on, size }));
     }
-    /** @returns {string} */
     get said() {
       const rows = this.#rows.filter(({ size }) => size !== null);
       return rows.map((row) => `${name(row)}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
@@ -4797,7 +4720,6 @@
       }
       this.#picture();
     }
-    /** @param {boolean} on */
     enable(on) {
       for (const { slider, box: box2 } of this.#rows) {
         slider.disabled = !on;
@@ -4893,7 +4815,6 @@
       return tr("0 to {most} N, please.", { most: short(MOST2 * this.full) });
     }
     /** Goes back to the last good size; what was typed stays in the box to be mended. */
-    /** @param {Row} row @param {() => void} changed */
     #restore(row, changed) {
       if (row.size === row.good) return;
       if (row.good === null) row.size = null;
@@ -4901,13 +4822,11 @@
       this.#picture();
       changed();
     }
-    /** @param {Row} row @param {number} size @param {() => void} changed */
     #take(row, size, changed) {
       this.#show(row, size);
       this.#picture();
       changed();
     }
-    /** @param {Row} row @param {number} size */
     #set(row, size) {
       row.size = size;
       row.slider.valueAsNumber = size;
@@ -4916,7 +4835,6 @@
         tr("{size} newtons", { size: fixed(size, this.decimals) })
       );
     }
-    /** @param {Row} row @param {number} size */
     #show(row, size) {
       this.#set(row, size);
       row.good = size;
@@ -5044,10 +4962,8 @@
   // src/predict/curve.js
   var FINE2 = 48;
   var CurveForm = class {
-    /** @type {(number | null)[]} */
     #heights = Array(POINTS).fill(null);
     #enabled = false;
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").PredictSpec} spec @param {() => void} changed */
     constructor(root, spec, changed) {
       this.cart = spec.cart ?? "";
       this.quantity = spec.quantity;
@@ -5073,19 +4989,17 @@
       });
     }
     get value() {
-      return this.#heights;
+      return [...this.#heights];
     }
-    /** @returns {string} */
     get said() {
       return tr("heights {heights}", {
         heights: this.#heights.map((height) => height ?? "–").join(", ")
       });
     }
     set value(value) {
-      if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
+      if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = [...value];
       this.#draw();
     }
-    /** @param {boolean} on */
     enable(on) {
       this.#enabled = on;
       for (const box2 of this.boxes) box2.disabled = !on;
@@ -5094,7 +5008,6 @@
       if (this.#heights.every((height) => height !== null)) return null;
       return tr("Give all five heights first, also where you think it is 0.");
     }
-    /** @param {import("../../../view/types.js").Run} run */
     compare(run) {
       const seen = this.quantity === "F" ? this.#force(run) : this.#motion(run);
       if (!seen)
@@ -5148,7 +5061,6 @@
       const at3 = (time) => valueAt(t3, values[this.cart] ?? [0], slopes[this.cart] ?? [0], time) - start;
       return { values: evenly(0, header.until, at3), title };
     }
-    /** @param {PointerEvent} event */
     #point(event) {
       const frame2 = this.pad.getBoundingClientRect();
       const scale = 360 / frame2.width;
@@ -5156,7 +5068,6 @@
       const height = (this.place.zero - (event.clientY - frame2.top) * scale) / this.place.per;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
-    /** @param {number} k @param {number} height */
     #take(k, height) {
       this.#heights[k] = Math.min(HIGHEST, Math.max(this.place.low, height));
       this.#draw();
@@ -5177,9 +5088,60 @@
     return Array.from({ length: FINE2 + 1 }, (_2, k) => value(from + (to - from) * k / FINE2));
   }
 
+  // src/predict/keeping.js
+  var Keeping = class {
+    #store = null;
+    #key = "";
+    constructor(root) {
+      this.root = root;
+      this.saved = need(root, ".carts-saved");
+    }
+    /**
+     * Resolves with what the reader left here before, where it answers what is asked today; else null.
+     * @param {Entry} entry as it is before @param {(found: Entry) => void} elsewhere what to do with what another tab keeps
+     * @returns {Promise<Entry | null>}
+     */
+    async open({ id, type }, elsewhere) {
+      const { site, page: page2 } = place2();
+      const key = `${page2}#${id}`;
+      const store = await openStore(site);
+      this.#store = store;
+      this.#key = key;
+      if (store.kind === "memory") {
+        say(
+          this.saved,
+          tr("This browser keeps nothing: your prediction is lost when you close the page.")
+        );
+      }
+      const get = async () => {
+        const found3 = await store.get(key).catch(() => null);
+        return found3?.type === type && isCurrent(found3) ? found3 : null;
+      };
+      store.hear(async (told3) => {
+        const found3 = told3 === key ? await get() : null;
+        if (found3 && this.root.isConnected) elsewhere(found3);
+      });
+      return get();
+    }
+    async put(entry2) {
+      if (!this.#store) return;
+      const { kind } = this.#store;
+      if (kind === "kept") say(this.saved, tr("Saving…"));
+      try {
+        await this.#store.put(this.#key, entry2);
+        document.dispatchEvent(new Event("carts-kept"));
+        if (kind === "kept") say(this.saved, tr("Saved."));
+      } catch {
+        say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
+      }
+    }
+    async forget() {
+      await this.#store?.remove(this.#key);
+    }
+  };
+
   // src/predict/relative.js
   var RelativeArrows = class {
-    /** @type {Row[]} */
     #rows;
     /**
      * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
@@ -5216,11 +5178,9 @@
       }
       this.#show();
     }
-    /** @returns {string} */
     get said() {
       return this.#pairs.map((rows) => relation(rows, (row) => row.share)).join(" ");
     }
-    /** @param {boolean} on */
     enable(on) {
       for (const { slider } of this.#rows) slider.disabled = !on;
     }
@@ -5301,14 +5261,12 @@
 
   // src/predict/sure.js
   var Sure = class {
-    /** @param {HTMLElement} root of the prediction @param {(word: string) => void} chosen */
     constructor(root, chosen) {
       const radios = root.querySelectorAll(".carts-certainty input");
       this.radios = /** @type {HTMLInputElement[]} */
       [...radios];
       for (const radio of this.radios) radio.addEventListener("change", () => chosen(radio.value));
     }
-    /** @param {string | undefined} word @param {boolean} open whether it can still be said */
     show(word, open2) {
       for (const radio of this.radios) {
         radio.checked = radio.value === word;
@@ -5319,27 +5277,23 @@
 
   // src/predict/talk.js
   var Talk = class {
-    /** @param {HTMLElement} root of the prediction @param {{change: () => void, run: () => void}} acts */
     constructor(root, { change: change2, run }) {
       this.box = need(root, ".carts-talk");
       need(this.box, ".carts-talk-change").addEventListener("click", change2);
       need(this.box, ".carts-talk-run").addEventListener("click", run);
     }
-    /** @param {boolean} on whether it is time to talk @param {boolean} asked by the reader just now */
     show(on, asked3) {
       this.box.hidden = !on;
       if (on && asked3) need(this.box, ".carts-talk-run").focus();
     }
   };
   var Why = class {
-    /** @param {HTMLElement} root of the prediction @param {(text: string) => void} changed */
     constructor(root, changed) {
       this.line = need(root, ".carts-why");
       this.box = /** @type {HTMLTextAreaElement} */
       need(this.line, "textarea");
       this.box.addEventListener("input", () => changed(this.box.value));
     }
-    /** @param {string} text */
     show(text) {
       this.line.hidden = false;
       if (this.box.value !== text) this.box.value = text;
@@ -5348,7 +5302,6 @@
 
   // src/predict/once-more.js
   var OnceMore = class {
-    /** @param {HTMLInputElement[]} radios of the prediction, whose options come back */
     constructor(radios) {
       this.options = radios.map((radio) => ({
         value: radio.value,
@@ -5356,11 +5309,9 @@
       }));
       this.name = `${radios[0]?.name}-now`;
     }
-    /** @param {string | null} value @returns {string} the words of an option */
     said(value) {
       return this.options.find((option2) => option2.value === value)?.text ?? "";
     }
-    /** @param {string | null} now what was chosen at an earlier visit @param {(value: string) => void} choose */
     draw(now, choose) {
       const set = html("fieldset", "carts-once-more");
       set.append(html("legend", "", tr("You have seen it. The same question once more:")));
@@ -5379,7 +5330,6 @@
 
   // src/predict/words.js
   var ChoiceForm = class {
-    /** @param {HTMLElement} root @param {() => void} changed */
     constructor(root, changed) {
       this.radios = /** @type {HTMLInputElement[]} */
       [
@@ -5392,7 +5342,6 @@
     get value() {
       return this.radios.find((radio) => radio.checked)?.value ?? null;
     }
-    /** @returns {string} the words of the option */
     get said() {
       const radio = this.radios.find((one) => one.checked);
       return radio?.closest("label")?.textContent?.trim() ?? "";
@@ -5400,7 +5349,6 @@
     set value(value) {
       for (const radio of this.radios) radio.checked = radio.value === value;
     }
-    /** @param {boolean} on */
     enable(on) {
       for (const radio of this.radios) radio.disabled = !on;
     }
@@ -5412,7 +5360,6 @@
     }
   };
   var WordsForm = class {
-    /** @param {HTMLElement} root @param {() => void} changed */
     constructor(root, changed) {
       this.box = /** @type {HTMLTextAreaElement} */
       need(root, ".carts-words");
@@ -5421,14 +5368,12 @@
     get value() {
       return this.box.value;
     }
-    /** @returns {string} */
     get said() {
       return this.box.value.trim();
     }
     set value(value) {
       this.box.value = String(value ?? "");
     }
-    /** @param {boolean} on */
     enable(on) {
       this.box.disabled = !on;
     }
@@ -5442,10 +5387,8 @@
 
   // src/predict/predict.js
   var Predict = class {
-    /** @type {Entry} */
     #entry;
-    /** @type {import("../shared/storage.js").Store | null} */
-    #store = null;
+    #keeping;
     /**
      * @param {HTMLElement} root of the prediction @param {Baked} baked
      * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
@@ -5463,7 +5406,7 @@
         draw([]);
         locked(now);
       };
-      this.saved = need(root, ".carts-saved");
+      this.#keeping = new Keeping(root);
       this.error = need(root, ".carts-predict-error");
       this.button = /** @type {HTMLButtonElement} */
       need(root, ".carts-lock");
@@ -5499,30 +5442,29 @@
         if (await this.#forget()) forgotten();
       });
     }
-    /** @returns {boolean} */
     get isLocked() {
-      return this.#entry.locked !== null;
+      return Boolean(this.#entry.locked);
     }
-    /** @returns {boolean} whether the run was seen to its end, now or at an earlier visit */
     get watched() {
       return Boolean(this.#entry.watched);
     }
     /** Brings back what the reader left here before. */
     async restore() {
-      this.key = `${place2().page}#${this.#entry.id}`;
-      this.#store = await openStore(place2().site);
-      if (this.#store.kind === "memory") {
-        say(
-          this.saved,
-          tr("This browser keeps nothing: your prediction is lost when you close the page.")
-        );
-      }
-      const found3 = await this.#store.get(this.key).catch(() => null);
-      if (found3?.type === this.#entry.type && isCurrent(found3)) {
-        this.#entry = found3;
-        this.form.value = found3.value;
-        say(this.saved, tr("Saved."));
-      }
+      const found3 = await this.#keeping.open(this.#entry, (found4) => this.#elsewhere(found4));
+      this.#back(found3 ?? this.#entry);
+      if (found3) say(this.#keeping.saved, tr("Saved."));
+    }
+    /** Another tab has kept this prediction. What is locked here stays so. @param {Entry} found */
+    #elsewhere(found3) {
+      if (!this.isLocked) return this.#back(found3);
+      if (!found3.locked) return;
+      this.#entry = found3;
+      if (this.watched) this.why.show(found3.why ?? "");
+    }
+    /** The page with what the reader said before. @param {Entry} entry */
+    #back(entry2) {
+      this.#entry = entry2;
+      if (entry2.value !== null) this.form.value = entry2.value;
       const talking = Boolean(this.#entry.talk) && !this.#entry.before;
       this.form.enable(!this.isLocked && !talking);
       this.sure.show(this.#entry.sure, !this.isLocked);
@@ -5561,7 +5503,6 @@
       say(need(this.root, ".carts-heading"), tr("Your prediction"));
       this.root.classList.add("carts-locked");
     }
-    /** @returns {string} the comparison as it is read out */
     get spoken() {
       const parts2 = this.root.querySelectorAll(
         ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
@@ -5569,18 +5510,15 @@
       const texts = [...parts2].map((part) => part.getAttribute("aria-label") ?? part.textContent);
       return `${tr("Your prediction.")} ${texts.join(" ")}`;
     }
-    /** @param {string} message for the reader; empty: none */
     complain(message) {
       say(this.error, message);
       this.error.hidden = !message;
     }
     async #changed() {
-      const now = (/* @__PURE__ */ new Date()).toISOString();
       this.#entry.value = this.form.value;
       this.#entry.asked = this.spec.ask;
       this.#told();
-      this.#entry.first ??= now;
-      this.#entry.last = now;
+      this.#entry.first ??= (/* @__PURE__ */ new Date()).toISOString();
       this.#entry.tries += 1;
       this.complain("");
       await this.#keep();
@@ -5627,10 +5565,9 @@
       if (why) parts2.push(tr("Why: {said}", { said: why }));
       this.#entry.said = parts2.filter(Boolean).join(" · ");
     }
-    /** @returns {Promise<boolean>} whether the prediction is gone */
     async #forget() {
       try {
-        if (this.key) await this.#store?.remove(this.key);
+        await this.#keeping.forget();
         return true;
       } catch {
         this.complain(tr("This browser refuses to forget it."));
@@ -5638,20 +5575,10 @@
       }
     }
     async #keep() {
-      if (!this.#store || !this.key) return;
-      if (this.#store.kind === "kept") say(this.saved, tr("Saving…"));
-      try {
-        await this.#store.put(this.key, this.#entry);
-        document.dispatchEvent(new Event("carts-kept"));
-        if (this.#store.kind === "kept") say(this.saved, tr("Saved."));
-      } catch {
-        say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
-      }
+      this.#entry.last = (/* @__PURE__ */ new Date()).toISOString();
+      await this.#keeping.put(this.#entry);
     }
   };
-
-  // src/shared/ask-scene.js
-  var ASKED = "carts-asked";
 
   // src/shared/bring.js
   function bring(name2, address) {
@@ -5859,7 +5786,6 @@
       });
       this.reset();
     }
-    /** @returns {Choice | null} null: exact */
     get choice() {
       const method = this.method.value;
       if (method === EXACT3) return null;
@@ -5884,7 +5810,6 @@
       });
       this.plan.replaceChildren(...lines4);
     }
-    /** @param {[string, string][]} lines what is told of a stepped run */
     tell(lines4) {
       this.table.hidden = lines4.length === 0;
       const rows = lines4.map(([head, value]) => {
@@ -5927,17 +5852,13 @@
   var PROOF = besideScript("proof.js");
   var REST = 400;
   var How = class {
-    /** @type {HowPanel | null} */
     #panel = null;
-    /** @type {Run | null} */
     #exact = null;
-    /** @type {HTMLElement | null} */
     #sign = null;
     #turn = 0;
     #timer = 0;
     #measuring = {};
     // an owner of its own: a measurement is no newer run
-    /** @type {import("../../proof/proof.js").Proof | null} */
     #proof = null;
     /**
      * @param {HTMLElement} root @param {import("../scene-view.js").SceneView} view
@@ -5992,7 +5913,6 @@
       say(this.#panel.cost, this.client.state === "failed" ? NO_PYTHON : MEASURING);
       this.#timer = setTimeout(() => void this.#measure(), this.view.player.playing ? REST : 0);
     }
-    /** @param {HowPanel} panel @param {Element} place */
     async #offerProof(panel, place4) {
       const Proof = await bring("cartsProof", PROOF);
       if (!Proof || panel !== this.#panel) return;
@@ -6058,7 +5978,6 @@
         error.message} ${FAILED}`);
       }
     }
-    /** @param {string} text below the carts */
     #tellBeside(text) {
       if (!this.#sign) {
         this.#sign = html("p", "carts-how-sign");
@@ -6078,7 +5997,6 @@
   // src/scene/ladder.js
   var REST2 = 400;
   var Ladder = class {
-    /** @type {Run | null} */
     #run = null;
     #turn = 0;
     #timer = 0;
@@ -6101,7 +6019,6 @@
       this.#turn += 1;
       this.#opened(REST2);
     }
-    /** @param {number} wait in ms */
     #opened(wait) {
       clearTimeout(this.#timer);
       if (!this.details.open || !this.#run || !isTold(this.#run)) return;
@@ -6166,11 +6083,10 @@
 
   // src/scene/presets.js
   var Presets = class {
-    /** @type {Set<string>} those whose run was seen to its end */
     #seen = /* @__PURE__ */ new Set();
-    /** @param {HTMLElement} root @param {Record<string, Settings>} presets @param {(changes: Settings, name: string) => void} choose */
-    constructor(root, presets, choose) {
-      this.presets = presets;
+    constructor(root, fence, choose) {
+      this.presets = fence.presets;
+      this.numbers = fence.presetNumbers;
       this.buttons = root.querySelectorAll(".carts-preset");
       this.line = root.querySelector(".carts-presets-left");
       for (const button of this.buttons) {
@@ -6182,30 +6098,24 @@
     get names() {
       return Object.keys(this.presets);
     }
-    /** @returns {string[]} those whose values the run on the page has */
     get pressed() {
       return [...this.buttons].filter((button) => button.getAttribute("aria-pressed") === "true").map((button) => button.dataset.preset ?? "");
     }
-    /** @returns {string[]} those that were not watched yet */
     get left() {
       return this.names.filter((name2) => !this.#seen.has(name2));
     }
-    /** @param {HTMLElement} button @returns {Settings} */
     #of(button) {
       return this.presets[button.dataset.preset ?? ""] ?? {};
     }
-    /** @param {Settings} settings those of the run on screen @param {import("../../../view/types.js").Header} header */
     show(settings, header) {
       for (const button of this.buttons) {
         const values = Object.entries(this.#of(button));
+        const numbers = this.numbers[button.dataset.preset ?? ""];
         const asked3 = values.every(([target, value]) => settings[target] === value);
-        const same = values.every(
-          ([target, value]) => valueIn(header, target) === Number.parseFloat(String(value))
-        );
+        const same = values.every(([target]) => valueIn(header, target) === numbers?.[target]);
         put(button, "aria-pressed", String(values.length > 0 && (asked3 || same)));
       }
     }
-    /** @param {string[]} names whose runs were seen to their end */
     seen(names) {
       for (const name2 of names) this.#seen.add(name2);
       if (!this.line) return;
@@ -6968,7 +6878,7 @@ ${lines4.join("\n")}
   function wireInside(element, baked, view, client2, acts) {
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
-    const presets = new Presets(element, baked.fence.presets, acts.preset);
+    const presets = new Presets(element, baked.fence, acts.preset);
     presets.show({}, baked.run.header);
     const { scene, controls, switches } = baked.fence;
     const sliders = new Controls(element, controls, acts, switches);
@@ -7000,15 +6910,6 @@ ${lines4.join("\n")}
         ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
         () => detail.answer(null)
       );
-    });
-    const worlds = {};
-    element.addEventListener(ASKED, (event) => {
-      const { detail } = (
-        /** @type {CustomEvent} */
-        event
-      );
-      const set = { ...acts.settings() };
-      detail.answer(client2.ask(worlds, () => ({ scene, set, ...detail.message })));
     });
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
     const how = new How(element, view, client2, (more) => {
@@ -7047,7 +6948,6 @@ ${lines4.join("\n")}
   // src/scene/live.js
   var Live = class {
     #waiting = deferred();
-    /** @param {HTMLElement} element @param {import("../runtime/client.js").Client} client @param {Acts} acts */
     constructor(element, client2, acts) {
       this.element = element;
       this.client = client2;
@@ -7059,12 +6959,15 @@ ${lines4.join("\n")}
     get ready() {
       return this.#waiting.promise;
     }
+    listen(signal) {
+      this.client.addEventListener("state", () => this.follow(), { signal });
+      this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
+    }
     /** The picture stands: Python starts at the first touch at the latest. */
     still() {
       for (const kind of ["pointerdown", "keydown", "focusin"]) {
         this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
       }
-      this.client.addEventListener("slow", () => this.#slow(), { once: true });
       requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
     }
     /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
@@ -7108,7 +7011,6 @@ ${lines4.join("\n")}
     #mark() {
       need(this.element, ".carts-mark").setAttribute("aria-label", LIVE);
     }
-    /** @param {Error & {reason?: string}} error */
     #fail(error = this.client.error ?? new Error(NOT_STARTED)) {
       const { dataset } = this.element;
       dataset.state = "failed";
@@ -7125,7 +7027,6 @@ ${lines4.join("\n")}
   // src/scene/prepared.js
   var TEXT_AT = 8;
   var Prepared = class {
-    /** @type {Promise<Table> | null} */
     #loading = null;
     /**
      * @param {HTMLElement} scene @param {import("../../../view/types.js").Control[]} controls
@@ -7154,7 +7055,6 @@ ${lines4.join("\n")}
       const place4 = presetOf(table, wanted) ?? this.#onGrid(table, wanted);
       return { ...runAt(table, place4.number), set: place4.set };
     }
-    /** @param {Table} table @param {Settings} wanted */
     #onGrid({ axes }, wanted) {
       if (Object.keys(wanted).some((key) => !axes.some((axis2) => axis2.set === key))) {
         throw new Error(tr("This change needs Python, which does not run here."));
@@ -7169,7 +7069,6 @@ ${lines4.join("\n")}
       }
       return { number, set };
     }
-    /** @param {Axis} axis @param {number | string | boolean | undefined} asked @returns {number} SI */
     #number(axis2, asked3) {
       const control = this.controls.find(({ set }) => set === axis2.set);
       if (asked3 === void 0 && control) return control.value * control.per;
@@ -7181,7 +7080,6 @@ ${lines4.join("\n")}
       }
       return Number(number) * control.per;
     }
-    /** @returns {Promise<Table>} */
     async #load() {
       const parts2 = await Promise.all(
         this.parts.map((part, k) => loadPart(this.folder, this.name, k, part))
@@ -7206,18 +7104,17 @@ ${lines4.join("\n")}
     return { header, numbers: numbers.subarray(start, start + sizeOf(header)) };
   }
 
+  // src/shared/ask-scene.js
+  var ASKED = "carts-asked";
+
   // src/scene/values.js
   var ONE_CHANGE = 1e3;
   var MOST3 = 50;
   var Values = class {
-    /** @type {Settings} accepted: those of the run that is shown */
     good = {};
-    /** @type {Settings} asked for, newest */
     wanted = {};
-    /** @type {Settings[]} */
     #before = [];
     #last = { target: "", at: 0 };
-    /** @param {Settings} changes */
     ask(changes2) {
       const target = Object.keys(changes2).join();
       if (!target) return;
@@ -7237,6 +7134,9 @@ ${lines4.join("\n")}
         if (good === void 0) delete this.wanted[key];
         else this.wanted[key] = good;
       }
+      if (JSON.stringify(this.#before.at(-1)) !== JSON.stringify(this.wanted)) return;
+      this.#before.pop();
+      this.#last.target = "";
     }
     /** Other values in the place of all, as one change. @param {Settings} changes */
     replace(changes2) {
@@ -7267,7 +7167,6 @@ ${lines4.join("\n")}
   // src/scene/runs.js
   var Runs = class {
     values = new Values();
-    /** @type {import("./prepared.js").Prepared | null} */
     prepared = null;
     #generation = 0;
     // of resets: what was asked for before one is not shown after it
@@ -7282,6 +7181,15 @@ ${lines4.join("\n")}
       this.owner = owner;
       this.client = client2;
       this.acts = acts;
+    }
+    /** Answers others of the page. @param {AbortSignal} signal */
+    hear(signal) {
+      const owner = {};
+      const answer = ({ detail }) => {
+        const asked3 = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
+        detail.answer(this.client.ask(owner, () => asked3));
+      };
+      this.owner.addEventListener(ASKED, answer, { signal });
     }
     /** Whether there are runs that need no Python. */
     get stepwise() {
@@ -7399,7 +7307,6 @@ ${lines4.join("\n")}
   // src/scene/announcer.js
   var MOST4 = 3;
   var Announcer = class {
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.world = need(root, ".carts-world");
       this.region = need(root, ".carts-announcer");
@@ -7413,7 +7320,6 @@ ${lines4.join("\n")}
       this.world.scrollIntoView({ block: "nearest" });
       this.tell([sentence]);
     }
-    /** @param {string[]} sentences */
     tell(sentences) {
       if (sentences.length) this.region.textContent = sentences.slice(-MOST4).join(" ");
     }
@@ -7459,17 +7365,14 @@ ${lines4.join("\n")}
   var Described = class {
     #timer = 0;
     #told = false;
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, { fence, view }) {
       this.place = root.querySelector(`#${CSS.escape(fence.id)}-described`);
       this.fence = fence;
       this.view = view;
     }
-    /** @param {import("../../../view/types.js").Run} run @param {number} t in s @returns {string} the instant in words */
     words(run, t3) {
       return instant(run, t3, this.view, this.fence.camera, this.fence.forces === "shown");
     }
-    /** @param {import("../../../view/types.js").Run} run @param {number} t in s @param {boolean} moving */
     at(run, t3, moving) {
       clearTimeout(this.#timer);
       if (moving || !this.place || run.trajectory.t.length < 2) return;
@@ -7483,7 +7386,6 @@ ${lines4.join("\n")}
 
   // src/scene/drag.js
   var Drag = class {
-    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
     #held = null;
     /**
      * @param {SVGElement} stage @param {Layout} layout @param {import("../../../view/types.js").Baked} baked
@@ -7548,16 +7450,12 @@ ${lines4.join("\n")}
   // src/scene/beside/bars.js
   var HALF2 = 60;
   var Bars = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../../view/series.js").Series[]} */
     #curves = [];
-    /** @type {import("../../../../view/windows.js").Touch[]} */
     #windows = [];
     #full = 1;
     #first = 0;
     // of the lesson's own run, so that runs can be compared
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
       this.camera = baked.fence.camera;
@@ -7566,7 +7464,6 @@ ${lines4.join("\n")}
       root.querySelectorAll("tbody tr");
       this.since = need(root, ".carts-touch-note");
     }
-    /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows.filter(({ near }) => !near);
@@ -7578,7 +7475,6 @@ ${lines4.join("\n")}
       if (!this.#first) this.#first = most;
       this.#full = most || 1;
     }
-    /** @param {number} t in s */
     at(t3) {
       const run = this.#run;
       if (!run) return;
@@ -7676,12 +7572,9 @@ ${lines4.join("\n")}
   var APART2 = 8;
   var FULL = 95;
   var FreeBody = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../../view/windows.js").Touch[]} */
     #windows = [];
     #vertical = false;
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
     constructor(root, baked, redraw) {
       this.root = root;
       this.view = baked.view;
@@ -7698,12 +7591,10 @@ ${lines4.join("\n")}
         redraw();
       });
     }
-    /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows.filter(({ near }) => !near);
     }
-    /** @param {number} t in s */
     at(t3) {
       const run = this.#run;
       if (!run) return;
@@ -7726,7 +7617,6 @@ ${lines4.join("\n")}
         this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
       }
     }
-    /** @param {string} name @param {string} quantity @param {string} text */
     #say(name2, quantity, text) {
       const cell3 = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
       if (cell3) say(cell3, text);
@@ -7737,7 +7627,6 @@ ${lines4.join("\n")}
       const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
       return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
     }
-    /** @param {string} name @param {Force[]} forces @param {number} room */
     #draw(name2, forces2, room) {
       const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
       const group2 = need(card, '[data-part="forces"]');
@@ -7767,7 +7656,6 @@ ${lines4.join("\n")}
       put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
       put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
-    /** @param {Force} force @param {boolean} cut */
     #sentence({ name: name2, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
       const told3 = { name: name2, size };
@@ -7795,9 +7683,7 @@ ${lines4.join("\n")}
   var BAR = 70;
   var SCALE = 3;
   var Lens = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Touch[]} */
     #windows = [];
     #perMetre = 3e3;
     // units
@@ -7806,7 +7692,6 @@ ${lines4.join("\n")}
     #perForce = 100;
     // units of the full scale
     #t = 0;
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
     constructor(root, baked, redraw) {
       this.root = root;
       this.view = baked.view;
@@ -7845,13 +7730,11 @@ ${lines4.join("\n")}
       put(text, "x", px(Number(bar2) + 16));
       say(text, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
     }
-    /** @param {Run} run @param {Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
       this.#enlarge();
     }
-    /** @param {number} t in s */
     at(t3) {
       const run = this.#run;
       const touch = this.#windows.find(({ end: end2 }) => t3 <= end2) ?? this.#windows.at(-1);
@@ -7886,7 +7769,6 @@ ${lines4.join("\n")}
       const push = tr("{size} on each", { size: `${size} N` });
       say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
     }
-    /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
     #side({ header, trajectory }, touch, k) {
       const name2 = String(touch.bodies[k]);
       const cart = header.bodies.find((one) => one.name === name2);
@@ -7900,7 +7782,6 @@ ${lines4.join("\n")}
       const face = centre + way * cart.length / 2;
       return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
     }
-    /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force2) {
       const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
@@ -7952,11 +7833,8 @@ ${lines4.join("\n")}
     bars: [tr("momentum before and now"), Bars]
   };
   var Views = class {
-    /** @type {View[]} */
     #views = [];
-    /** @type {{run: Run, windows: Touch[], t: number} | null} */
     #now = null;
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.frames = root.querySelectorAll(".carts-views");
       for (const section of root.querySelectorAll(".carts-view")) {
@@ -7968,26 +7846,22 @@ ${lines4.join("\n")}
         if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
       }
     }
-    /** @returns {{key: string, label: string, seen: boolean}[]} what a reader can choose from */
     get choices() {
       return this.#views.map(({ root }) => {
         const key = root.dataset.view ?? "";
         return { key, label: KINDS2[key]?.[0] ?? key, seen: !root.hidden };
       });
     }
-    /** @param {string} key @param {boolean} seen */
     choose(key, seen) {
       for (const { root } of this.#views) if (root.dataset.view === key) root.hidden = !seen;
       this.#again();
     }
-    /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
     show(run, windows, t3) {
       if (!isTold(run)) return;
       for (const frame2 of this.frames) frame2.hidden = false;
       this.#now = { run, windows, t: t3 };
       for (const view of this.#views) view.show(run, windows);
     }
-    /** @param {number} t in s */
     at(t3) {
       if (!this.#now) return;
       this.#now.t = t3;
@@ -8099,15 +7973,11 @@ ${lines4.join("\n")}
 
   // src/scene/how/ghost.js
   var Ghost = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {SVGElement | null} */
     #group = null;
-    /** @param {import("../stage.js").Stage} stage */
     constructor(stage) {
       this.stage = stage;
     }
-    /** @param {Run | null} run the exact one; null: none */
     show(run) {
       this.#run = run;
       this.#group?.remove();
@@ -8131,7 +8001,6 @@ ${lines4.join("\n")}
       first?.parentNode?.insertBefore(group2, first);
       this.#group = group2;
     }
-    /** @param {number} t in s */
     at(t3) {
       if (!this.#run || !this.#group) return;
       const { header, trajectory } = this.#run;
@@ -8231,20 +8100,17 @@ ${lines4.join("\n")}
   // src/scene/graphs/impulse-layer.js
   var POINTS2 = 40;
   var ImpulseLayer = class {
-    /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
     constructor(root, view) {
       this.shade = need(root, '[data-part="areas"]');
       this.note = need(root, ".carts-area-note");
       this.decimals = Math.max(3, view.decimals.p ?? 3);
       this.windows = [];
     }
-    /** @param {import("../../../../view/types.js").Run} run */
     show({ header }) {
       this.windows = touches(header.events, header.until).map(
         (touch) => touch.lasts ? { ...touch, end: header.until } : touch
       );
     }
-    /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
     at(run, plane, t3, signed) {
       const touch = latestTouch(this.windows, t3);
       const paths = this.shade.children;
@@ -8288,11 +8154,9 @@ ${lines4.join("\n")}
   // src/scene/graphs/key.js
   var Key = class {
     #told = "";
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.root = root;
     }
-    /** @param {Series[]} curves @param {string} note */
     show(curves, note2) {
       const wanted = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note2].join("|");
       if (this.#told === wanted && this.root.firstChild) return;
@@ -8323,7 +8187,7 @@ ${lines4.join("\n")}
     const start = sum(0);
     const squeezed = new Float64Array(times2.length);
     const warmed2 = new Float64Array(times2.length);
-    const groups = together2(windows);
+    const groups = together3(windows);
     let kept = 0;
     for (let k = 0; k < times2.length; k += 1) {
       const t3 = Number(times2[k]);
@@ -8351,7 +8215,7 @@ ${lines4.join("\n")}
       }
     ];
   }
-  function together2(windows) {
+  function together3(windows) {
     const groups = [];
     for (const { start, end: end2 } of windows) {
       const last = groups.at(-1);
@@ -8375,15 +8239,10 @@ ${lines4.join("\n")}
     return !baked.fence.camera || left !== "wall" && right !== "wall" && !needsParts(baked);
   }
   var LedgerLayer = class {
-    /** @type {ArrayLike<number>} s, of the entries: those of an older run until the new ones come */
     times = [];
-    /** @type {Run | null} the run whose parts were asked for */
     #of = null;
-    /** @type {Series[]} */
     entries = [];
-    /** @type {Series[]} */
     tops = [];
-    /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.areas = need(root, '[data-part="areas"]');
       this.key = need(root, ".carts-key");
@@ -8409,7 +8268,6 @@ ${lines4.join("\n")}
         });
       }
     }
-    /** @param {Run} run @param {Series[]} entries */
     #take({ trajectory }, entries) {
       this.times = trajectory.t;
       this.entries = entries;
@@ -8418,7 +8276,6 @@ ${lines4.join("\n")}
     clear() {
       this.areas.replaceChildren();
     }
-    /** @param {g.Plane} plane */
     draw(plane) {
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
@@ -8442,7 +8299,6 @@ ${lines4.join("\n")}
         })
       );
     }
-    /** @param {number} t in s */
     at(t3) {
       this.entries.forEach(({ label, values }, i2) => {
         const now = Math.max(0, valueAt(this.times, values, null, t3));
@@ -8475,15 +8331,12 @@ ${lines4.join("\n")}
   var OF_CONTACTS = ["F", "R", "a"];
   var REST4 = 250;
   var Table = class {
-    /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
     #timer = 0;
     #seen = Infinity;
     // s, as far as the run was watched
-    /** @type {{run: Run, curves: Series[]} | null} */
     #shown = null;
     #rows = 0;
-    /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
     constructor(details, quantity, view) {
       this.details = /** @type {HTMLDetailsElement} */
       details;
@@ -8494,14 +8347,12 @@ ${lines4.join("\n")}
         this.fill();
       });
     }
-    /** @param {Run} run @param {Series[]} curves */
     show(run, curves) {
       this.#waiting = { run, curves };
       this.#shown = this.#waiting;
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST4);
     }
-    /** @param {number} seen s, as far as the run was watched */
     grow(seen) {
       this.#seen = seen;
       if (!this.#shown || this.#times(this.#shown.run).length === this.#rows) return;
@@ -8535,7 +8386,6 @@ ${lines4.join("\n")}
       });
       need(this.details, "tbody").replaceChildren(...rows);
     }
-    /** @param {Run} run */
     #times(run) {
       const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
       const within = told3 ? contactTimes(run) : [];
@@ -8571,17 +8421,11 @@ ${lines4.join("\n")}
 
   // src/scene/graphs/graph-view.js
   var GraphView = class {
-    /** @type {Series[]} */
     #curves = [];
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Run | null} the first one, as the lesson has it: the axes keep to it */
     #first = null;
-    /** @type {g.Plane} */
     #plane = planeFor([0, 1], [0, 1]);
-    /** @type {Element[]} */
     #dots = [];
-    /** @type {Run | null} a run that is drawn pale behind the one that is shown */
     behind = null;
     /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
     drawn = () => {
@@ -8592,7 +8436,6 @@ ${lines4.join("\n")}
     // s, the instant shown
     #seen = Infinity;
     // s, as far as the run was watched
-    /** @type {[number, number] | null} */
     #window = null;
     /**
      * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
@@ -8631,7 +8474,6 @@ ${lines4.join("\n")}
     enable() {
       if (this.button) this.button.disabled = false;
     }
-    /** @param {Run} run @param {number} t the instant shown */
     show(run, t3) {
       if (!isTold(run)) return;
       this.#run = run;
@@ -8652,7 +8494,6 @@ ${lines4.join("\n")}
       this.#window = window;
       if (this.#run) this.#draw(t3);
     }
-    /** @param {number} t in s */
     at(t3) {
       this.#t = t3;
       const run = this.#run;
@@ -8673,7 +8514,6 @@ ${lines4.join("\n")}
     get #stacked() {
       return this.#pressed && this.ledger !== null && this.ledger.entries.length > 0;
     }
-    /** @param {Run} run @returns {ArrayLike<number>} s, of what is drawn */
     #times(run) {
       return this.#stacked ? this.ledger?.times ?? [] : run.trajectory.t;
     }
@@ -8685,7 +8525,6 @@ ${lines4.join("\n")}
       need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
-    /** @param {number} t */
     #draw(t3) {
       const run = (
         /** @type {Run} */
@@ -8744,7 +8583,6 @@ ${lines4.join("\n")}
       const end2 = Math.min(RIGHT4, Math.max(LEFT5, timeX(this.#plane, this.#seen)));
       if (room) put(room, "width", px(end2 - LEFT5 + 1));
     }
-    /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
       if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
@@ -8763,9 +8601,7 @@ ${lines4.join("\n")}
 
   // src/scene/readouts.js
   var Readouts = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
@@ -8779,11 +8615,9 @@ ${lines4.join("\n")}
         return { name: name2, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
       });
     }
-    /** @param {Run} run */
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s */
     at(t3) {
       const run = this.#run;
       if (!run) return;
@@ -9024,11 +8858,8 @@ ${lines4.join("\n")}
   var SLIVER = 1.5;
   var GAP3 = 8;
   var Effects = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Map<string, SVGElement>} */
     #drawn = /* @__PURE__ */ new Map();
-    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
     constructor(root, layout, full, forces2) {
       this.layout = layout;
       this.full = full;
@@ -9045,11 +8876,9 @@ ${lines4.join("\n")}
         }
       }
     }
-    /** @param {Run} run */
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
     at(t3, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
@@ -9064,7 +8893,6 @@ ${lines4.join("\n")}
       }
       for (const piece of pieces) this.#draw(piece);
     }
-    /** @param {Piece} piece */
     #draw({ key, cls, behind, d: d2, text, x: x2, y: y2, anchor }) {
       let element = this.#drawn.get(key);
       if (!element) {
@@ -9136,19 +8964,14 @@ ${lines4.join("\n")}
   var GAP4 = 8;
   var EDGE3 = 6;
   var Pushes = class {
-    /** @type {Push[]} */
     #pushes = [];
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../view/windows.js").Touch[]} */
     #windows = [];
-    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
     constructor(root, layout, view) {
       this.root = root;
       this.layout = layout;
       this.view = view;
     }
-    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
@@ -9168,7 +8991,6 @@ ${lines4.join("\n")}
         }
       });
     }
-    /** @param {number} t in s @param {Face} face */
     at(t3, face) {
       const run = this.#run;
       if (!run) return;
@@ -9235,7 +9057,6 @@ ${lines4.join("\n")}
     #inFull(told3) {
       return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
-    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push, sizes, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
@@ -9273,7 +9094,6 @@ ${lines4.join("\n")}
         track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP4) : width - EDGE3
       ];
     }
-    /** @param {number} size in N */
     #value(size) {
       const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
@@ -9315,9 +9135,7 @@ ${lines4.join("\n")}
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
-    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
       this.was = need(root, ".carts-was");
@@ -9326,7 +9144,6 @@ ${lines4.join("\n")}
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group: group2 };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at3 = (side) => {
         const found3 = this.#walls.find((one) => one.side === side);
@@ -9355,17 +9172,11 @@ ${lines4.join("\n")}
   // src/scene/stage.js
   var HANDLE = 9;
   var Stage = class {
-    /** @type {Run} */
     #run;
-    /** @type {Cart[]} */
     #carts = [];
-    /** @type {Walls} */
     #walls;
-    /** @type {Pushes} */
     #pushes;
-    /** @type {Effects} */
     #effects;
-    /** @param {SVGElement} root @param {Baked} baked */
     constructor(root, baked) {
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
       if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
@@ -9532,7 +9343,6 @@ ${lines4.join("\n")}
       say(mass, box2.label);
       return mass;
     }
-    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart, name2, x2, t3) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
@@ -9639,7 +9449,6 @@ ${lines4.join("\n")}
   var MOST_EVENTS2 = 60;
   var IN_FULL = 10;
   var Story = class {
-    /** @type {{t: number, sentence: string}[]} */
     told = [];
     #seen = Infinity;
     // s, as far as the run was watched
@@ -9647,7 +9456,6 @@ ${lines4.join("\n")}
     // sentences that stand there
     #last = false;
     // whether the model stands there
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
     constructor(root, baked, seek) {
       const { fence, view } = baked;
       this.root = root;
@@ -9671,7 +9479,6 @@ ${lines4.join("\n")}
         if (button?.dataset.time) seek(Number(button.dataset.time));
       });
     }
-    /** @param {import("../../../view/types.js").Run} run */
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
@@ -9720,7 +9527,6 @@ ${lines4.join("\n")}
       this.model.replaceChildren(...model.map((text) => html("li", "", text)));
       need(this.root, ".carts-model").hidden = !whole || hides;
     }
-    /** @param {{t: number, sentence: string}} told */
     #item({ t: t3, sentence }) {
       const item = html("li");
       const button = html("button", "", `${fixed(t3, this.view.decimals.t ?? 3)} s`);
@@ -9744,11 +9550,8 @@ ${lines4.join("\n")}
     // s, as far as the axis goes
     #seen = Infinity;
     // s, as far as the run was watched
-    /** @type {{start: number, end: number}[]} */
     #touches = [];
-    /** @type {{t: number, kind: string}[]} */
     #events = [];
-    /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
     constructor(root, seek) {
       this.scrub = /** @type {HTMLInputElement} */
       need(root, ".carts-scrub");
@@ -9757,7 +9560,6 @@ ${lines4.join("\n")}
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
-    /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
       const pushes3 = isTold(run) ? marks(header, false) : [];
@@ -9769,7 +9571,6 @@ ${lines4.join("\n")}
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();
     }
-    /** @param {number} seen s, as far as the run was watched */
     grow(seen) {
       this.#seen = seen;
       if (this.#until) this.#mark();
@@ -9799,12 +9600,10 @@ ${lines4.join("\n")}
         put(mark2, "x2", at3(t3));
       });
     }
-    /** @param {number} t in s @param {string} spoken */
     at(t3, spoken) {
       this.scrub.valueAsNumber = t3;
       put(this.scrub, "aria-valuetext", spoken);
     }
-    /** @param {number} until */
     #renumber(until) {
       this.#until = until;
       put(this.scrub, "max", String(until));
@@ -9823,9 +9622,7 @@ ${lines4.join("\n")}
 
   // src/scene/drawing.js
   var Drawing = class {
-    /** @type {Run} */
     run;
-    /** @type {Touch[]} bodies that touch in the run shown */
     windows = [];
     /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
     #seen = Infinity;
@@ -10049,9 +9846,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var SOFTEST = 0.05;
   var Sound = class {
     on = recall(KEY) === true;
-    /** @type {AudioContext | null} */
     #machine = null;
-    /** @param {boolean} on by the reader */
     set(on) {
       this.on = on;
       retain(KEY, on);
@@ -10066,7 +9861,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         if (event.t > before && event.t <= now && part > 0) this.#click(Math.max(part, SOFTEST));
       }
     }
-    /** @param {number} loud 0 to 1 */
     #click(loud) {
       try {
         this.#machine ??= new AudioContext();
@@ -10094,7 +9888,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 
   // src/scene/time/transport.js
   var Transport = class {
-    /** @param {HTMLElement} root @param {Player} player @param {Record<string, number>} decimals */
     constructor(root, player, decimals) {
       this.player = player;
       this.decimals = decimals;
@@ -10153,7 +9946,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       if (this.player.playing) return tr("Pause");
       return this.player.time >= this.player.until ? tr("Again") : tr("Play");
     }
-    /** @param {KeyboardEvent} event */
     #key(event) {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const act = {
@@ -10177,12 +9969,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   // src/scene/scene-view.js
   var HALTS = /* @__PURE__ */ new Set(["contact", "peak", "separate", "stick", "release"]);
   var SceneView = class {
-    /** @type {Run | null} another run, seen pale behind the one that is shown */
     behind = null;
-    /** @type {GraphView["drawn"]} */
     #drawn = () => {
     };
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
       this.baked = baked;
@@ -10217,7 +10006,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     get stages() {
       return this.drawing.stages;
     }
-    /** @returns {{run: Run, t: number, quantities: string[]}} what is seen */
     get now() {
       const quantities = this.drawing.graphs.map((graph2) => graph2.quantity);
       return { run: this.run, t: this.player.time, quantities };
@@ -10269,7 +10057,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         table.fill();
       }
     }
-    /** @param {number} before @param {boolean} forward */
     #moved(before, forward) {
       const t3 = this.player.time;
       this.drawing.grow(this.player.seen);
@@ -10304,7 +10091,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         }
       });
     }
-    /** @param {string} quantity @param {boolean} seen */
     #chooseGraph(quantity, seen) {
       const place4 = need(this.root, ".carts-graphs");
       const { graphs } = this.drawing;
@@ -10427,7 +10213,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     get #name() {
       return `${location.pathname}#${this.element.id}`;
     }
-    /** @param {string} preset */
     #of(preset) {
       return `${this.#name}/${preset}`;
     }
@@ -10444,22 +10229,16 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   // src/scene/element.js
   function sceneElement(client2, folder) {
     return class CartsScene extends HTMLElement {
-      /** @type {SceneView | null} */
       #view = null;
-      /** @type {import("../../../view/types.js").Baked | null} */
       #baked = null;
-      /** @type {import("../predict/predict.js").Predict | null} */
       #predict = null;
-      /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
       #runs = new Runs(this, client2, {
         scene: () => this.#baked?.fence.scene,
         draw: (run) => this.#draw(run),
         say: (message) => note(this, message)
       });
-      /** @type {ReturnType<typeof wireInside> | null} */
       #inside = null;
-      /** @type {Watch | null} */
       #watch = null;
       #asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
@@ -10487,7 +10266,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #listen() {
         this.#leaving = new AbortController();
         const { signal } = this.#leaving;
-        client2.addEventListener("state", () => this.#live.follow(), { signal });
+        this.#live.listen(signal);
+        this.#runs.hear(signal);
         addEventListener("beforeprint", () => this.#view?.print(true), { signal });
         addEventListener("afterprint", () => this.#view?.print(false), { signal });
       }
@@ -10649,7 +10429,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#predict.compare(this.#lesson);
         this.#view?.announcer.tell([this.#predict.spoken]);
       }
-      /** @param {string} target @param {Error} error */
       #complain(target, error) {
         this.#inside?.controls.complain(target, error.message);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));

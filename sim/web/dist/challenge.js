@@ -63,22 +63,6 @@
     );
   }
 
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function retain(key, value2, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value2));
-    } catch {
-    }
-  }
-
   // src/answers/outline.js
   var found = null;
   function outline() {
@@ -114,22 +98,32 @@
   }
   function keepEarlier(old, value2) {
     if (!old || typeof old !== "object" || typeof value2 !== "object" || value2 === null) return value2;
-    const earlier = union(old.earlier, value2.earlier);
-    const other = old.hash && value2.hash && old.hash !== value2.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value2, earlier: all } : value2;
+    const opened2 = old.locked && old.locked !== value2.locked;
+    if (opened2 && sameAnswer(old, value2)) return { ...together(old, value2), locked: old.locked };
+    const other = opened2 || old.hash && value2.hash && old.hash !== value2.hash;
+    return withEarlier(value2, old.earlier, value2.earlier, other ? alone(old) : []);
+  }
+  function together(old, young) {
+    const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
+  }
+  function sameAnswer(a, b) {
+    return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
   }
   function alone({ earlier: _, ...entry }) {
-    return entry;
+    return isEmpty(entry.value) ? [] : [entry];
   }
-  function union(a, b) {
+  function withEarlier(entry, ...lists) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found2.get(name);
+      found2.set(name, before ? together(before, one) : one);
     }
     const all = [...found2.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
+    return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
   // src/shared/newest-first.js
@@ -255,43 +249,57 @@
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page = (
       /** @type {any} */
       globalThis
     );
-    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page[name] ??= /* @__PURE__ */ new Map();
     return page[name];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value2, alone2) => {
         try {
           await store.put(key, value2, alone2);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value2));
+          refused.set(key, keepEarlier(refused.get(key), value2));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept3 = shelter();
+  function memory(site) {
+    const kept2 = shelter(site);
     return {
       kind: "memory",
       how: "memory",
-      get: async (key) => kept3.get(key),
-      put: async (key, value2) => void kept3.set(key, keepEarlier(kept3.get(key), value2)),
-      remove: async (key) => void kept3.delete(key),
-      entries: async () => [...kept3]
+      get: async (key) => kept2.get(key),
+      put: async (key, value2) => void kept2.set(key, keepEarlier(kept2.get(key), value2)),
+      remove: async (key) => void kept2.delete(key),
+      entries: async () => [...kept2]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value2, alone2) => {
+        await store.put(key, value2, alone2);
+        channel?.postMessage(key);
+      },
+      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -346,15 +354,16 @@
       get: (key) => all.get(before + key),
       put: (key, value2, alone2) => all.put(before + key, stamped(value2), alone2),
       remove: (key) => all.remove(before + key),
+      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value2]) => [key.slice(before.length), value2])
     };
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place() {
@@ -368,6 +377,15 @@
   }
 
   // src/shared/kept.js
+  async function keptOnPage(id) {
+    const { site, page } = place();
+    const store = await openStore(site);
+    return store.get(`${page}#${id}`).catch(() => null);
+  }
+  async function hearOnPage(id, act) {
+    const { site, page } = place();
+    (await openStore(site)).hear((key) => key === `${page}#${id}` && act());
+  }
   async function keepOnPage(entry) {
     const { site, page } = place();
     try {
@@ -378,15 +396,26 @@
     }
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value2, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value2));
+    } catch {
+    }
+  }
+
   // src/question/challenge-kept.js
   var TYPE = "challenge";
-  async function kept(id) {
-    const { site, page } = place();
-    const store = await openStore(site);
-    return store.get(`${page}#${id}`).catch(() => null);
-  }
   async function triedBefore(id) {
-    const entry = await kept(id);
+    const entry = await keptOnPage(id);
     const { runs, found: found2, values } = entry?.type === TYPE && entry.value || {};
     if (!Number.isInteger(runs)) return null;
     return { runs, found: Number.isInteger(found2) ? found2 : 0, values: String(values ?? "") };
@@ -394,7 +423,7 @@
   async function keepTried(id, asked, tried, said) {
     if (!outline()) return;
     const now = (/* @__PURE__ */ new Date()).toISOString();
-    const before = await kept(id);
+    const before = await keptOnPage(id);
     const first = before?.first ?? now;
     await keepOnPage({
       id,
@@ -495,9 +524,12 @@
   }
 
   // src/shared/typed.js
-  function twoReadings(text) {
+  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function twoReadings(typed) {
+    const text = GROUPED.exec(typed)?.[0];
+    if (!text) return "";
     const whole = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
+    if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole });
     const decimal = String(Number(text.replace(",", ".")));
     return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
       text,
@@ -509,13 +541,12 @@
   // src/question/marking/typed-number.js
   var LONGEST2 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
-  var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
   function readNumber(typed, units) {
     const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
-    const grouped2 = GROUPED.exec(text);
-    if (grouped2) return { problem: twoReadings(String(grouped2[1])) };
+    const grouped2 = twoReadings(text);
+    if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number2 = String(found2[1]);
@@ -610,15 +641,13 @@
   // src/question/challenge.js
   var SETTLED2 = 800;
   var ChallengeElement = class extends HTMLElement {
-    /** @type {Facts} */
     #facts = JSON.parse("{}");
-    /** @type {Tries} */
     #tries = { before: 0, tried: [], found: null };
     #leaving = new AbortController();
     #timer = 0;
     connectedCallback() {
       this.#facts = JSON.parse(need(this, ".carts-challenge-facts").textContent ?? "{}");
-      this.#tries = kept2(this.#name);
+      this.#tries = kept(this.#name);
       this.#leaving = new AbortController();
       const { signal } = this.#leaving;
       for (const kind of ["carts-update", "carts-watched"]) {
@@ -626,6 +655,7 @@
       }
       this.#show();
       void this.#restore();
+      void hearOnPage(this.id, () => void this.#restore());
     }
     disconnectedCallback() {
       clearTimeout(this.#timer);
@@ -634,15 +664,14 @@
     /** What was tried in another tab, or on another day. */
     async #restore() {
       const earlier = await triedBefore(this.id);
-      if (!earlier || this.#runs) return;
-      this.#tries.before = earlier.runs;
-      if (earlier.found) this.#tries.found = { run: earlier.found, values: earlier.values };
+      if (!earlier || earlier.runs <= this.#runs) return;
+      this.#tries.before = earlier.runs - this.#tries.tried.length;
+      if (earlier.found) this.#tries.found ??= { run: earlier.found, values: earlier.values };
       this.#show();
     }
     get #runs() {
       return this.#tries.before + this.#tries.tried.length;
     }
-    /** @param {Event} event of a scene */
     #heard({ target }) {
       if (!(target instanceof HTMLElement) || target.id !== this.#facts.scene) return;
       clearTimeout(this.#timer);
@@ -680,7 +709,6 @@
       });
       return parts.length ? listed(parts) : tr("as the lesson sets it");
     }
-    /** @returns {string} what stands there now */
     #show() {
       const { found: found2 } = this.#tries;
       const count = String(this.#runs);
@@ -697,7 +725,7 @@
       return `carts-challenge ${location.pathname}#${this.id}`;
     }
   };
-  function kept2(name) {
+  function kept(name) {
     const { before, tried, found: found2 } = recall(name) ?? {};
     return {
       before: Number.isInteger(before) ? before : 0,

@@ -45,6 +45,12 @@
     } else if (element.textContent !== text) element.textContent = text;
   }
 
+  // src/shared/code-word.js
+  function codeWord(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part) => part.trim().replace(/[\s–—−_]+/g, "-"));
+    return [...new Set(parts)].sort().join("+");
+  }
+
   // src/class/classroom.js
   var WHOLE = "class";
   var broughtAlong = () => (
@@ -52,49 +58,37 @@
     globalThis.__cartsKeys ?? []
   );
   var Classroom = class {
-    /** @type {Held[]} */
     files = [];
-    /** @type {string[]} the texts of key files */
     keys = [];
-    /** @type {string[]} the same for what can be practised: this site brings them along */
     practice = broughtAlong();
-    /** @type {Map<string, GivenMark>} */
     marks = /* @__PURE__ */ new Map();
-    /** @type {[string, string][]} */
     refused = [];
     codes = "";
-    /** @type {Table[]} */
     tables = [];
     most = "";
     // marks of the tests in them, as typed
     two = false;
-    /** @type {[string, string]} */
     names = [tr("experimental"), tr("control")];
-    /** @returns {boolean} whether there is nothing here */
     get empty() {
       return this.noAnswers && !this.tables.length;
     }
-    /** @returns {boolean} whether there is nothing here but tables */
     get noAnswers() {
       return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
     }
-    /** @returns {string[]} the names of the groups, each once */
     get groups() {
       if (!this.two) return [WHOLE];
       const [one, other] = this.names.map((name, k) => name.trim() || tr("group {n}", { n: k + 1 }));
       return [one ?? "", one === other ? `${other} (2)` : other ?? ""];
     }
-    /** @param {Found} found @param {number} group */
     take(found, group) {
       for (const row2 of found.records) this.files.push({ row: row2, group, out: false });
       for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
       for (const mark of found.marks) this.give(mark);
       this.refused.push(...found.refused);
     }
-    /** @param {GivenMark} mark */
     give(mark) {
       const { lesson, form: form2, student, item } = mark;
-      this.marks.set(JSON.stringify([lesson, form2, plain(student), item]), mark);
+      this.marks.set(JSON.stringify([lesson, form2, codeWord(student), item]), mark);
     }
     /** What Python is told with every question. @returns {Record<string, unknown>} */
     told() {
@@ -115,17 +109,15 @@
     toldOfTables() {
       return { kind: "class", tables: this.tables, most: this.most };
     }
-    /** @returns {string} the text of a file with the teacher's marks */
     marksFile() {
       const rows = [...this.marks.values()].map((mark) => ({
         ...mark,
-        student: plain(mark.student)
+        student: codeWord(mark.student)
       }));
       return `${JSON.stringify({ format: 1, kind: "newtons-carts-marks", marks: rows }, null, 1)}
 `;
     }
   };
-  var plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();
 
   // src/answers/parts.js
   function button(text, act, name = "") {
@@ -216,7 +208,7 @@
     box.placeholder = tr("code word");
     box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
     box.addEventListener("change", () => {
-      file.row[STUDENT] = box.value.trim().toUpperCase();
+      file.row[STUDENT] = codeWord(box.value);
       changed();
     });
     return box;
@@ -354,7 +346,7 @@
   }
 
   // src/class/intake.js
-  var MOST_JSON = 2e6;
+  var MOST_JSON = 3e7;
   var MOST_ZIP = 6e7;
   var PARCEL_BYTES = 1e6;
   var PARCEL_FILES = 25;
@@ -525,7 +517,7 @@
     let at = 0;
     const name = (one) => `${one.lesson} · ${one.form} · ${one.id}`;
     const question = () => questions.find((one) => name(one) === chosen) ?? questions[0];
-    const markOf = (one, student) => classroom.marks.get(JSON.stringify([one.lesson, one.form, plain(student), one.id]))?.marks;
+    const markOf = (one, student) => classroom.marks.get(JSON.stringify([one.lesson, one.form, codeWord(student), one.id]))?.marks;
     const give = (one, marks) => {
       const answer = one.answers[at];
       if (!answer || marks > one.worth) return;
@@ -613,7 +605,6 @@
     });
     return {
       root,
-      /** @param {Words[]} found */
       draw(found) {
         questions = found;
         show();
@@ -850,9 +841,7 @@
       inference = false;
       /** Resolves when everything that was dropped is read and shown. @type {Promise<void>} */
       complete = Promise.resolve();
-      /** @type {Promise<void> | null} */
       #statistics = null;
-      #reading = 0;
       #read = 0;
       #drawn = 0;
       #lifetime = 0;
@@ -862,9 +851,7 @@
         html("progress", "carts-class-progress")
       );
       #report = html("div", "carts-class-report");
-      /** @type {(() => void)[]} */
       #parts = [];
-      /** @type {ReturnType<typeof reader> | null} */
       #reader = null;
       connectedCallback() {
         if (this.#parts.length) return;
@@ -913,22 +900,19 @@
       }
       /** Reads files into a group. @param {File[]} files @param {number} group */
       take(files, group) {
-        this.#reading += 1;
-        const reading = this.complete.then(() => this.#take(files, group));
-        this.complete = reading.finally(() => {
-          this.#reading -= 1;
-        });
+        const lifetime = this.#lifetime;
+        this.complete = this.complete.then(() => this.#take(files, group, lifetime));
         return this.complete;
       }
-      /** @param {File[]} files @param {number} group */
-      async #take(files, group) {
+      async #take(files, group, lifetime) {
         for (const file of files.filter(isTable)) {
           const table = await asTable(file);
+          if (lifetime !== this.#lifetime) return;
           if (table) this.classroom.tables.push(table);
           else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
         }
+        if (lifetime !== this.#lifetime) return;
         const answers = files.filter((file) => !isTable(file));
-        const lifetime = this.#lifetime;
         const begun = performance.now();
         say(this.#status, client.state === "ready" ? tr("Reading …") : tr("Starting Python …"));
         Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
@@ -948,6 +932,7 @@
             }
           );
           await this.show();
+          if (lifetime !== this.#lifetime) return;
           performance.mark("carts:class-done");
           const took = ((performance.now() - begun) / 1e3).toFixed(1);
           this.#read += files.length;
@@ -1047,7 +1032,6 @@
       #redraw() {
         for (const draw of this.#parts) draw();
       }
-      /** @param {Record<string, unknown>} message @returns {Promise<Record<string, any>>} */
       async #ask(message) {
         const { header } = await client.ask({}, () => message);
         return (
@@ -1061,25 +1045,16 @@
   // src/runtime/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
-    /** @type {State} */
     state = "idle";
-    /** @type {(Error & {reason?: string}) | null} */
     error = null;
-    /** @type {Runtime | null} */
     #runtime = null;
-    /** @type {Job[]} */
     #waiting = [];
-    /** @type {Job | null} */
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    /** @type {string[]} packages that were asked for after the start */
     #asked = [];
-    /** @type {string[]} those of them that Python has, and gets again after a restart */
     #more = [];
-    /** @type {Promise<void>} when they are there */
     #growing = Promise.resolve();
-    /** @param {Start} start */
     constructor(start) {
       super();
       this.start = start;
@@ -1105,7 +1080,6 @@
       });
       return needed;
     }
-    /** @param {string[]} names */
     async #grow(names) {
       this.wake();
       await this.#settled();
@@ -1169,16 +1143,18 @@
       );
     }
     async #boot() {
+      const more = this.#more;
       this.#become("starting");
       try {
-        this.#use(await this.start(this.#more));
+        const runtime = await this.start(more);
+        if (more !== this.#more) return runtime.stop();
+        this.#use(runtime);
         this.#become("ready");
         this.#next();
       } catch (error) {
-        this.#fail(error);
+        if (more === this.#more) this.#fail(error);
       }
     }
-    /** @param {Runtime} runtime @param {unknown} reason */
     #lost(runtime, reason) {
       if (runtime !== this.#runtime) return;
       this.#runtime = null;
@@ -1205,7 +1181,6 @@
       if (newer) newer.settle.unshift(...job.settle);
       else this.#waiting.unshift(job);
     }
-    /** @param {unknown} reason */
     #fail(reason) {
       this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
       this.#become("failed");
@@ -1213,7 +1188,6 @@
         for (const { reject } of settle) reject(this.error);
       }
     }
-    /** @param {State} state */
     #become(state) {
       this.state = state;
       this.dispatchEvent(new Event("state"));
@@ -1405,7 +1379,6 @@
     }
   }
   var Unpacker = class {
-    /** @param {(error: RuntimeFailure) => void} reject told of a damaged file, and if it can't work at all */
     constructor(reject) {
       const { worker, address } = workerOf([unpacker_default]);
       this.worker = worker;
@@ -1519,7 +1492,6 @@
       if (!snapshot) return [index.package, ...packages];
       return packages.length && index.later.length ? [index.rest, ...packages] : packages;
     }
-    /** @returns {Promise<Started>} */
     async run() {
       let reject = () => {
       };
@@ -1565,7 +1537,6 @@
         }
       });
     }
-    /** @param {string} stage */
     progress(stage) {
       if (this.over) return;
       this.slow?.progress();
@@ -1625,7 +1596,6 @@
       this.onProgress({ fraction: 1, stage: "ready" });
       return { worker, start };
     }
-    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
     async module(parts) {
       const module = modules.get(this.folder) ?? await compile(parts);
       modules.set(this.folder, module);
@@ -1659,7 +1629,6 @@
     ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
-    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -1700,7 +1669,6 @@
       this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
       this.worker.postMessage({ do: "request", number: next.number, text: next.text });
     }
-    /** @param {any} data */
     hear(data) {
       const current = this.queue[0];
       if (data.number !== current?.number) return;
@@ -1720,11 +1688,9 @@
       }
       if (!this.gone) this.send();
     }
-    /** @param {Reason} reason @param {string} detail */
     lose(reason, detail) {
       if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
     }
-    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
     end(reason, detail) {
       if (this.gone) return false;
       this.gone = reason;

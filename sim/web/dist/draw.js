@@ -10263,7 +10263,6 @@
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
-    /** @param {string} text */
     constructor(text3) {
       this.text = text3;
     }
@@ -13035,7 +13034,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
   var MOST = 3;
   var CostStage = class {
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.stage = need(root, ".carts-cost-stage");
       this.energy = need(root, ".carts-cost-energy");
@@ -13043,7 +13041,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.ghosts = [];
       this.cursor = null;
     }
-    /** @param {CostHeader} header @param {ArrayLike<number>} numbers columns as `cost_answer.py` says */
     show(header, numbers) {
       this.header = header;
       const { rows, bodies } = header;
@@ -13107,11 +13104,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         ...this.ghosts
       );
     }
-    /** @param {number} x in m */
     #place(x) {
       return SIDE + (x - Number(this.left)) * Number(this.scale);
     }
-    /** @param {number[]} stepped @param {number[]} exact J */
     #plot(stepped, exact) {
       const { until } = (
         /** @type {CostHeader} */
@@ -13202,11 +13197,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return t.map((time, k) => `M${px(across2(axis2, time))} ${px(up2(up_, Number(values[k]), ...room))}h0`).join("");
   }
   var Figure = class {
-    /** @type {SVGElement | null} */
     #cursor = null;
-    /** @type {Axis | null} */
     #axis = null;
-    /** @param {Element} place @param {Element} left for the residuals */
     constructor(place2, left) {
       this.place = place2;
       this.left = left;
@@ -13232,7 +13224,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.#cursor
       );
     }
-    /** @param {Track[]} tracks @param {number[][]} residuals in m or N @param {string} unit @param {number} factor to that unit */
     rest(tracks, residuals, unit, factor) {
       const { t } = planes(tracks);
       const [low, high] = reach(residuals);
@@ -13439,16 +13430,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/beside/bars.js
   var HALF2 = 60;
   var Bars = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../../view/series.js").Series[]} */
     #curves = [];
-    /** @type {import("../../../../view/windows.js").Touch[]} */
     #windows = [];
     #full = 1;
     #first = 0;
     // of the lesson's own run, so that runs can be compared
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
       this.camera = baked.fence.camera;
@@ -13457,7 +13444,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       root.querySelectorAll("tbody tr");
       this.since = need(root, ".carts-touch-note");
     }
-    /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows.filter(({ near: near2 }) => !near2);
@@ -13469,7 +13455,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       if (!this.#first) this.#first = most;
       this.#full = most || 1;
     }
-    /** @param {number} t in s */
     at(t) {
       const run = this.#run;
       if (!run) return;
@@ -13567,12 +13552,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var APART2 = 8;
   var FULL2 = 95;
   var FreeBody = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../../view/windows.js").Touch[]} */
     #windows = [];
     #vertical = false;
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
     constructor(root, baked, redraw) {
       this.root = root;
       this.view = baked.view;
@@ -13589,12 +13571,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         redraw();
       });
     }
-    /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows.filter(({ near: near2 }) => !near2);
     }
-    /** @param {number} t in s */
     at(t) {
       const run = this.#run;
       if (!run) return;
@@ -13617,7 +13597,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.#say(name, "dv", fixed(seen, decimals.v ?? 2));
       }
     }
-    /** @param {string} name @param {string} quantity @param {string} text */
     #say(name, quantity, text3) {
       const cell2 = this.root.querySelector(`td[data-body="${name}"][data-quantity="${quantity}"]`);
       if (cell2) say(cell2, text3);
@@ -13628,7 +13607,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const longest = arrowLength(Math.max(...weights), this.view.force, FULL2);
       return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
     }
-    /** @param {string} name @param {Force[]} forces @param {number} room */
     #draw(name, forces2, room) {
       const card = need(this.root, `.carts-alone[data-body="${name}"]`);
       const group = need(card, '[data-part="forces"]');
@@ -13658,7 +13636,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(picture2, "viewBox", `0 ${-room} ${WIDTH6} ${HEIGHT5 + 2 * room}`);
       put(picture2, "height", String(HEIGHT5 + 2 * room));
     }
-    /** @param {Force} force @param {boolean} cut */
     #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
       const told3 = { name, size };
@@ -13686,9 +13663,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var BAR = 70;
   var SCALE = 3;
   var Lens = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Touch[]} */
     #windows = [];
     #perMetre = 3e3;
     // units
@@ -13697,7 +13672,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #perForce = 100;
     // units of the full scale
     #t = 0;
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
     constructor(root, baked, redraw) {
       this.root = root;
       this.view = baked.view;
@@ -13736,13 +13710,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(text3, "x", px(Number(bar3) + 16));
       say(text3, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
     }
-    /** @param {Run} run @param {Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
       this.#enlarge();
     }
-    /** @param {number} t in s */
     at(t) {
       const run = this.#run;
       const touch = this.#windows.find(({ end: end2 }) => t <= end2) ?? this.#windows.at(-1);
@@ -13777,7 +13749,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const push2 = tr("{size} on each", { size: `${size} N` });
       say(this.note, `${pair}: ${apart}, ${push2}; t = ${fixed(t, 4)} s`);
     }
-    /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
     #side({ header, trajectory }, touch, k) {
       const name = String(touch.bodies[k]);
       const cart2 = header.bodies.find((one) => one.name === name);
@@ -13791,7 +13762,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const face = centre + way * cart2.length / 2;
       return { name, face, edge: face - way * cart2.bumper_length, bumper: cart2.bumper_length };
     }
-    /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side2, face, middle, force) {
       const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
       const group = need(this.root, `[data-side="${k}"]`);
@@ -13843,11 +13813,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     bars: [tr("momentum before and now"), Bars]
   };
   var Views = class {
-    /** @type {View[]} */
     #views = [];
-    /** @type {{run: Run, windows: Touch[], t: number} | null} */
     #now = null;
-    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.frames = root.querySelectorAll(".carts-views");
       for (const section of root.querySelectorAll(".carts-view")) {
@@ -13859,26 +13826,22 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
       }
     }
-    /** @returns {{key: string, label: string, seen: boolean}[]} what a reader can choose from */
     get choices() {
       return this.#views.map(({ root }) => {
         const key2 = root.dataset.view ?? "";
         return { key: key2, label: KINDS[key2]?.[0] ?? key2, seen: !root.hidden };
       });
     }
-    /** @param {string} key @param {boolean} seen */
     choose(key2, seen) {
       for (const { root } of this.#views) if (root.dataset.view === key2) root.hidden = !seen;
       this.#again();
     }
-    /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
     show(run, windows, t) {
       if (!isTold(run)) return;
       for (const frame3 of this.frames) frame3.hidden = false;
       this.#now = { run, windows, t };
       for (const view of this.#views) view.show(run, windows);
     }
-    /** @param {number} t in s */
     at(t) {
       if (!this.#now) return;
       this.#now.t = t;
@@ -13977,20 +13940,17 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/graphs/impulse-layer.js
   var POINTS2 = 40;
   var ImpulseLayer = class {
-    /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
     constructor(root, view) {
       this.shade = need(root, '[data-part="areas"]');
       this.note = need(root, ".carts-area-note");
       this.decimals = Math.max(3, view.decimals.p ?? 3);
       this.windows = [];
     }
-    /** @param {import("../../../../view/types.js").Run} run */
     show({ header }) {
       this.windows = touches(header.events, header.until).map(
         (touch) => touch.lasts ? { ...touch, end: header.until } : touch
       );
     }
-    /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
     at(run, plane, t, signed) {
       const touch = latestTouch(this.windows, t);
       const paths = this.shade.children;
@@ -14034,11 +13994,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/graphs/key.js
   var Key = class {
     #told = "";
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.root = root;
     }
-    /** @param {Series[]} curves @param {string} note */
     show(curves, note) {
       const wanted = [...curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
       if (this.#told === wanted && this.root.firstChild) return;
@@ -14176,15 +14134,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return !baked.fence.camera || left !== "wall" && right !== "wall" && !needsParts(baked);
   }
   var LedgerLayer = class {
-    /** @type {ArrayLike<number>} s, of the entries: those of an older run until the new ones come */
     times = [];
-    /** @type {Run | null} the run whose parts were asked for */
     #of = null;
-    /** @type {Series[]} */
     entries = [];
-    /** @type {Series[]} */
     tops = [];
-    /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.areas = need(root, '[data-part="areas"]');
       this.key = need(root, ".carts-key");
@@ -14210,7 +14163,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         });
       }
     }
-    /** @param {Run} run @param {Series[]} entries */
     #take({ trajectory }, entries2) {
       this.times = trajectory.t;
       this.entries = entries2;
@@ -14219,7 +14171,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     clear() {
       this.areas.replaceChildren();
     }
-    /** @param {g.Plane} plane */
     draw(plane) {
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
@@ -14243,7 +14194,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         })
       );
     }
-    /** @param {number} t in s */
     at(t) {
       this.entries.forEach(({ label, values }, i) => {
         const now = Math.max(0, valueAt2(this.times, values, null, t));
@@ -14276,15 +14226,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var OF_CONTACTS = ["F", "R", "a"];
   var REST = 250;
   var Table = class {
-    /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
     #timer = 0;
     #seen = Infinity;
     // s, as far as the run was watched
-    /** @type {{run: Run, curves: Series[]} | null} */
     #shown = null;
     #rows = 0;
-    /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
     constructor(details, quantity, view) {
       this.details = /** @type {HTMLDetailsElement} */
       details;
@@ -14295,14 +14242,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.fill();
       });
     }
-    /** @param {Run} run @param {Series[]} curves */
     show(run, curves) {
       this.#waiting = { run, curves };
       this.#shown = this.#waiting;
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
     }
-    /** @param {number} seen s, as far as the run was watched */
     grow(seen) {
       this.#seen = seen;
       if (!this.#shown || this.#times(this.#shown.run).length === this.#rows) return;
@@ -14336,7 +14281,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       });
       need(this.details, "tbody").replaceChildren(...rows);
     }
-    /** @param {Run} run */
     #times(run) {
       const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
       const within = told3 ? contactTimes(run) : [];
@@ -14372,17 +14316,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // src/scene/graphs/graph-view.js
   var GraphView = class {
-    /** @type {Series[]} */
     #curves = [];
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Run | null} the first one, as the lesson has it: the axes keep to it */
     #first = null;
-    /** @type {g.Plane} */
     #plane = planeFor([0, 1], [0, 1]);
-    /** @type {Element[]} */
     #dots = [];
-    /** @type {Run | null} a run that is drawn pale behind the one that is shown */
     behind = null;
     /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
     drawn = () => {
@@ -14393,7 +14331,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     // s, the instant shown
     #seen = Infinity;
     // s, as far as the run was watched
-    /** @type {[number, number] | null} */
     #window = null;
     /**
      * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
@@ -14432,7 +14369,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     enable() {
       if (this.button) this.button.disabled = false;
     }
-    /** @param {Run} run @param {number} t the instant shown */
     show(run, t) {
       if (!isTold(run)) return;
       this.#run = run;
@@ -14453,7 +14389,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#window = window2;
       if (this.#run) this.#draw(t);
     }
-    /** @param {number} t in s */
     at(t) {
       this.#t = t;
       const run = this.#run;
@@ -14474,7 +14409,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     get #stacked() {
       return this.#pressed && this.ledger !== null && this.ledger.entries.length > 0;
     }
-    /** @param {Run} run @returns {ArrayLike<number>} s, of what is drawn */
     #times(run) {
       return this.#stacked ? this.ledger?.times ?? [] : run.trajectory.t;
     }
@@ -14486,7 +14420,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
-    /** @param {number} t */
     #draw(t) {
       const run = (
         /** @type {Run} */
@@ -14545,7 +14478,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const end2 = Math.min(RIGHT4, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
       if (room) put(room, "width", px(end2 - LEFT4 + 1));
     }
-    /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
       if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
@@ -14564,9 +14496,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // src/scene/readouts.js
   var Readouts = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
@@ -14580,11 +14510,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         return { name, outputs: new Map([...outputs].map((o) => [o.dataset.quantity ?? "", o])) };
       });
     }
-    /** @param {Run} run */
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s */
     at(t) {
       const run = this.#run;
       if (!run) return;
@@ -14691,11 +14619,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var SLIVER = 1.5;
   var GAP2 = 8;
   var Effects = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Map<string, SVGElement>} */
     #drawn = /* @__PURE__ */ new Map();
-    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
     constructor(root, layout, full, forces2) {
       this.layout = layout;
       this.full = full;
@@ -14712,11 +14637,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         }
       }
     }
-    /** @param {Run} run */
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
@@ -14731,7 +14654,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       for (const piece of pieces) this.#draw(piece);
     }
-    /** @param {Piece} piece */
     #draw({ key: key2, cls, behind, d, text: text3, x, y, anchor }) {
       let element = this.#drawn.get(key2);
       if (!element) {
@@ -14803,19 +14725,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var GAP3 = 8;
   var EDGE3 = 6;
   var Pushes = class {
-    /** @type {Push[]} */
     #pushes = [];
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../view/windows.js").Touch[]} */
     #windows = [];
-    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
     constructor(root, layout, view) {
       this.root = root;
       this.layout = layout;
       this.view = view;
     }
-    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
@@ -14835,7 +14752,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         }
       });
     }
-    /** @param {number} t in s @param {Face} face */
     at(t, face) {
       const run = this.#run;
       if (!run) return;
@@ -14902,7 +14818,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #inFull(told3) {
       return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
-    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push: push2, sizes, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));
       const labels2 = push2.bodies.map((on, side2) => {
@@ -14940,7 +14855,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP3) : width - EDGE3
       ];
     }
-    /** @param {number} size in N */
     #value(size) {
       const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
@@ -14982,9 +14896,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
-    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
       this.was = need(root, ".carts-was");
@@ -14993,7 +14905,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         return { side: side2, wall: wallAt(side2, header.track.length, layout, view.tallest), group };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at = (side2) => {
         const found = this.#walls.find((one) => one.side === side2);
@@ -15022,17 +14933,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/stage.js
   var HANDLE2 = 9;
   var Stage = class {
-    /** @type {Run} */
     #run;
-    /** @type {Cart[]} */
     #carts = [];
-    /** @type {Walls} */
     #walls;
-    /** @type {Pushes} */
     #pushes;
-    /** @type {Effects} */
     #effects;
-    /** @param {SVGElement} root @param {Baked} baked */
     constructor(root, baked) {
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
       if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
@@ -15199,7 +15104,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       say(mass, box2.label);
       return mass;
     }
-    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart2, name, x, t) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
@@ -15306,7 +15210,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var MOST_EVENTS2 = 60;
   var IN_FULL = 10;
   var Story = class {
-    /** @type {{t: number, sentence: string}[]} */
     told = [];
     #seen = Infinity;
     // s, as far as the run was watched
@@ -15314,7 +15217,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     // sentences that stand there
     #last = false;
     // whether the model stands there
-    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
     constructor(root, baked, seek) {
       const { fence, view } = baked;
       this.root = root;
@@ -15338,7 +15240,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         if (button2?.dataset.time) seek(Number(button2.dataset.time));
       });
     }
-    /** @param {import("../../../view/types.js").Run} run */
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
@@ -15387,7 +15288,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.model.replaceChildren(...model3.map((text3) => html2("li", "", text3)));
       need(this.root, ".carts-model").hidden = !whole || hides;
     }
-    /** @param {{t: number, sentence: string}} told */
     #item({ t, sentence }) {
       const item = html2("li");
       const button2 = html2("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
@@ -15411,11 +15311,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     // s, as far as the axis goes
     #seen = Infinity;
     // s, as far as the run was watched
-    /** @type {{start: number, end: number}[]} */
     #touches = [];
-    /** @type {{t: number, kind: string}[]} */
     #events = [];
-    /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
     constructor(root, seek) {
       this.scrub = /** @type {HTMLInputElement} */
       need(root, ".carts-scrub");
@@ -15424,7 +15321,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
-    /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
       const pushes3 = isTold(run) ? marks(header, false) : [];
@@ -15436,7 +15332,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();
     }
-    /** @param {number} seen s, as far as the run was watched */
     grow(seen) {
       this.#seen = seen;
       if (this.#until) this.#mark();
@@ -15466,12 +15361,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         put(mark, "x2", at(t));
       });
     }
-    /** @param {number} t in s @param {string} spoken */
     at(t, spoken) {
       this.scrub.valueAsNumber = t;
       put(this.scrub, "aria-valuetext", spoken);
     }
-    /** @param {number} until */
     #renumber(until) {
       this.#until = until;
       put(this.scrub, "max", String(until));
@@ -15490,9 +15383,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // src/scene/drawing.js
   var Drawing = class {
-    /** @type {Run} */
     run;
-    /** @type {Touch[]} bodies that touch in the run shown */
     windows = [];
     /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
     #seen = Infinity;

@@ -173,12 +173,10 @@
     return length / Math.hypot(b.x - a.x, b.y - a.y);
   }
   var Along = class {
-    /** @param {Row[]} rows @param {Ruler} ruler */
     constructor(rows, ruler) {
       this.axis = direction(rows);
       this.scale = scaleOf(ruler);
     }
-    /** @param {Point} place @returns {number} m, 0 at the left upper corner of the picture */
     metres({ x, y }) {
       return this.scale * (x * this.axis.x + y * this.axis.y);
     }
@@ -201,18 +199,15 @@
 
   // src/film/frames.js
   var Frames = class {
-    /** @type {number | null} */
     #wish = null;
     #busy = false;
     time = 0;
     // s of the film, of the frame that is shown
-    /** @param {import("./helper.js").Helper} helper @param {(picture: ImageBitmap, time: number) => void} show @param {(refused: any) => void} failed */
     constructor(helper, show, failed) {
       this.helper = helper;
       this.show = show;
       this.failed = failed;
     }
-    /** @param {number} time s of the film @returns {Promise<void>} resolves when nothing more is wished for */
     async want(time) {
       this.#wish = time;
       if (this.#busy) return;
@@ -238,7 +233,6 @@
 
   // src/film/helper.js
   var Helper = class {
-    /** @type {Map<number, Asked>} */
     #asked = /* @__PURE__ */ new Map();
     #last = 0;
     constructor() {
@@ -284,9 +278,7 @@
 
   // src/film/mending.js
   var Mending = class {
-    /** @type {Set<string>} */
     #left = /* @__PURE__ */ new Set();
-    /** @param {Row[]} rows */
     constructor(rows) {
       this.rows = rows;
     }
@@ -298,7 +290,6 @@
         )
       );
     }
-    /** @param {string[]} names of the carts */
     counts(names) {
       return names.map((name, mark) => ({
         name,
@@ -311,13 +302,11 @@
       const later = lost.find((one) => one.row > row || one.row === row && one.mark > mark);
       return later ?? lost[0] ?? null;
     }
-    /** @param {Place} place @param {Point} point */
     set({ row, mark }, point) {
       const marks = this.rows[row]?.marks;
       if (marks) marks[mark] = point;
       this.#left.delete(`${row} ${mark}`);
     }
-    /** @param {Place} place */
     leave({ row, mark }) {
       const marks = this.rows[row]?.marks;
       if (marks) marks[mark] = null;
@@ -378,12 +367,10 @@
 
   // src/film/repair.js
   var Repair = class {
-    /** @param {import("./mending.js").Mending} mending @param {Film} film */
     constructor(mending2, film) {
       this.mending = mending2;
       this.film = film;
     }
-    /** @returns {Place} that a click would set now */
     get here() {
       const mark = Math.max(0, NAMES.indexOf(this.film.setup.aim));
       return { row: this.mending.at(this.film.frames.time), mark };
@@ -394,7 +381,6 @@
       if (found) this.#go(found);
       else this.film.say(noneLost());
     }
-    /** @param {Place} place */
     #go(place) {
       const t = this.mending.rows[place.row]?.t ?? 0;
       const { setup, frames, view, say: say2 } = this.film;
@@ -408,7 +394,6 @@
       const expected = this.mending.expected(place);
       void frames.want(t + 1e-6).then(() => expected && view.aim(expected));
     }
-    /** @param {Point} point a click in the frame that is shown */
     set(point) {
       const here = this.here;
       const lost = this.mending.lost.some(({ row, mark }) => row === here.row && mark === here.mark);
@@ -421,7 +406,6 @@
       this.mending.leave(here);
       this.#done(here, true);
     }
-    /** @param {Place} here @param {boolean} on whether another lost place is looked for */
     #done(here, on) {
       this.film.changed();
       const next = on ? this.mending.after(here) : null;
@@ -442,11 +426,8 @@
     { m: 1, cm: 0.01 }
   );
   var Setup = class {
-    /** @type {Partial<Record<Aim, Chosen>>} */
     points = {};
-    /** @type {Aim} */
     aim = "A";
-    /** @param {HTMLElement} root @param {() => void} changed the aim or a number is another now */
     constructor(root, changed) {
       const find = (name) => (
         /** @type {HTMLInputElement} */
@@ -472,7 +453,6 @@
         input.addEventListener("input", changed);
       }
     }
-    /** @param {Chosen} point for what is aimed at; the first that is still open is aimed at next */
     set(point) {
       this.points[this.aim] = point;
       this.aim = AIMS.find((aim) => !this.points[aim]) ?? this.aim;
@@ -483,27 +463,22 @@
       delete this.points.B;
       this.aim = "A";
     }
-    /** @returns {boolean} whether every place is set */
     get placed() {
       return AIMS.every((aim) => this.points[aim]);
     }
-    /** @returns {number} m; not a number where none is typed */
     get length() {
       return this.boxes.length.valueAsNumber * Number(METRES[this.unit.value]);
     }
-    /** @returns {number} how many times slower than life the film runs */
     get slower() {
       const typed = this.boxes.slower.valueAsNumber;
       return typed > 0 ? typed : 1;
     }
-    /** @returns {import("./along.js").Ruler | null} null: not known yet */
     get ruler() {
       const { one, other } = this.points;
       if (!one || !other || !(this.length > 0)) return null;
       if (Math.hypot(one.x - other.x, one.y - other.y) < 1) return null;
       return { ends: [one, other], length: this.length };
     }
-    /** @returns {Chosen[]} */
     get marks() {
       const { A, B } = this.points;
       return A && B ? [A, B] : [];
@@ -538,13 +513,9 @@
     }
   );
   var View = class {
-    /** @type {ImageBitmap | null} */
     #picture = null;
-    /** @type {Shown[]} */
     #shown = [];
-    /** @type {Point | null} */
     #cross = null;
-    /** @param {HTMLCanvasElement} canvas @param {(point: Point) => void} set called when a place is chosen */
     constructor(canvas, set) {
       this.canvas = canvas;
       const pen = canvas.getContext("2d", { alpha: false });
@@ -563,7 +534,6 @@
       canvas.addEventListener("blur", () => this.#move(null));
       canvas.addEventListener("keydown", (event) => this.#key(event, set));
     }
-    /** @param {KeyboardEvent} event @param {(point: Point) => void} set */
     #key(event, set) {
       const { width, height } = this.canvas;
       const middle = { x: Math.round(width / 2), y: Math.round(height / 2) };
@@ -580,7 +550,6 @@
       } else return;
       event.preventDefault();
     }
-    /** @param {PointerEvent} event @returns {Point} a pixel's middle has whole numbers */
     #at(event) {
       const box = this.canvas.getBoundingClientRect();
       const within = (v, most) => Math.max(0, Math.min(most - 1, v));
@@ -588,7 +557,6 @@
       const y = (event.clientY - box.top) / box.height * this.canvas.height - 0.5;
       return { x: within(x, this.canvas.width), y: within(y, this.canvas.height) };
     }
-    /** @param {Point | null} point */
     #move(point) {
       this.#cross = point;
       this.draw();
@@ -597,7 +565,6 @@
     aim(point) {
       this.#move({ ...point });
     }
-    /** @param {ImageBitmap} picture it is this one's from now on @param {Shown[]} shown */
     show(picture, shown) {
       this.#picture?.close();
       this.#picture = picture;
@@ -607,7 +574,6 @@
       }
       this.mark(shown);
     }
-    /** @param {Shown[]} shown */
     mark(shown) {
       this.#shown = shown;
       this.draw();
@@ -623,7 +589,6 @@
       this.#hair(this.#cross, fine);
       this.#lens(this.#cross, this.#picture, fine);
     }
-    /** @param {Shown} one @param {number} fine */
     #mark({ x, y, shape, label, radius = 0 }, fine) {
       const reach = shape === "ring" ? Math.max(radius, 8 * fine) : 7 * fine;
       const path = new Path2D();
@@ -660,7 +625,6 @@
         this.pen.stroke(path);
       }
     }
-    /** @param {Point} at @param {number} fine */
     #hair({ x, y }, fine) {
       const path = new Path2D();
       for (const [near, far] of [
@@ -717,15 +681,11 @@
     ["A", "B"]
   );
   var Session = class {
-    /** @type {Mending | null} */
     #mending = null;
-    /** @type {Repair | null} */
     #repair = null;
     /** Where the model's carts are, m, and when, s of the readings. @type {{time: number, places: Record<string, number>}} */
     #model = { time: 0, places: {} };
-    /** @type {Along | null} */
     #along = null;
-    /** @param {HTMLElement} root @param {File} file @param {(name: string, text: string) => void} take */
     constructor(root, file, take) {
       this.root = root;
       this.file = file;
@@ -749,11 +709,9 @@
       this.#on("again", () => this.#again());
       this.ready = this.#open();
     }
-    /** @param {string} name @param {() => void} act */
     #on(name, act) {
       need(this.root, `.carts-film-${name}`).addEventListener("click", act);
     }
-    /** @param {Phase} phase */
     #become(phase) {
       this.phase = phase;
       this.root.dataset.phase = phase;
@@ -765,7 +723,6 @@
       need(this.root, ".carts-film-mend").hidden = phase !== "followed";
       need(this.root, ".carts-film-follow").hidden = phase === "followed";
     }
-    /** @param {string} text */
     #say(text) {
       say(need(this.root, ".carts-film-say"), text);
     }
@@ -786,7 +743,6 @@
         );
       }
     }
-    /** @param {Refusal} refused */
     #fail({ code, detail }) {
       this.#become("failed");
       this.#say(refusal(code, detail));
@@ -796,7 +752,6 @@
       void this.frames.want(this.slider.valueAsNumber);
       if (this.phase === "marking") this.#changed();
     }
-    /** @param {ImageBitmap} picture @param {number} time */
     #shown(picture, time) {
       this.slider.value = String(time);
       const clock = `${fixed(time, 3)} s`;
@@ -871,7 +826,6 @@
         );
       }
     }
-    /** @param {import("./along.js").Row[]} rows */
     #followed(rows) {
       const { setup, view, frames } = this;
       const say2 = (text) => this.#say(text);
@@ -929,7 +883,6 @@
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
-    /** @param {string} text */
     constructor(text) {
       this.text = text;
     }

@@ -160,6 +160,32 @@
     );
   }
 
+  // src/answers/parts.js
+  function button(text, act, name = "") {
+    const made = (
+      /** @type {HTMLButtonElement} */
+      html("button", `carts-button ${name}`.trim(), text)
+    );
+    made.type = "button";
+    made.addEventListener("click", act);
+    return made;
+  }
+  function askingButton(text, question, yes, act, name) {
+    const row = html("p", `carts-answers-asking ${name}`);
+    const first = button(text, () => ask(true));
+    const asked = html("span", "", `${question} `);
+    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    asked.hidden = true;
+    row.append(first, asked);
+    function ask(on) {
+      first.hidden = on;
+      asked.hidden = !on;
+      (on ? no : first).focus();
+    }
+    return row;
+  }
+
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
     const known2 = (
@@ -806,7 +832,6 @@
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
-    /** @param {string} text */
     constructor(text) {
       this.text = text;
     }
@@ -1160,8 +1185,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       let [first, last2] = [rowAt(t, event.t), rowAt(t, event.t)];
       while (first > 0 && felt(first)) first -= 1;
       while (last2 < t.length - 1 && felt(last2)) last2 += 1;
-      const window2 = { start: Number(t[first]), end: Number(t[last2]) };
-      found2.push({ pair, bodies: event.bodies, ...window2, near: true });
+      const window = { start: Number(t[first]), end: Number(t[last2]) };
+      found2.push({ pair, bodies: event.bodies, ...window, near: true });
     }
     for (const bodies of pairsApart(header)) {
       const pair = bodies.join("-");
@@ -1302,11 +1327,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var SLIVER = 1.5;
   var GAP2 = 8;
   var Effects = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Map<string, SVGElement>} */
     #drawn = /* @__PURE__ */ new Map();
-    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
     constructor(root, layout, full, forces) {
       this.layout = layout;
       this.full = full;
@@ -1323,11 +1345,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       }
     }
-    /** @param {Run} run */
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
@@ -1342,7 +1362,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       for (const piece of pieces) this.#draw(piece);
     }
-    /** @param {Piece} piece */
     #draw({ key, cls, behind, d, text, x, y, anchor }) {
       let element = this.#drawn.get(key);
       if (!element) {
@@ -1414,19 +1433,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var GAP3 = 8;
   var EDGE2 = 6;
   var Pushes = class {
-    /** @type {Push[]} */
     #pushes = [];
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../view/windows.js").Touch[]} */
     #windows = [];
-    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
     constructor(root, layout, view) {
       this.root = root;
       this.layout = layout;
       this.view = view;
     }
-    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
@@ -1446,7 +1460,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       });
     }
-    /** @param {number} t in s @param {Face} face */
     at(t, face) {
       const run = this.#run;
       if (!run) return;
@@ -1513,7 +1526,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #inFull(told2) {
       return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
     }
-    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push, sizes, x }, through) {
       const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
@@ -1551,7 +1563,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         track?.right === "wall" ? Math.min(width - EDGE2, end2 - GAP3) : width - EDGE2
       ];
     }
-    /** @param {number} size in N */
     #value(size) {
       const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
@@ -1593,9 +1604,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
-    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
       this.was = need(root, ".carts-was");
@@ -1604,7 +1613,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at2 = (side) => {
         const found2 = this.#walls.find((one) => one.side === side);
@@ -1633,17 +1641,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/scene/stage.js
   var HANDLE2 = 9;
   var Stage = class {
-    /** @type {Run} */
     #run;
-    /** @type {Cart[]} */
     #carts = [];
-    /** @type {Walls} */
     #walls;
-    /** @type {Pushes} */
     #pushes;
-    /** @type {Effects} */
     #effects;
-    /** @param {SVGElement} root @param {Baked} baked */
     constructor(root, baked) {
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
       if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
@@ -1810,7 +1812,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       say(mass, box2.label);
       return mass;
     }
-    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart2, name, x, t) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
@@ -1920,12 +1921,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
-    /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
-    /** @type {number[]} s, where playing stops by itself */
     halts = [];
     halting = false;
-    /** @type {number[]} */
     stops = [];
     /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -1933,18 +1931,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     // s since the last still
     #frame = 0;
     #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
     constructor(changed) {
       this.changed = changed;
     }
     get #parts() {
       return this.slow ? this.parts : [];
     }
-    /** @returns {number} cart seconds per second now */
     get rate() {
       return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
     }
-    /** @returns {boolean} whether slow motion is on at this instant */
     get isSlow() {
       return this.rate < this.speed;
     }
@@ -1968,7 +1963,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       cancelAnimationFrame(this.#frame);
       this.changed(this.time, false);
     }
-    /** @param {number} t in s */
     seek(t) {
       this.#move(Math.min(t, this.seen));
       if (t <= 0) this.own = 0;
@@ -1993,7 +1987,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       this.stepped(start);
     }
-    /** @param {number} now */
     #tick(now) {
       if (!this.playing) return;
       const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
@@ -2015,12 +2008,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#tell(before, true);
       if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
-    /** @param {number} t */
     #move(t) {
       this.time = Math.min(this.until, Math.max(0, t));
       this.seen = Math.max(this.seen, this.time);
     }
-    /** @param {number} before @param {boolean} playing */
     #tell(before, playing) {
       this.changed(before, playing);
       if (this.time >= this.until) this.ended();
@@ -2030,7 +2021,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/worlds/pictures.js
   var SIGN = 60;
   var Pictures = class {
-    /** @param {Baked} baked @param {Shown[]} shown */
     constructor(baked, shown) {
       this.root = html("div", "carts-worlds-pictures");
       this.decimals = baked.view.decimals.t ?? 2;
@@ -2108,7 +2098,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var STEP2 = "    ";
   var LONGEST2 = 2e4;
   var Editor = class {
-    /** @param {string} id @param {(text: string) => void} changed */
     constructor(id, changed) {
       this.root = html("div", "carts-law-editor");
       const label = html("label", "carts-heading", tr("Your law, in Python"));
@@ -2146,7 +2135,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.box.focus();
       this.box.setSelectionRange(start, start + (lines2[line - 1] ?? "").length);
     }
-    /** @param {KeyboardEvent} event */
     #key(event) {
       if (event.key !== "Enter" || event.shiftKey || event.ctrlKey || event.metaKey) return;
       if (event.altKey || event.isComposing) return;
@@ -2178,6 +2166,46 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     "side"
   ];
 
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const opened2 = old.locked && old.locked !== value.locked;
+    if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
+    return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
+  }
+  function setAside(entry) {
+    return withEarlier(entry, entry.earlier, alone(entry));
+  }
+  function together(old, young) {
+    const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
+  }
+  function sameAnswer(a, b) {
+    return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
+  }
+  function alone({ earlier: _, ...entry }) {
+    return isEmpty(entry.value) ? [] : [entry];
+  }
+  function withEarlier(entry, ...lists) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found2.get(name);
+      found2.set(name, before ? together(before, one) : one);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
+  }
+
   // src/answers/outline.js
   var found = null;
   function outline() {
@@ -2206,33 +2234,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     if (!page2 || !isHere(entry)) return entry;
     const { form: form2 = "worksheet", hash = "" } = itemOf(entry) ?? {};
     return { form: form2, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry };
-  }
-
-  // src/answers/entry.js
-  var MOST_EARLIER = 500;
-  function isEmpty(value) {
-    if (typeof value === "string") return !value.trim();
-    if (value === null || value === void 0) return true;
-    return typeof value === "object" && Object.keys(value).length === 0;
-  }
-  function keepEarlier(old, value) {
-    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
-  }
-  function alone({ earlier: _, ...entry }) {
-    return entry;
-  }
-  function union(a, b) {
-    const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
-    }
-    const all = [...found2.values()];
-    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
   }
 
   // src/shared/newest-first.js
@@ -2358,36 +2359,37 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page2 = (
       /** @type {any} */
       globalThis
     );
-    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value, alone2) => {
         try {
           await store.put(key, value, alone2);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
+          refused.set(key, keepEarlier(refused.get(key), value));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept = shelter();
+  function memory(site) {
+    const kept = shelter(site);
     return {
       kind: "memory",
       how: "memory",
@@ -2395,6 +2397,19 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        await store.put(key, value, alone2);
+        channel?.postMessage(key);
+      },
+      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -2449,15 +2464,16 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
+      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place2() {
@@ -2471,20 +2487,29 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/law/keep.js
-  function lawKeeper({ id, hash, ask }) {
+  function lawKeeper({ id, hash, ask }, elsewhere) {
     const { site, page: page2 } = place2();
     const key = `${page2}#${id}`;
     const opened2 = openStore(site);
     let entry = { id, hash, type: "law", value: null, first: null, last: null, tries: 0 };
+    const get = async () => {
+      const found2 = await (await opened2).get(key).catch(() => null);
+      if (found2?.type !== "law" || typeof found2.value !== "string") return null;
+      if (isCurrent(found2)) entry = found2;
+      return found2.value;
+    };
+    void opened2.then(
+      (store) => store.hear(async (told2) => {
+        const text = told2 === key ? await get() : null;
+        if (text !== null) elsewhere(text);
+      })
+    );
     return {
-      /** @returns {Promise<string | null>} what was written here before */
-      async get() {
-        const found2 = await (await opened2).get(key).catch(() => null);
-        if (found2?.type !== "law" || typeof found2.value !== "string") return null;
-        if (isCurrent(found2)) entry = found2;
-        return found2.value;
+      get,
+      /** The text goes to the earlier ones: another is about to take its place. */
+      setAside() {
+        entry = setAside(entry);
       },
-      /** @param {string} text @param {boolean} tried whether it was run @returns {Promise<boolean>} whether the browser says that it is kept */
       async put(text, tried = false) {
         const now = (/* @__PURE__ */ new Date()).toISOString();
         const tries = (entry.tries ?? 0) + (tried ? 1 : 0);
@@ -2687,7 +2712,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
   }
   var Unpacker = class {
-    /** @param {(error: RuntimeFailure) => void} reject told of a damaged file, and if it can't work at all */
     constructor(reject) {
       const { worker, address } = workerOf([unpacker_default]);
       this.worker = worker;
@@ -2801,7 +2825,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       if (!snapshot) return [index.package, ...packages];
       return packages.length && index.later.length ? [index.rest, ...packages] : packages;
     }
-    /** @returns {Promise<Started>} */
     async run() {
       let reject = () => {
       };
@@ -2847,7 +2870,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         }
       });
     }
-    /** @param {string} stage */
     progress(stage2) {
       if (this.over) return;
       this.slow?.progress();
@@ -2907,7 +2929,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       this.onProgress({ fraction: 1, stage: "ready" });
       return { worker, start };
     }
-    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
     async module(parts) {
       const module = modules.get(this.folder) ?? await compile(parts);
       modules.set(this.folder, module);
@@ -2941,7 +2962,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
-    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -2982,7 +3002,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
       this.worker.postMessage({ do: "request", number: next.number, text: next.text });
     }
-    /** @param {any} data */
     hear(data) {
       const current = this.queue[0];
       if (data.number !== current?.number) return;
@@ -3002,11 +3021,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       if (!this.gone) this.send();
     }
-    /** @param {Reason} reason @param {string} detail */
     lose(reason, detail) {
       if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
     }
-    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
     end(reason, detail) {
       if (this.gone) return false;
       this.gone = reason;
@@ -3029,12 +3046,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var PACKAGES = ["newtons-carts-law"];
   var LIMIT = 4;
   var OwnPython = class {
-    /** @type {Promise<Runtime> | null} */
     #runtime = null;
-    /** @type {(error: Error) => void} */
     #end = () => {
     };
-    /** @param {string} base address of the folder `runtime/` */
     constructor(base) {
       this.base = base;
     }
@@ -3111,31 +3125,26 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return root;
   }
   function counterexample(verdict, show) {
-    const button = html("button", "carts-button", tr("Show this scene"));
-    button.setAttribute("type", "button");
-    button.setAttribute("aria-label", `${tr("Show this scene")}: ${told(verdict.says)}`);
-    button.addEventListener("click", () => show(verdict));
+    const button2 = html("button", "carts-button", tr("Show this scene"));
+    button2.setAttribute("type", "button");
+    button2.setAttribute("aria-label", `${tr("Show this scene")}: ${told(verdict.says)}`);
+    button2.addEventListener("click", () => show(verdict));
     const details = html("details");
     const text = html("pre", "", verdict.yaml ?? "");
     text.tabIndex = 0;
     details.append(html("summary", "", tr("As a scene file")), text);
-    return [html("p", "", told(verdict.sentence)), button, details];
+    return [html("p", "", told(verdict.sentence)), button2, details];
   }
 
   // src/law/element.js
-  var LATER = 300;
   var LINE2 = /^\D*(\d+)/;
   function lawElement(base) {
     return class CartsLaw extends HTMLElement {
-      /** @type {Facts | null} */
       #facts = null;
-      /** @type {Baked | null} */
       #baked = null;
-      /** @type {Pictures | null} */
       #pictures = null;
       #python = new OwnPython(base);
       #turn = 0;
-      #timer = 0;
       /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
       complete = Promise.resolve();
       connectedCallback() {
@@ -3143,7 +3152,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
         this.#facts = facts;
         this.#baked = bakedOf(facts.baked);
-        this.keeper = lawKeeper(facts);
+        this.keeper = lawKeeper(facts, (text) => this.#take(text));
         this.editor = new Editor(facts.id, (text) => this.#typed(text));
         this.editor.text = facts.start;
         this.note = html("p", "carts-law-note");
@@ -3158,6 +3167,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         live.hidden = false;
         this.classList.add("carts-law-ready");
         this.#first();
+        this.#open(false);
         this.complete = this.#restore();
       }
       disconnectedCallback() {
@@ -3165,7 +3175,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#python.stop();
       }
       #buttons() {
-        const button = (text, act) => {
+        const button2 = (text, act) => {
           const made = (
             /** @type {HTMLButtonElement} */
             html("button", "carts-button", text)
@@ -3175,36 +3185,47 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           return made;
         };
         const bar = html("div", "carts-law-bar");
-        this.run = button(tr("Run"), () => this.#do(() => this.#run()));
-        this.judge = button(tr("Judge"), () => this.#do(() => this.#judge()));
-        this.end = button(tr("Stop"), () => this.#python.stop());
+        this.run = button2(tr("Run"), () => this.#do(() => this.#run()));
+        this.judge = button2(tr("Judge"), () => this.#do(() => this.#judge()));
+        this.end = button2(tr("Stop"), () => this.#python.stop());
         this.end.disabled = true;
         bar.append(
           this.run,
           this.judge,
           this.end,
-          button(tr("Save as a file"), () => this.#save()),
-          button(tr("Begin again"), () => this.#again())
+          button2(tr("Save as a file"), () => this.#save()),
+          askingButton(
+            tr("Begin again"),
+            tr("Back to the law that you began with? Yours stays in “My answers”."),
+            tr("Begin again"),
+            () => this.#again(),
+            "carts-law-again"
+          )
         );
         return bar;
       }
       async #restore() {
-        const text = await this.keeper?.get();
-        if (text && this.editor && this.editor.text === this.#facts?.start) this.editor.text = text;
-        this.#paper();
+        this.#take(await this.keeper?.get() || String(this.#facts?.start));
+        this.#open(true);
         this.dataset.state = "live";
       }
-      /** @param {string} text */
+      /** Nothing is typed over a kept law before it is here. @param {boolean} on */
+      #open(on) {
+        if (this.editor) this.editor.box.readOnly = !on;
+        for (const one of this.querySelectorAll(".carts-law-bar button"))
+          one.toggleAttribute("disabled", !on || one === this.end);
+      }
+      #take(text) {
+        if (this.editor) this.editor.text = text;
+        this.#paper();
+      }
       #typed(text) {
         void this.#python.wake().catch(() => {
         });
-        clearTimeout(this.#timer);
-        this.#timer = window.setTimeout(() => void this.#keep(text), LATER);
+        void this.#keep(text);
         this.#paper();
       }
-      /** @param {string} text @param {boolean} tried */
       async #keep(text, tried = false) {
-        clearTimeout(this.#timer);
         const kept = await this.keeper?.put(text, tried);
         if (!kept) say(
           /** @type {HTMLElement} */
@@ -3219,11 +3240,13 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       #again() {
         if (!this.editor || !this.#facts || !this.#baked) return;
+        if (this.editor.text !== this.#facts.start) this.keeper?.setAside();
         this.editor.text = this.#facts.start;
         this.#typed(this.editor.text);
         this.#tell("");
         this.found?.replaceChildren();
         this.#first();
+        need(this, ".carts-law-again .carts-answers-no").click();
         this.editor.box.focus();
       }
       #save() {
@@ -3246,12 +3269,13 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         });
       }
       async #run() {
+        void this.#keep(this.editor?.text ?? "", true);
         say(
           /** @type {HTMLElement} */
           this.note,
           tr("Computing …")
         );
-        const { header, numbers } = await this.#asked({ do: "run", scene: this.#scene() });
+        const { header, numbers } = await this.#python.ask({ do: "run", scene: this.#scene() });
         const run = { header, trajectory: fromWire(header, numbers) };
         this.#show(
           run,
@@ -3271,6 +3295,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         );
       }
       async #judge() {
+        void this.#keep(this.editor?.text ?? "", true);
         const note = (
           /** @type {HTMLElement} */
           this.note
@@ -3280,7 +3305,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         let before = null;
         for (let part = 0, parts = 6; part !== null; ) {
           say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
-          const { header } = await this.#asked({ do: "judge", scene, part, before });
+          const { header } = await this.#python.ask({ do: "judge", scene, part, before });
           before = header.judged;
           parts = header.parts;
           part = header.next;
@@ -3290,7 +3315,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
       async #example(verdict) {
-        const { header, numbers } = await this.#asked({ do: "run", scene: verdict.scene });
+        const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });
         const run = { header, trajectory: fromWire(header, numbers) };
         this.#show(run, alongWith(
           /** @type {Baked} */
@@ -3298,11 +3323,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           run
         ), tr("A counterexample"));
         this.shown?.scrollIntoView({ block: "nearest" });
-      }
-      /** @param {Record<string, unknown>} message */
-      async #asked(message) {
-        void this.#keep(this.editor?.text ?? "", true);
-        return this.#python.ask(message);
       }
       /** The scene of the page, with the law as it is in the box. */
       #scene() {
@@ -3316,12 +3336,10 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         );
         return { ...scene, laws: { [file]: this.editor?.text || "\n" } };
       }
-      /** @param {Run} run @param {Baked} baked @param {string} caption */
       #show(run, baked, caption) {
         this.#picture(run, baked, caption);
         this.shown?.append(ends([{ label: caption, run }], baked.view.decimals));
       }
-      /** @param {Run} run @param {Baked} baked @param {string} caption */
       #picture(run, baked, caption) {
         this.#pictures?.leave();
         this.#pictures = new Pictures(baked, [{ run, caption }]);
@@ -3335,7 +3353,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         );
         this.#picture(baked.run, baked, tr("The law that you begin with"));
       }
-      /** @param {string} message */
       #tell(message) {
         say(
           /** @type {HTMLElement} */
@@ -3350,7 +3367,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         const line = LINE2.exec(message);
         if (message && line) this.editor?.go(Number(line[1]));
       }
-      /** @param {boolean} on */
       #working(on) {
         for (const one of [this.run, this.judge]) if (one) one.disabled = on;
         if (this.end) this.end.disabled = !on;

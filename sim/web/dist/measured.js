@@ -34,7 +34,6 @@
 
   // src/measured/asking.js
   var Asking = class {
-    /** @type {Record<string, object>} */
     #owners = { read: {}, model: {}, ready: {}, segments: {}, fit: {}, tracker: {} };
     #generation = 0;
     /**
@@ -47,7 +46,6 @@
       this.common = common;
       this.answered = answered;
     }
-    /** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
     async ask(what, more = {}) {
       const { header } = await this.client.ask(this.#owners[what] ?? {}, () => ({
         kind: "measured",
@@ -128,7 +126,6 @@
   var RATIO = [0.1, 10];
   var LONGEST = 0.4;
   var Hands = class {
-    /** @param {HTMLElement} root @param {() => void} changed */
     constructor(root, changed) {
       this.rows = /* @__PURE__ */ new Map();
       for (const row of root.querySelectorAll(".carts-measured-hand")) {
@@ -173,7 +170,6 @@
       this.#set("e", 0, 1);
       this.#set("duration", 1e-3, Math.min(LONGEST, (end - begin) / 2));
     }
-    /** @param {string} key @param {number} low @param {number} high @param {string} label */
     #set(key, low, high, label = "") {
       const row = this.rows.get(key);
       if (!row) return;
@@ -186,7 +182,6 @@
         if (text2) text2.textContent = label;
       }
     }
-    /** @param {Hand} hand */
     set value(hand) {
       const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
       for (const [key, { slide, box }] of this.rows) {
@@ -198,7 +193,6 @@
         box.value = shown(value);
       }
     }
-    /** @returns {Hand} */
     get value() {
       const read = (key) => this.rows.get(key)?.box.valueAsNumber ?? 0;
       return {
@@ -234,22 +228,32 @@
   }
   function keepEarlier(old, value) {
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
+    const opened2 = old.locked && old.locked !== value.locked;
+    if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
+    return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
+  }
+  function together(old, young) {
+    const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
+  }
+  function sameAnswer(a, b) {
+    return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
   }
   function alone({ earlier: _, ...entry }) {
-    return entry;
+    return isEmpty(entry.value) ? [] : [entry];
   }
-  function union(a, b) {
+  function withEarlier(entry, ...lists) {
     const found = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found.get(name);
+      found.set(name, before ? together(before, one) : one);
     }
     const all = [...found.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
+    return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
   // src/shared/newest-first.js
@@ -375,36 +379,37 @@
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page2 = (
       /** @type {any} */
       globalThis
     );
-    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value, alone2) => {
         try {
           await store.put(key, value, alone2);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
+          refused.set(key, keepEarlier(refused.get(key), value));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept = shelter();
+  function memory(site) {
+    const kept = shelter(site);
     return {
       kind: "memory",
       how: "memory",
@@ -412,6 +417,19 @@
       put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        await store.put(key, value, alone2);
+        channel?.postMessage(key);
+      },
+      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -451,10 +469,10 @@
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place() {
@@ -473,9 +491,7 @@
     const key = `${page2}/${id}`;
     const opened2 = openAll(`${site}${READINGS}`);
     return {
-      /** @returns {Promise<Kept | null>} */
       get: async () => (await opened2).get(key).catch(() => null),
-      /** @param {Kept} kept @returns {Promise<boolean>} whether the browser says that it is kept */
       put: async (kept) => {
         try {
           const store = await opened2;
@@ -558,12 +574,9 @@
     /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
-    /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
-    /** @type {number[]} s, where playing stops by itself */
     halts = [];
     halting = false;
-    /** @type {number[]} */
     stops = [];
     /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -571,18 +584,15 @@
     // s since the last still
     #frame = 0;
     #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
     constructor(changed) {
       this.changed = changed;
     }
     get #parts() {
       return this.slow ? this.parts : [];
     }
-    /** @returns {number} cart seconds per second now */
     get rate() {
       return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
     }
-    /** @returns {boolean} whether slow motion is on at this instant */
     get isSlow() {
       return this.rate < this.speed;
     }
@@ -606,7 +616,6 @@
       cancelAnimationFrame(this.#frame);
       this.changed(this.time, false);
     }
-    /** @param {number} t in s */
     seek(t) {
       this.#move(Math.min(t, this.seen));
       if (t <= 0) this.own = 0;
@@ -631,7 +640,6 @@
       }
       this.stepped(start);
     }
-    /** @param {number} now */
     #tick(now) {
       if (!this.playing) return;
       const seconds2 = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
@@ -653,12 +661,10 @@
       this.#tell(before, true);
       if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
-    /** @param {number} t */
     #move(t) {
       this.time = Math.min(this.until, Math.max(0, t));
       this.seen = Math.max(this.seen, this.time);
     }
-    /** @param {number} before @param {boolean} playing */
     #tell(before, playing) {
       this.changed(before, playing);
       if (this.time >= this.until) this.ended();
@@ -715,11 +721,8 @@
     return t.map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}h0`).join("");
   }
   var Figure = class {
-    /** @type {SVGElement | null} */
     #cursor = null;
-    /** @type {Axis | null} */
     #axis = null;
-    /** @param {Element} place @param {Element} left for the residuals */
     constructor(place2, left) {
       this.place = place2;
       this.left = left;
@@ -745,7 +748,6 @@
         this.#cursor
       );
     }
-    /** @param {Track[]} tracks @param {number[][]} residuals in m or N @param {string} unit @param {number} factor to that unit */
     rest(tracks, residuals, unit, factor) {
       const { t } = planes(tracks);
       const [low, high] = reach(residuals);
@@ -965,7 +967,6 @@
   var SCRIPT = "film.js";
   var isFilm = ({ name, type }) => type.startsWith("video/") || NAMED.test(name);
   var Films = class {
-    /** @type {Session | null} */
     #session = null;
     #filmed = () => {
     };
@@ -993,7 +994,6 @@
       camera.hidden = !mayFilm();
       camera.addEventListener("click", () => void this.camera());
     }
-    /** @returns {Promise<Script | null>} after what was shown before is gone */
     async #script() {
       this.end();
       const { search } = new URL(this.base);
@@ -1002,7 +1002,6 @@
       this.tell(script2 ? "" : tr("What reads films is missing: this page was not copied whole."));
       return script2;
     }
-    /** @param {File} file */
     async open(file) {
       const script2 = await this.#script();
       const take = (name, text2) => this.take(name, [text2]);
@@ -1038,7 +1037,6 @@
   var MOST = 500;
   var COLUMNS = ["t", "x of A", "x of B"];
   var Grid = class {
-    /** @param {HTMLElement} body of the table @param {() => void} changed */
     constructor(body, changed) {
       this.body = body;
       this.changed = changed;
@@ -1068,7 +1066,6 @@
         this.body.append(row);
       }
     }
-    /** @returns {string[][]} rows up to the last one with something in it */
     get cells() {
       const rows = [...this.body.children].map(
         (row) => [...row.querySelectorAll("input")].map((box) => box.value)
@@ -1076,7 +1073,6 @@
       while (rows.length && rows.at(-1)?.every((cell) => !cell.trim())) rows.pop();
       return rows;
     }
-    /** @param {string[][]} rows */
     set cells(rows) {
       this.grow(Math.max(0, rows.length - this.body.children.length));
       const boxes = [...this.body.children].map((row) => [...row.querySelectorAll("input")]);
@@ -1084,7 +1080,6 @@
         for (const [j, box] of row.entries()) box.value = rows[k]?.[j] ?? "";
       }
     }
-    /** @returns {string} as a file would say it; what stands in line n is row n − 1 */
     get text() {
       const rows = this.cells.map((row) => row.map((cell) => cell.trim()).join(";"));
       return ["t;x_A;x_B", ...rows].join("\n");
@@ -1165,11 +1160,9 @@
         void this.files([...dataTransfer?.files ?? []]);
       });
     }
-    /** @param {string} name @param {() => void} act */
     on(name, act) {
       this.root.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
     }
-    /** @param {File[]} files one with both carts, or one for each */
     async files(files) {
       if (!files.length) return;
       const film = files.find(isFilm);
@@ -1190,13 +1183,11 @@
       }
       this.take(files.map((file) => file.name).join(" and "), texts);
     }
-    /** @param {ArrayBuffer} bytes @returns {Promise<{text: string} | Refused>} */
     #unzipped(bytes) {
       return this.unzip(base64(bytes)).catch(({ message }) => ({
         refused: [{ line: null, reason: message, hint: "a zip needs Python to be opened" }]
       }));
     }
-    /** @param {string} name @param {string[]} texts */
     save(name, texts) {
       const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
       for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
@@ -1239,19 +1230,14 @@
   var USUAL = 0.2;
   var NEAR = 1.5;
   var Stage = class {
-    /** @type {{tracks: Track[], curve: Curve, length: number, names: string[]} | null} */
     #shown = null;
-    /** @type {SVGElement[]} */
     #carts = [];
-    /** @type {SVGElement[]} */
     #rings = [];
     #scale = 1;
     #left = 0;
-    /** @param {Element} place */
     constructor(place2) {
       this.place = place2;
     }
-    /** @param {Track[]} tracks @param {Curve} curve @param {number} distance at the touch, m @param {string[]} names */
     show(tracks, curve, distance, names) {
       const length = distance > 0.1 && distance < 1 ? distance : USUAL;
       this.#shown = { tracks, curve, length, names };
@@ -1308,7 +1294,6 @@
         ...this.#rings
       );
     }
-    /** @param {number} x m */
     #at(x) {
       return SIDE + (x - this.#left) * this.#scale;
     }
@@ -1319,7 +1304,6 @@
         names.map((name, k) => [name, between(curve.t, curve.x[k] ?? [], time)])
       );
     }
-    /** @param {number} time s */
     at(time) {
       if (!this.#shown) return;
       const { tracks, curve } = this.#shown;
@@ -1359,7 +1343,6 @@
     /** Called with the time in s and where the model's carts are then, in m. @type {(time: number, places: Record<string, number>) => void} */
     watch = () => {
     };
-    /** @param {HTMLElement} root */
     constructor(root) {
       this.root = root;
       this.figure = new Figure(this.#part("figure"), this.#part("left"));
@@ -1375,7 +1358,6 @@
       });
       this.#part("play").addEventListener("click", () => this.player.toggle());
     }
-    /** @param {string} name @returns {HTMLElement} */
     #part(name) {
       return need(this.root, `.carts-measured-${name}`);
     }
@@ -1398,7 +1380,6 @@
       if (read.kind !== "length") this.#forces(read);
       else if (!motion) this.#points(read);
     }
-    /** @param {Read} read */
     #points(read) {
       this.figure.show(read.tracks, "x in m", null);
       showTable(need(this.root, ".carts-measured-table table"), read, null);
@@ -1454,7 +1435,6 @@
       );
       fence.value = report.fence;
     }
-    /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread the picture is still that of earlier ones */
     refuse(name, faults, unread) {
       const whose = unread ? Source.notRead(name) : "";
       this.#part("faults").replaceChildren(
@@ -1466,11 +1446,9 @@
         })
       );
     }
-    /** @param {string} textContent */
     note(textContent) {
       Object.assign(need(this.root, ".carts-note"), { hidden: false, textContent });
     }
-    /** @param {string} text */
     busy(text2) {
       say(this.#part("busy"), text2);
     }
@@ -1498,13 +1476,10 @@
   };
   var LETTERS = { time: "t in", length: "x in", force: "F in" };
   var Settings = class {
-    /** @type {HTMLInputElement[]} */
     #masses = [];
-    /** @type {string[]} */
     #names = ["A", "B"];
     #wanted = "";
     // the run that was chosen at an earlier visit
-    /** @param {HTMLElement} root @param {(again: boolean) => void} changed again: the readings are others now */
     constructor(root, changed) {
       const find = (name) => (
         /** @type {HTMLInputElement} */
@@ -1579,7 +1554,6 @@
       this.from.value = "";
       this.until.value = "";
     }
-    /** @param {Kept} kept */
     fill(kept) {
       for (const select of this.units) {
         const kind = (
@@ -1597,7 +1571,6 @@
       this.named(this.#names);
       for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
     }
-    /** @returns {import("../../../view/measured/types.js").Units} */
     get chosen() {
       const units = { time: "", length: "", force: "" };
       for (const select of this.units) {
@@ -1731,11 +1704,9 @@
   var Strip = class {
     /** What the reader has set. @type {Given[]} */
     given = [];
-    /** @type {Segment[]} */
     #segments = [];
     #step = 0.01;
     #timer = 0;
-    /** @param {HTMLElement} place @param {() => void} changed by the reader */
     constructor(place2, changed) {
       this.place = place2;
       this.changed = changed;
@@ -1746,7 +1717,6 @@
       this.given = [];
       this.show(null);
     }
-    /** @param {{names: string[], segments?: Segment[]} | null} found @param {number[]} times s, of the readings */
     show(found, times = []) {
       clearTimeout(this.#timer);
       const held = (
@@ -1778,7 +1748,6 @@
     get #length() {
       return Math.max(...this.#segments.map((one) => one.until)) - this.#begin;
     }
-    /** @param {string} cart */
     #bar(cart) {
       const bar = html("div", "carts-measured-strip-bar");
       bar.setAttribute("role", "img");
@@ -1789,7 +1758,6 @@
       }
       return bar;
     }
-    /** @param {string} cart @returns {HTMLElement[]} a slider for each boundary */
     #edges(cart) {
       return ofCart(this.#segments, cart).slice(1).map((_, k) => {
         const edge = html("span", "carts-measured-edge");
@@ -1812,12 +1780,10 @@
         return edge;
       });
     }
-    /** @param {string} cart @param {number} k @param {number} x px in the window */
     #drag(cart, k, x) {
       const box = this.#row(cart).getBoundingClientRect();
       this.#move(cart, k, this.#begin + (x - box.left) / box.width * this.#length);
     }
-    /** @param {KeyboardEvent} event @param {string} cart @param {number} k */
     #key(event, cart, k) {
       const [low, high] = limits(this.#segments, cart, k, this.#step);
       const now = Number(ofCart(this.#segments, cart)[k]?.until);
@@ -1841,7 +1807,6 @@
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.#commit(cart, k), WAITS);
     }
-    /** @param {string} cart @param {number} k @param {number} t s */
     #move(cart, k, t) {
       const [low, high] = limits(this.#segments, cart, k, this.#step);
       move(this.#segments, cart, k, Math.min(high, Math.max(low, t)));
@@ -1849,7 +1814,6 @@
       if (edge instanceof HTMLElement) edge.dataset.moved = "";
       this.#put();
     }
-    /** @param {string} cart @param {number} k */
     #commit(cart, k) {
       this.given = told(this.given, this.#segments, cart, k);
       this.changed();
@@ -1863,7 +1827,6 @@
       });
       return button;
     }
-    /** @param {string} cart @returns {HTMLElement} */
     #row(cart) {
       const rows = [...this.place.querySelectorAll(".carts-measured-strip-row")];
       return (
@@ -1907,7 +1870,6 @@
           );
       }
     }
-    /** @param {HTMLElement} edge @param {string} cart @param {number} k */
     #value(edge, cart, k) {
       const own = ofCart(this.#segments, cart);
       const [low, high] = limits(this.#segments, cart, k, this.#step);
@@ -1958,14 +1920,11 @@
   // src/measured/element.js
   function measuredElement(client, base) {
     return class CartsMeasured extends HTMLElement {
-      /** @type {Facts | null} */
       #facts = null;
-      /** @type {Kept} */
       #kept = (
         /** @type {Kept} */
         {}
       );
-      /** @type {Read | null} */
       #read = null;
       report = (
         /** @type {import("../../../view/measured/types.js").Report | null} */
@@ -2048,14 +2007,12 @@
       get #name() {
         return this.#kept.name || this.#facts?.name || "";
       }
-      /** @param {string} name @param {string[]} texts none: the lesson's own */
       #take(name, texts) {
         this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
         this.settings?.clear();
         this.strip?.clear();
         this.complete = this.#reading();
       }
-      /** @param {boolean} again whether the readings are others now */
       #changed(again) {
         this.#kept.fitted = "";
         if (!again) return this.#moved();
@@ -2149,7 +2106,6 @@
         this.complete = this.#fit(compare);
         return this.complete;
       }
-      /** @param {boolean} compare */
       async #fit(compare) {
         this.#tried = true;
         this.picture?.busy("Starting numpy and scipy …");
@@ -2172,7 +2128,6 @@
           this.picture?.busy("");
         }
       }
-      /** @param {Drawn & {report: NonNullable<CartsMeasured["report"]>}} found */
       #fitted(found) {
         this.report = found.report;
         if (this.hands) this.hands.value = found.parameters;
@@ -2184,11 +2139,9 @@
         );
         this.picture?.told(found.report);
       }
-      /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread */
       #refuse(faults, unread = false) {
         this.picture?.refuse(this.#name, faults, unread);
       }
-      /** @param {string} text */
       #note(text2) {
         this.picture?.note(`Python cannot do this here: ${text2}`);
         if (client.state === "failed") this.dataset.state = "failed";
@@ -2199,25 +2152,16 @@
   // src/runtime/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
-    /** @type {State} */
     state = "idle";
-    /** @type {(Error & {reason?: string}) | null} */
     error = null;
-    /** @type {Runtime | null} */
     #runtime = null;
-    /** @type {Job[]} */
     #waiting = [];
-    /** @type {Job | null} */
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    /** @type {string[]} packages that were asked for after the start */
     #asked = [];
-    /** @type {string[]} those of them that Python has, and gets again after a restart */
     #more = [];
-    /** @type {Promise<void>} when they are there */
     #growing = Promise.resolve();
-    /** @param {Start} start */
     constructor(start) {
       super();
       this.start = start;
@@ -2243,7 +2187,6 @@
       });
       return needed;
     }
-    /** @param {string[]} names */
     async #grow(names) {
       this.wake();
       await this.#settled();
@@ -2307,16 +2250,18 @@
       );
     }
     async #boot() {
+      const more = this.#more;
       this.#become("starting");
       try {
-        this.#use(await this.start(this.#more));
+        const runtime = await this.start(more);
+        if (more !== this.#more) return runtime.stop();
+        this.#use(runtime);
         this.#become("ready");
         this.#next();
       } catch (error) {
-        this.#fail(error);
+        if (more === this.#more) this.#fail(error);
       }
     }
-    /** @param {Runtime} runtime @param {unknown} reason */
     #lost(runtime, reason) {
       if (runtime !== this.#runtime) return;
       this.#runtime = null;
@@ -2343,7 +2288,6 @@
       if (newer) newer.settle.unshift(...job.settle);
       else this.#waiting.unshift(job);
     }
-    /** @param {unknown} reason */
     #fail(reason) {
       this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
       this.#become("failed");
@@ -2351,7 +2295,6 @@
         for (const { reject } of settle) reject(this.error);
       }
     }
-    /** @param {State} state */
     #become(state) {
       this.state = state;
       this.dispatchEvent(new Event("state"));
@@ -2543,7 +2486,6 @@
     }
   }
   var Unpacker = class {
-    /** @param {(error: RuntimeFailure) => void} reject told of a damaged file, and if it can't work at all */
     constructor(reject) {
       const { worker, address } = workerOf([unpacker_default]);
       this.worker = worker;
@@ -2657,7 +2599,6 @@
       if (!snapshot) return [index.package, ...packages];
       return packages.length && index.later.length ? [index.rest, ...packages] : packages;
     }
-    /** @returns {Promise<Started>} */
     async run() {
       let reject = () => {
       };
@@ -2703,7 +2644,6 @@
         }
       });
     }
-    /** @param {string} stage */
     progress(stage) {
       if (this.over) return;
       this.slow?.progress();
@@ -2763,7 +2703,6 @@
       this.onProgress({ fraction: 1, stage: "ready" });
       return { worker, start };
     }
-    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
     async module(parts) {
       const module = modules.get(this.folder) ?? await compile(parts);
       modules.set(this.folder, module);
@@ -2797,7 +2736,6 @@
     ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
-    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -2838,7 +2776,6 @@
       this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
       this.worker.postMessage({ do: "request", number: next.number, text: next.text });
     }
-    /** @param {any} data */
     hear(data) {
       const current = this.queue[0];
       if (data.number !== current?.number) return;
@@ -2858,11 +2795,9 @@
       }
       if (!this.gone) this.send();
     }
-    /** @param {Reason} reason @param {string} detail */
     lose(reason, detail) {
       if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
     }
-    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
     end(reason, detail) {
       if (this.gone) return false;
       this.gone = reason;

@@ -203,7 +203,6 @@
     #turn = 0;
     #of = "";
     // the request that was proved, or is being
-    /** @type {Band | null} */
     #band = null;
     #owner = {};
     // of its own: a proof is no newer run
@@ -249,7 +248,6 @@
     #asked() {
       return JSON.stringify(this.message({ kind: "certify" }));
     }
-    /** @param {Band | null} band null: none */
     #show(band) {
       if (!band && !this.#band) return;
       this.#band = band;
@@ -281,7 +279,6 @@
         );
       }
     }
-    /** @param {{certificate: Certificate, seconds: {exact: number, proof: number}, band: Band | null}} answer */
     #tell({ certificate, seconds, band }) {
       const { order, reason, final } = certificate;
       const known = Object.keys(final.x).length > 0;

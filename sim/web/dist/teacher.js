@@ -3,25 +3,16 @@
   // src/runtime/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
-    /** @type {State} */
     state = "idle";
-    /** @type {(Error & {reason?: string}) | null} */
     error = null;
-    /** @type {Runtime | null} */
     #runtime = null;
-    /** @type {Job[]} */
     #waiting = [];
-    /** @type {Job | null} */
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    /** @type {string[]} packages that were asked for after the start */
     #asked = [];
-    /** @type {string[]} those of them that Python has, and gets again after a restart */
     #more = [];
-    /** @type {Promise<void>} when they are there */
     #growing = Promise.resolve();
-    /** @param {Start} start */
     constructor(start) {
       super();
       this.start = start;
@@ -47,7 +38,6 @@
       });
       return needed;
     }
-    /** @param {string[]} names */
     async #grow(names) {
       this.wake();
       await this.#settled();
@@ -111,16 +101,18 @@
       );
     }
     async #boot() {
+      const more = this.#more;
       this.#become("starting");
       try {
-        this.#use(await this.start(this.#more));
+        const runtime = await this.start(more);
+        if (more !== this.#more) return runtime.stop();
+        this.#use(runtime);
         this.#become("ready");
         this.#next();
       } catch (error) {
-        this.#fail(error);
+        if (more === this.#more) this.#fail(error);
       }
     }
-    /** @param {Runtime} runtime @param {unknown} reason */
     #lost(runtime, reason) {
       if (runtime !== this.#runtime) return;
       this.#runtime = null;
@@ -147,7 +139,6 @@
       if (newer) newer.settle.unshift(...job.settle);
       else this.#waiting.unshift(job);
     }
-    /** @param {unknown} reason */
     #fail(reason) {
       this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
       this.#become("failed");
@@ -155,7 +146,6 @@
         for (const { reject } of settle) reject(this.error);
       }
     }
-    /** @param {State} state */
     #become(state) {
       this.state = state;
       this.dispatchEvent(new Event("state"));
@@ -376,7 +366,6 @@
     }
   }
   var Unpacker = class {
-    /** @param {(error: RuntimeFailure) => void} reject told of a damaged file, and if it can't work at all */
     constructor(reject) {
       const { worker, address } = workerOf([unpacker_default]);
       this.worker = worker;
@@ -490,7 +479,6 @@
       if (!snapshot) return [index.package, ...packages];
       return packages.length && index.later.length ? [index.rest, ...packages] : packages;
     }
-    /** @returns {Promise<Started>} */
     async run() {
       let reject = () => {
       };
@@ -536,7 +524,6 @@
         }
       });
     }
-    /** @param {string} stage */
     progress(stage2) {
       if (this.over) return;
       this.slow?.progress();
@@ -596,7 +583,6 @@
       this.onProgress({ fraction: 1, stage: "ready" });
       return { worker, start };
     }
-    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
     async module(parts) {
       const module = modules.get(this.folder) ?? await compile(parts);
       modules.set(this.folder, module);
@@ -630,7 +616,6 @@
     ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
-    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -671,7 +656,6 @@
       this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
       this.worker.postMessage({ do: "request", number: next.number, text: next.text });
     }
-    /** @param {any} data */
     hear(data) {
       const current = this.queue[0];
       if (data.number !== current?.number) return;
@@ -691,11 +675,9 @@
       }
       if (!this.gone) this.send();
     }
-    /** @param {Reason} reason @param {string} detail */
     lose(reason, detail) {
       if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
     }
-    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
     end(reason, detail) {
       if (this.gone) return false;
       this.gone = reason;
@@ -761,22 +743,32 @@
   }
   function keepEarlier(old, value) {
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
+    const opened2 = old.locked && old.locked !== value.locked;
+    if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
+    return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
+  }
+  function together(old, young) {
+    const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
+  }
+  function sameAnswer(a, b) {
+    return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
   }
   function alone({ earlier: _, ...entry }) {
-    return entry;
+    return isEmpty(entry.value) ? [] : [entry];
   }
-  function union(a, b) {
+  function withEarlier(entry, ...lists) {
     const found = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found.get(name);
+      found.set(name, before ? together(before, one) : one);
     }
     const all = [...found.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
+    return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
   // src/shared/newest-first.js
@@ -902,36 +894,37 @@
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page2 = (
       /** @type {any} */
       globalThis
     );
-    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value, alone2) => {
         try {
           await store.put(key, value, alone2);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
+          refused.set(key, keepEarlier(refused.get(key), value));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept = shelter();
+  function memory(site) {
+    const kept = shelter(site);
     return {
       kind: "memory",
       how: "memory",
@@ -939,6 +932,19 @@
       put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel2 = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        await store.put(key, value, alone2);
+        channel2?.postMessage(key);
+      },
+      hear: (act) => channel2?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -977,10 +983,10 @@
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place() {
@@ -995,19 +1001,16 @@
 
   // src/teach/drafts.js
   var Drafts = class {
-    /** @param {import("./source.js").Told} told */
     constructor(told2) {
       const { site, page: page2 } = place();
       this.hash = told2.hash;
       this.before = `${page2}#`;
       this.store = openAll(`${site}~teacher`);
     }
-    /** @returns {Promise<Draft | null>} of this version of the lesson */
     async current() {
       const found = await (await this.store).get(this.before + this.hash).catch(() => null);
       return isDraft(found) ? found : null;
     }
-    /** @returns {Promise<Draft[]>} of earlier versions, the newest first */
     async earlier() {
       const all = await (await this.store).entries().catch(() => []);
       return all.filter(([key, value]) => key.startsWith(this.before) && isDraft(value)).map(([, value]) => (
@@ -1022,7 +1025,6 @@
       await store.put(this.before + this.hash, draft, true);
       return store.kind === "kept";
     }
-    /** @param {string} hash */
     async forget(hash = this.hash) {
       await (await this.store).remove(this.before + hash);
     }
@@ -1090,13 +1092,10 @@
   // src/teach/history.js
   var ONE_GO = 1500;
   var History = class {
-    /** @type {string[]} */
     #past = [];
-    /** @type {string[]} */
     #future = [];
     #where = "";
     #when = 0;
-    /** @param {string} text */
     constructor(text2) {
       this.text = text2;
     }
@@ -1106,7 +1105,6 @@
     get canRedo() {
       return this.#future.length > 0;
     }
-    /** @param {string} text @param {string} where it was changed: further changes there are the same step */
     change(text2, where) {
       if (text2 === this.text) return false;
       const now = Date.now();
@@ -1123,7 +1121,6 @@
     redo() {
       this.#step(this.#future, this.#past);
     }
-    /** @param {string[]} from @param {string[]} to */
     #step(from, to) {
       const text2 = from.pop();
       if (text2 === void 0) return;
@@ -1277,7 +1274,6 @@
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
-    /** @param {string} text */
     constructor(text2) {
       this.text = text2;
     }
@@ -3051,17 +3047,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     /** The element of each block, in their order. @type {(HTMLElement | null)[]} */
     #blocks = [];
     #frame = "";
-    /** @param {HTMLElement} article @param {string} assets @param {(index: number) => void} change asked for in the page */
     constructor(article, assets, change) {
       this.article = article;
       this.assets = assets;
       this.change = change;
     }
-    /** @returns {string[]} keys of what the page has */
     get have() {
       return [...this.#made.keys()];
     }
-    /** @param {number} index @returns {HTMLElement | null} */
     block(index) {
       return this.#blocks[index] ?? null;
     }
@@ -3076,7 +3069,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.#frame = look.frame ?? "";
       this.#offer();
     }
-    /** @param {Look} look */
     async show(look) {
       const before = this.#blocks;
       const ids = look.pieces.filter((piece) => piece.kind === "block").map((piece) => piece.id);
@@ -3100,7 +3092,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (scenes) await this.#bringToLife();
       await drawFormulas(this.article, this.assets);
     }
-    /** @param {import("./types.js").Shown} block @param {string} id @param {HTMLElement | null | undefined} old */
     #element(block, id, old) {
       const known = block.key ? this.#made.get(block.key) : void 0;
       if (known) return known;
@@ -3117,7 +3108,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       }
       return id && this.#byId(id) || old || null;
     }
-    /** @param {string} frame @param {(HTMLElement | null)[]} blocks */
     #rebuild(frame2, blocks) {
       const made2 = document.createElement("template");
       made2.innerHTML = frame2;
@@ -3158,7 +3148,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       script.src = new URL("carts.js", this.assets).href;
       document.head.append(script);
     }
-    /** @param {string} id @returns {HTMLElement | null} */
     #byId(id) {
       const found = id ? document.getElementById(id) : null;
       return found?.matches(OURS) ? found : null;
@@ -3202,15 +3191,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var PAUSE = 300;
   var made = 0;
   var Fields = class {
-    /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, wrong: boolean}>} wrong: the note is a finding */
     #rows = /* @__PURE__ */ new Map();
     #form = "";
-    /** @param {(field: Field, value: string, owner: object) => Promise<string>} set */
     constructor(set) {
       this.set = set;
       this.root = html("div", "carts-teach-fields");
     }
-    /** @param {Field[]} fields @param {import("./types.js").Finding[]} findings of the block */
     show(fields, findings) {
       const form2 = JSON.stringify(fields.map(({ path: path2, kind, group }) => [path2, kind, group]));
       if (form2 !== this.#form) this.#build(fields);
@@ -3230,7 +3216,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         }
       }
     }
-    /** @param {Field[]} fields */
     #build(fields) {
       const focused = [...this.#rows].find(([, { control: control2 }]) => control2 === document.activeElement);
       this.#rows.clear();
@@ -3251,7 +3236,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       }
       if (focused) this.#rows.get(focused[0])?.control.focus();
     }
-    /** @param {Field} field */
     #row(field) {
       const line = html("label", field.kind === "area" ? "carts-teach-wide" : "");
       const control2 = controlFor(field);
@@ -3278,7 +3262,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       whole.append(line, note);
       return whole;
     }
-    /** @param {{control: any, note: HTMLElement, field: Field}} row */
     async #take(row) {
       try {
         this.#say(row, await this.set(row.field, row.control.value, row));
@@ -3290,7 +3273,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         );
       }
     }
-    /** @param {{control: HTMLElement, note: HTMLElement}} row @param {string} text */
     #say({ control: control2, note }, text2) {
       note.textContent = text2;
       control2.setAttribute("aria-invalid", String(text2 !== ""));
@@ -3321,7 +3303,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
 
   // src/teach/gutter.js
   var Gutter = class {
-    /** @param {string} label @param {(text: string) => void} typed */
     constructor(label, typed) {
       this.root = html("div", "carts-teach-code");
       this.numbers = html("div", "carts-teach-numbers");
@@ -3338,7 +3319,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.first = 1;
       this.wrong = /* @__PURE__ */ new Set();
     }
-    /** @param {string} text @param {number} first number of its first line @param {Set<number>} wrong lines */
     show(text2, first, wrong) {
       const plain2 = text2.replace(/\r\n?/g, "\n");
       if (this.area.value !== plain2) {
@@ -3351,7 +3331,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.area.setAttribute("aria-invalid", String(wrong.size > 0));
       this.#count();
     }
-    /** @param {number} line number @param {number} col from 1 */
     goTo(line, col) {
       const lines3 = this.area.value.split("\n");
       const before = lines3.slice(0, line - this.first).join("\n").length;
@@ -3416,11 +3395,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         acts.opened();
       });
     }
-    /** @returns {HTMLTextAreaElement} */
     get area() {
       return this.piece.kind === "text" ? this.prose : this.text.area;
     }
-    /** @param {Piece} piece @param {Finding[]} findings @param {boolean} changed */
     show(piece, findings, changed) {
       this.piece = piece;
       this.findings = findings;
@@ -3452,7 +3429,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       } else this.text.show(piece.text, piece.line, new Set(findings.map((finding) => finding.line)));
       this.#list(findings);
     }
-    /** @param {Finding[]} findings */
     #list(findings) {
       const rows = findings.map((finding) => {
         const row = html("li");
@@ -3472,7 +3448,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.mistakes.hidden = rows.length === 0;
       if (rows.length && !this.piece.fields?.length) this.asText.open = true;
     }
-    /** @param {Finding} finding */
     goTo({ line, col }) {
       this.root.open = true;
       this.asText.open = true;
@@ -3562,16 +3537,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
 
   // src/teach/panel.js
   var Panel = class {
-    /** @type {PieceEditor[]} */
     #editors = [];
-    /** @type {import("./types.js").Piece[]} */
     #pieces = [];
-    /** @type {Set<string>} texts of the published pieces */
     #published = /* @__PURE__ */ new Set();
     #base = "";
     #faulty = false;
     // whether the status speaks of mistakes
-    /** @param {import("./session.js").Session} session */
     constructor(session2) {
       this.session = session2;
       this.root = html("aside", "carts carts-teach");
@@ -3595,7 +3566,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.root.append(head, body2);
       if (session2.withheld) this.#withheld();
     }
-    /** @param {HTMLButtonElement} small */
     #fold(small) {
       const folded = this.root.classList.toggle("carts-teach-folded");
       document.body.classList.toggle("carts-teaching-folded", folded);
@@ -3608,7 +3578,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     focus() {
       this.heading.focus();
     }
-    /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
     status(text2, faulty = false) {
       this.#faulty = faulty;
       say(this.note, text2);
@@ -3628,13 +3597,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     drawn() {
       this.root.dataset.state = "ready";
     }
-    /** @param {Look} look */
+    published({ pieces }, base) {
+      this.#base = base;
+      this.#published = new Set(pieces.map((piece) => piece.text));
+    }
     take(look) {
       const { pieces, findings } = look;
-      if (this.#base !== this.session.base && this.session.text === this.session.base) {
-        this.#base = this.session.base;
-        this.#published = new Set(pieces.map((piece) => piece.text));
-      }
+      if (this.#base !== this.session.base && this.session.text === this.session.base)
+        this.published(look, this.session.base);
       if (shape(pieces) !== shape(this.#pieces)) this.#build(pieces);
       this.#pieces = pieces;
       const file = this.session.told.file;
@@ -3656,7 +3626,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (!this.state.textContent) say(this.state, this.#unchanged);
       this.tools.draw();
     }
-    /** @param {import("./types.js").Piece[]} pieces */
     #build(pieces) {
       const open2 = new Set(
         this.#editors.filter((e) => e.root.open).map((e) => e.piece.id || e.piece.line)
@@ -3683,7 +3652,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         at -= length;
       }
     }
-    /** @param {number} k @param {number} at */
     #caret(k, at) {
       const editor = this.#editors[k];
       if (!editor) return;
@@ -3694,7 +3662,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         editor.area.setSelectionRange(at, at);
       });
     }
-    /** @param {number} k @param {string} typed */
     #typed(k, typed) {
       const piece = this.#pieces[k];
       if (!piece) return;
@@ -3720,7 +3687,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
       this.notices.append(ownFile(words, (text2) => void this.session.takeOwn(text2)));
     }
-    /** @param {number} missing @param {boolean} same whether it is the published file */
     ownTaken(missing, same) {
       this.notices.replaceChildren();
       if (missing) {
@@ -3744,7 +3710,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         })
       );
     }
-    /** @param {import("./drafts.js").Draft[]} drafts */
     offerEarlier(drafts) {
       this.notices.append(...drafts.map((draft) => earlierDraft(this.session, draft)));
     }
@@ -3810,7 +3775,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     #timer = 0;
     /** Resolves when Python has seen the text as it is now, and the page shows it. */
     settled = Promise.resolve();
-    /** @type {Look | null} */
     look = null;
     #asked = false;
     #working = false;
@@ -3850,16 +3814,19 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.panel.status("Starting Python …");
       await this.#begin();
     }
-    /** @param {boolean} published whether the text is the one that the page was built from */
     async #begin(published = true) {
+      const built = this.text;
+      const draft = this.#takeBack(await this.drafts.current());
       try {
-        let look = await this.#ask();
-        this.#take(look);
-        const show = async () => published ? this.page.adopt(look) : await this.page.show(look);
-        for (await show(); look.more || await this.#got(look); await show()) {
-          look = await this.#ask();
-          this.#take(look);
+        for (let more = true; more; ) {
+          const look = await this.#ask(draft && built);
+          if (draft) this.panel.published(look, built);
+          else this.#take(look);
+          if (published) this.page.adopt(look);
+          else await this.page.show(look);
+          more = look.more || await this.#got(look);
         }
+        if (draft) this.#take(await this.#ask());
       } catch (error) {
         const { message, detail } = (
           /** @type {Error & {detail?: string}} */
@@ -3868,17 +3835,19 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         console.warn(message, detail ?? "");
         return this.panel.withoutPython(message);
       }
-      const draft = await this.drafts.current();
-      if (draft && draft.text !== this.text) {
-        this.base = draft.base;
-        this.withheld = this.withheld && draft.base === this.told.text;
-        this.history.change(draft.text, "");
-        this.panel.status(`Your draft of ${clock(draft.last)} is back.`);
-        this.panel.kept(true);
-        await this.lookNow();
-      } else this.panel.status("");
+      this.panel.status(draft ? `Your draft of ${clock(draft.last)} is back.` : "");
+      if (draft) await this.lookNow();
       this.panel.offerEarlier(await this.drafts.earlier());
       this.panel.root.dataset.state = "ready";
+    }
+    /** A kept draft is the text before anything can be typed: it would be lost under the first key. */
+    #takeBack(draft) {
+      if (!draft || draft.text === this.text) return null;
+      this.base = draft.base;
+      this.withheld = this.withheld && draft.base === this.told.text;
+      this.history.change(draft.text, "");
+      this.panel.kept(true);
+      return draft;
     }
     show() {
       document.body.classList.add(BODY);
@@ -3952,21 +3921,15 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.#working = false;
       }
     }
-    /** @param {Look} look */
     #take(look) {
       this.look = look;
       this.panel.take(look);
     }
-    /** @returns {Promise<Look>} */
-    async #ask() {
+    async #ask(text2 = null) {
       const { lesson, files } = this.told;
       const { header } = await this.client.ask(this.#looking, () => ({
-        kind: "teach",
-        do: "look",
-        text: this.text,
-        lesson,
-        files,
-        have: this.page.have
+        ...{ kind: "teach", do: "look", lesson, files },
+        ...{ text: text2 ?? this.text, have: this.page.have }
       }));
       return (
         /** @type {any} */
@@ -4023,7 +3986,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.change(text2, "");
       this.panel.ownTaken(missing, same);
     }
-    /** @returns {Promise<string>} a zip in base64 */
     zip() {
       return zipped(this.client, this.told.file, this.text, this.base);
     }

@@ -777,7 +777,6 @@
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
-    /** @param {string} text */
     constructor(text) {
       this.text = text;
     }
@@ -1273,11 +1272,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var SLIVER = 1.5;
   var GAP2 = 8;
   var Effects = class {
-    /** @type {Run | null} */
     #run = null;
-    /** @type {Map<string, SVGElement>} */
     #drawn = /* @__PURE__ */ new Map();
-    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
     constructor(root, layout, full, forces) {
       this.layout = layout;
       this.full = full;
@@ -1294,11 +1290,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       }
     }
-    /** @param {Run} run */
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
@@ -1313,7 +1307,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       for (const piece of pieces) this.#draw(piece);
     }
-    /** @param {Piece} piece */
     #draw({ key, cls, behind, d, text, x, y, anchor }) {
       let element = this.#drawn.get(key);
       if (!element) {
@@ -1385,19 +1378,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var GAP3 = 8;
   var EDGE2 = 6;
   var Pushes = class {
-    /** @type {Push[]} */
     #pushes = [];
-    /** @type {Run | null} */
     #run = null;
-    /** @type {import("../../../view/windows.js").Touch[]} */
     #windows = [];
-    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
     constructor(root, layout, view) {
       this.root = root;
       this.layout = layout;
       this.view = view;
     }
-    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
@@ -1417,7 +1405,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       });
     }
-    /** @param {number} t in s @param {Face} face */
     at(t, face) {
       const run = this.#run;
       if (!run) return;
@@ -1484,7 +1471,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #inFull(told2) {
       return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
     }
-    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push, sizes, x }, through) {
       const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
@@ -1522,7 +1508,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         track?.right === "wall" ? Math.min(width - EDGE2, end2 - GAP3) : width - EDGE2
       ];
     }
-    /** @param {number} size in N */
     #value(size) {
       const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
@@ -1564,9 +1549,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/scene/walls.js
   var Walls = class {
-    /** @type {{side: Side, wall: import("../../../view/deformation/walls.js").Wall, group: Element}[]} */
     #walls = [];
-    /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
       this.was = need(root, ".carts-was");
@@ -1575,7 +1558,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
       });
     }
-    /** @param {number} shift of the picture to the left, in units @returns {import("../../../view/deformation/squeezes.js").Faces} */
     faces(shift) {
       const at = (side) => {
         const found2 = this.#walls.find((one) => one.side === side);
@@ -1604,17 +1586,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/scene/stage.js
   var HANDLE2 = 9;
   var Stage = class {
-    /** @type {Run} */
     #run;
-    /** @type {Cart[]} */
     #carts = [];
-    /** @type {Walls} */
     #walls;
-    /** @type {Pushes} */
     #pushes;
-    /** @type {Effects} */
     #effects;
-    /** @param {SVGElement} root @param {Baked} baked */
     constructor(root, baked) {
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
       if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
@@ -1781,7 +1757,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       say(mass, box2.label);
       return mass;
     }
-    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
     #velocity(cart2, name, x, t) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
@@ -1891,12 +1866,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
-    /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
-    /** @type {number[]} s, where playing stops by itself */
     halts = [];
     halting = false;
-    /** @type {number[]} */
     stops = [];
     /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -1904,18 +1876,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     // s since the last still
     #frame = 0;
     #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
     constructor(changed) {
       this.changed = changed;
     }
     get #parts() {
       return this.slow ? this.parts : [];
     }
-    /** @returns {number} cart seconds per second now */
     get rate() {
       return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
     }
-    /** @returns {boolean} whether slow motion is on at this instant */
     get isSlow() {
       return this.rate < this.speed;
     }
@@ -1939,7 +1908,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       cancelAnimationFrame(this.#frame);
       this.changed(this.time, false);
     }
-    /** @param {number} t in s */
     seek(t) {
       this.#move(Math.min(t, this.seen));
       if (t <= 0) this.own = 0;
@@ -1964,7 +1932,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       this.stepped(start);
     }
-    /** @param {number} now */
     #tick(now) {
       if (!this.playing) return;
       const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
@@ -1986,12 +1953,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#tell(before, true);
       if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
-    /** @param {number} t */
     #move(t) {
       this.time = Math.min(this.until, Math.max(0, t));
       this.seen = Math.max(this.seen, this.time);
     }
-    /** @param {number} before @param {boolean} playing */
     #tell(before, playing) {
       this.changed(before, playing);
       if (this.time >= this.until) this.ended();
@@ -2001,7 +1966,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/worlds/pictures.js
   var SIGN = 60;
   var Pictures = class {
-    /** @param {Baked} baked @param {Shown[]} shown */
     constructor(baked, shown) {
       this.root = html("div", "carts-worlds-pictures");
       this.decimals = baked.view.decimals.t ?? 2;
@@ -2110,22 +2074,32 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
   function keepEarlier(old, value) {
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
+    const opened2 = old.locked && old.locked !== value.locked;
+    if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
+    return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
+  }
+  function together(old, young) {
+    const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
+    const both = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both, old.earlier, young.earlier);
+  }
+  function sameAnswer(a, b) {
+    return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
   }
   function alone({ earlier: _, ...entry }) {
-    return entry;
+    return isEmpty(entry.value) ? [] : [entry];
   }
-  function union(a, b) {
+  function withEarlier(entry, ...lists) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const one of lists.flatMap((list) => list ?? [])) {
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found2.get(name);
+      found2.set(name, before ? together(before, one) : one);
     }
     const all = [...found2.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
+    return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
   // src/shared/newest-first.js
@@ -2251,36 +2225,37 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
 
   // src/shared/shelter.js
-  function shelter() {
+  function shelter(site) {
     const page = (
       /** @type {any} */
       globalThis
     );
-    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page[name] ??= /* @__PURE__ */ new Map();
     return page[name];
   }
-  function sheltered(store) {
+  function sheltered(store, site) {
+    const refused = shelter(site);
     return {
       ...store,
       put: async (key, value, alone2) => {
         try {
           await store.put(key, value, alone2);
-          shelter().delete(key);
+          refused.delete(key);
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
+          refused.set(key, keepEarlier(refused.get(key), value));
           throw error;
         }
       },
       remove: async (key) => {
-        shelter().delete(key);
+        refused.delete(key);
         await store.remove(key);
       },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+      entries: async () => [...new Map([...await store.entries(), ...refused])]
     };
   }
-  function memory() {
-    const kept = shelter();
+  function memory(site) {
+    const kept = shelter(site);
     return {
       kind: "memory",
       how: "memory",
@@ -2288,6 +2263,19 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/tabs.js
+  function telling(store, site) {
+    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        await store.put(key, value, alone2);
+        channel?.postMessage(key);
+      },
+      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
     };
   }
 
@@ -2342,15 +2330,16 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
+      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
   async function openOnce(site) {
     try {
-      return sheltered(await indexed(`carts:${site}`));
+      return telling(sheltered(await indexed(`carts:${site}`), site), site);
     } catch {
       const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
+      return telling(texts ? sheltered(texts, site) : memory(site), site);
     }
   }
   function place2() {
@@ -2389,7 +2378,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/worlds/element.js
   var WorldsElement = class extends HTMLElement {
     #leaving = new AbortController();
-    /** @type {Pictures | null} */
     #pictures = null;
     #turn = 0;
     connectedCallback() {
@@ -2400,19 +2388,19 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       });
       const waits = this.scene.querySelector(".carts-predict, .carts-end") !== null;
       if (!waits || "watched" in this.scene.dataset) this.#open();
-      new MutationObserver(() => {
+      const again = new MutationObserver(() => {
         if (this.scene.classList.contains("carts-asks")) this.#close();
-      }).observe(this.scene, { attributeFilter: ["class"] });
+      });
+      again.observe(this.scene, { attributeFilter: ["class"] });
+      signal.addEventListener("abort", () => again.disconnect());
     }
     disconnectedCallback() {
       this.#leaving.abort();
       this.#pictures?.leave();
     }
-    /** @returns {HTMLElement} */
     get scene() {
       return need(document, `carts-scene[id="${this.dataset.for}"]`);
     }
-    /** @returns {World[]} as the lesson names them */
     get worlds() {
       return JSON.parse(need(this, "script").textContent ?? "{}").worlds;
     }
@@ -2444,7 +2432,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#pictures?.leave();
       for (const part of [...this.children]) if (part.localName !== "script") part.remove();
     }
-    /** @param {World} world @param {Element} button */
     async #show(world, button) {
       this.#turn += 1;
       const turn = this.#turn;
@@ -2487,7 +2474,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         );
       }
     }
-    /** @param {Record<string, unknown>} message @returns {Promise<Run>} */
     async #ask(message) {
       const { header, numbers } = await askScene(this.scene, message);
       if (!header.ok) throw refusal(header.problems ?? []);
