@@ -63,6 +63,12 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
         ("def force(overlap, rate):\n    while True:\n        pass\n", 2, "goes on and on"),
         ("def force(overlap, rate):\n    x = 0\n    return 1 / x\n", 3, "ZeroDivisionError"),
         ("import os\ndef force(overlap):\n    return 1\n", 1, "cannot import"),
+        (
+            "def force(overlap):\n    x = [9]\n    x[0] **= 9 ** 8\n    return 1\n",
+            3,
+            "to the power",
+        ),
+        ("def force(overlap):\n    x = f'{1:{9}}'\n    return 1\n", 2, ":{*}"),
     ],
 )
 @pytest.mark.one_browser
