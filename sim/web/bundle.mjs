@@ -78,15 +78,18 @@ const noListeners = {
   },
 };
 
-/** Types are for `tsc`: a line that tells nothing else would stay in the body of a class, and be loaded. */
-const noTypes = {
-  name: "no-types",
+/**
+ * Comments in front of a line are for readers of the source: esbuild drops them, but for those in the body of
+ * a class, which every page would load.
+ */
+const noComments = {
+  name: "no-comments",
   setup(bundler) {
     bundler.onLoad({ filter: /\.js$/ }, ({ path: file }) =>
       file.includes("node_modules")
         ? undefined
         : {
-            contents: readFileSync(file, "utf8").replace(/^ *\/\*\* @.*\*\/\n/gm, ""),
+            contents: readFileSync(file, "utf8").replace(/^ *\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n/gm, ""),
             loader: "js",
           },
     );
@@ -143,7 +146,7 @@ async function make(entry, output) {
     ...shared,
     entryPoints: [entry],
     outfile,
-    plugins: [asText, noListeners, noTypes],
+    plugins: [asText, noListeners, noComments],
   });
 }
 

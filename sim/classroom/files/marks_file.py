@@ -36,7 +36,7 @@ class MarksFileError(ValueError):
 def pseudonym(text: str) -> str:
     """A code word as it is compared: “blue fox 27” and “Blue–Fox–27” are BLUE-FOX-27.
 
-    The rules of a student's browser (sim/web/src/answers/codes.js), to the last sign: two on one
+    The rules of a student's browser (sim/web/src/shared/code-word.js), to the last sign: two on one
     laptop, with + or & between them, stand in one order.
     """
     parts = _AND.split(normalize("NFKC", text).upper())

@@ -175,7 +175,6 @@
         this.#place();
       });
     }
-    /** Where nothing is asked, only the button is wanted: in the page's head, where it covers nothing. */
     #place() {
       const title = outline() ? null : document.querySelector(".md-header__title");
       if (title) title.after(this.root);
@@ -539,10 +538,8 @@
     student = "";
     store = null;
     all = null;
-    /** What this page knows, kept or not: a file can have it all. */
     #known = /* @__PURE__ */ new Map();
     refused = false;
-    /** Whether the browser could not list what was kept before. */
     unread = false;
     #own = /* @__PURE__ */ new Set();
     #writing = /* @__PURE__ */ new Set();
@@ -553,18 +550,15 @@
       this.page = page;
       this.ready = this.#open();
     }
-    /** The key of an answer. @param {string} form @param {string} id */
     key(form2, id) {
       return form2 === "worksheet" ? `${this.page}#${id}` : `${this.page}#${form2}:${id}`;
     }
     get(form2, id) {
       return this.#known.get(this.key(form2, id)) ?? null;
     }
-    /** Every answer of this student that this page sees. @returns {[string, any][]} */
     entries() {
       return [...this.#known];
     }
-    /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
     async put(form2, entry) {
       const blind = !this.store;
       await this.ready;
@@ -582,7 +576,6 @@
         this.dispatchEvent(new CustomEvent("change", { detail: key }));
       }
     }
-    /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns how many are new or changed */
     async take(student, found2) {
       await this.ready;
       if (!this.all) return 0;
@@ -599,7 +592,6 @@
       }
       return changed.length;
     }
-    /** From now on another student works here. @param {string} code @param {boolean} carry with what was answered so far */
     async become(code, carry = false) {
       await this.ready;
       if (!this.all) return;
@@ -611,12 +603,10 @@
       }
       await writeStudent(this.all, code);
     }
-    /** Whether a student has answers here. @param {string} code */
     async has(code) {
       await this.ready;
       return this.all ? (await forStudent(this.all, code).entries()).length > 0 : false;
     }
-    /** Forgets this student's answers, or everybody's. @param {boolean} everybody */
     async forget(everybody) {
       await this.ready;
       await Promise.allSettled(this.#writing);
@@ -628,7 +618,6 @@
       await writeStudent(this.all, "");
       this.#known.clear();
     }
-    /** How much of this page is answered. @param {string[]} forms beside the worksheet */
     progress(forms = []) {
       const items2 = (outline()?.items ?? []).filter(
         ({ id, form: form2, level, type }) => (form2 === "worksheet" || forms.includes(form2)) && level !== "stretch" && type !== "drawn" && !isOptional(id)
@@ -650,7 +639,6 @@
       hearStudent(this.all, (code) => code !== this.student && location.reload());
       document.addEventListener("carts-kept", () => void this.refresh());
     }
-    /** What is kept under a key that this page does not know. @param {string} key */
     async #before(key) {
       try {
         return await this.store?.get(key);
@@ -669,7 +657,6 @@
         }
       }
     }
-    /** Takes in what another script has kept. */
     async refresh() {
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
@@ -683,7 +670,6 @@
         throw error;
       }
     }
-    /** Another tab wrote something. @param {string} key */
     async #hear(key) {
       this.#own.delete(key);
       const entry = await this.store?.get(key).catch(() => null);
@@ -710,13 +696,18 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/shared/code-word.js
+  function codeWord(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
+    return [...new Set(parts)].sort().join("+");
+  }
+
   // src/answers/codes.js
   var MOST = 80;
   var HAN = new RegExp("\\p{Script=Han}", "u");
   function readCode(typed) {
-    const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
-    const codes = [...new Set(parts)].sort();
-    const code = codes.join("+");
+    const code = codeWord(typed);
+    const codes = code.split("+");
     if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
     if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
     if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
@@ -1427,7 +1418,6 @@
           [...this.querySelectorAll("carts-question")]
         );
       }
-      /** Shows the form, or why it is closed. */
       #follow() {
         const { handed, words: words3 } = this.state;
         const now = /* @__PURE__ */ new Date();
@@ -1515,7 +1505,6 @@
           new CustomEvent("carts-handed-in", { bubbles: true, detail: this.facts.form })
         );
       }
-      /** The code for paper, or nothing where the form is too long or has other kinds of items. */
       #code() {
         const options = this.facts.items.map((item2) => item2[1]);
         if (!fits(options)) return "";
@@ -1948,11 +1937,6 @@
   };
   var SHOW_AFTER = 3;
   var Feedback = class {
-    /**
-     * @param {HTMLElement} root the question, with its facts
-     * @param {() => Tried | null} attempt
-     * @param {(shown: string[], verdict: string) => void} marked what was found: parts that are marked one by one, and the whole
-     */
     constructor(root, attempt, marked = () => {
     }) {
       this.marked = marked;
@@ -1978,12 +1962,10 @@
         more.disabled = !hints.some((hint) => hint.hidden);
       });
     }
-    /** The answer has changed: what was said is about another one. */
     stale() {
       this.place.replaceChildren();
       delete this.root.dataset.verdict;
     }
-    /** Says once more what was said to this answer, as when a page is opened again; not aloud. @param {Tried} tried @returns {string[]} the parts marked one by one */
     again(tried) {
       this.place.setAttribute("aria-live", "off");
       return this.#show(tried)[0];
@@ -2255,7 +2237,6 @@
         put(node, "tabindex", other === k ? "0" : "-1");
       this.nodes[k]?.focus();
     }
-    /** The first of two, the same again, or the second. @param {number} k */
     #choose(k) {
       if (!this.#open) return;
       const first = this.#picked;
@@ -2279,14 +2260,12 @@
       });
       say(this.status, first === null ? "" : words3);
     }
-    /** The box under the pointer, −1 for none. @param {PointerEvent} event */
     #under({ clientX: x, clientY: y }) {
       return this.nodes.findIndex((node) => {
         const { left, right, top, bottom } = node.getBoundingClientRect();
         return left <= x && x <= right && top <= y && y <= bottom;
       });
     }
-    /** A line that follows the pointer. @param {number} k @param {PointerEvent} event */
     #rubber(k, event) {
       const from = this.#centre(k);
       const box = this.picture.getBoundingClientRect();
@@ -2900,15 +2879,12 @@
         whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)), signal);
         if (this.#ready) wait(this, this.answered, signal);
       }
-      /** Whether this question has an answer now. */
       get answered() {
         return !isEmpty(this.#form?.value);
       }
-      /** The answer as it stands. */
       get value() {
         return this.#form?.value ?? null;
       }
-      /** No more changes: the form was handed in, or is over. @param {boolean} closed */
       close(closed) {
         this.closed = closed;
         this.#enable();
@@ -2938,7 +2914,6 @@
         this.#form?.follow?.(book2);
         wait(this, this.answered, this.#leaving.signal);
       }
-      /** Shows what is kept; an answer to another version of the question is shown beside it. */
       #show() {
         const found2 = book2.get(this.formName ?? "worksheet", this.facts.id);
         if (!found2 || !this.#form) return;
@@ -3005,7 +2980,6 @@
       #keptWord() {
         return book2.store?.kind === "memory" ? NOT_SAVED : tr("Saved");
       }
-      /** One press on Check: what was answered, and the run that it was read off. */
       #attempt() {
         const problem = this.#form?.problem?.() ?? "";
         if (!this.answered || problem) {
@@ -3023,7 +2997,6 @@
         this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
         return this.#tried();
       }
-      /** The answer as it was checked. */
       #tried() {
         const { own = null, tries = 0 } = this.#entry;
         return { value: this.#form?.value, own, tries };
@@ -3032,7 +3005,6 @@
         this.#form?.marked?.(shown);
         this.#keepAs(checked(this.#entry, verdict));
       }
-      /** The answer in words, for paper. */
       #print() {
         const said = this.#form?.said() ?? "";
         const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);

@@ -248,19 +248,16 @@
     speed = 1;
     slow = true;
     until = 1;
-    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
     seen = Infinity;
     ended = () => {
     };
     // what to do at the end of the run
-    /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
     parts = [];
     halts = [];
     halting = false;
     stops = [];
-    /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
     #waited = 0;
     // s since the last still
@@ -303,12 +300,10 @@
       if (t3 <= 0) this.own = 0;
       this.#tell(this.time, false);
     }
-    /** Goes there, watched or not. @param {number} t in s */
     show(t3) {
       this.seen = Math.max(this.seen, t3);
       this.seek(t3);
     }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count2 = 1) {
       this.pause();
       const start = this.time;
@@ -706,7 +701,6 @@
         say(place4, digitText(digits[place4.getAttribute("data-of") ?? ""]));
       }
     }
-    /** Rings the row that the reader has chosen, if it has been measured. @param {CostRow | undefined} row */
     mark(row) {
       const error = row ? errorOf(row) : null;
       put(this.ring, "visibility", row && error !== null ? "visible" : "hidden");
@@ -868,7 +862,6 @@
       this.#plot(column(1 + 2 * count2), column(2 + 2 * count2));
       this.at(0);
     }
-    /** The room that the exact run takes, and some more; the stepped one may leave the picture. */
     #lay() {
       const { bodies, track } = (
         /** @type {CostHeader} */
@@ -960,7 +953,6 @@
         this.cursor
       );
     }
-    /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
     at(time) {
       const times2 = this.t ?? [];
       let k = times2.findLastIndex((t3) => t3 <= time);
@@ -1017,7 +1009,6 @@
       #facts = null;
       rows = [];
       run = null;
-      /** Resolves when the newest measurement is complete or was stopped. @type {Promise<void>} */
       complete = Promise.resolve();
       #generation = 0;
       #measuring = 0;
@@ -1075,10 +1066,6 @@
       get #scene() {
         return this.#facts?.scenes[this.#select("scene").value];
       }
-      /**
-       * Runs the chosen scene with the chosen method, or a point of the map; resolves when it is drawn.
-       * @param {{scene: object, method: string, parts: number, told: string}} [point]
-       */
       async compute(point) {
         this.#generation += 1;
         const generation = this.#generation;
@@ -1122,7 +1109,6 @@
         this.complete = this.#measure();
         return this.complete;
       }
-      /** Leaves a measurement where it is; what was measured stays. */
       stop() {
         if (!this.#measuring) return;
         this.#measuring = 0;
@@ -1157,7 +1143,6 @@
           if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, false);
         }
       }
-      /** Another scene: the measurements were those of the one before. */
       #newScene() {
         this.stop();
         const known2 = this.#facts?.measured[this.#select("scene").value];
@@ -1175,7 +1160,6 @@
         const lines4 = rows.map((row) => cells(row, until));
         fill(need(this, ".carts-cost-table table"), lines4);
       }
-      /** The ring stands where the chosen method and step were measured. */
       #mark() {
         const [method, rtol, parts2] = ["method", "rtol", "step"].map(
           (one) => this.#select(one).value
@@ -1287,9 +1271,7 @@
   function hardElement(client2) {
     return class CartsHard extends HTMLElement {
       #cases = null;
-      /** Answers by the name of the case. @type {Record<string, Answer>} */
       answers = {};
-      /** Resolves when the newest turn is complete or was stopped. @type {Promise<void>} */
       complete = Promise.resolve();
       #turn = 0;
       connectedCallback() {
@@ -1309,7 +1291,6 @@
       disconnectedCallback() {
         this.stop();
       }
-      /** Leaves it where it is; what was run stays. */
       stop() {
         if (!this.#turn) return;
         this.#turn = 0;
@@ -2057,10 +2038,6 @@
   var Switches = class {
     #boxes = /* @__PURE__ */ new Map();
     #header = null;
-    /**
-     * @param {HTMLElement} root @param {{set: string, value: boolean}[]} switches
-     * @param {(target: string, value: boolean, at: number) => void} change `at`: time of the input
-     */
     constructor(root, switches, change2) {
       for (const { set } of switches) {
         const box2 = (
@@ -2075,7 +2052,6 @@
     enable(on) {
       for (const box2 of this.#boxes.values()) box2.disabled = !on;
     }
-    /** Shows what acts in the run on screen. @param {Header} header */
     show(header) {
       this.#header = header;
       for (const [set, box2] of this.#boxes) {
@@ -2088,7 +2064,6 @@
         ).hidden = true;
       }
     }
-    /** A switch that was refused goes back, and says why. @param {string} target @param {string} message @returns {boolean} whether there is such a switch */
     complain(target, message) {
       const box2 = this.#boxes.get(target);
       if (!box2) return false;
@@ -2133,7 +2108,6 @@
       for (const view of this.#views.values()) view.enable(on);
       this.switches.enable(on);
     }
-    /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("../../../view/types.js").Header} header */
     show(settings, header) {
       this.switches.show(header);
       for (const [target, view] of this.#views) {
@@ -2142,7 +2116,6 @@
         view.show(Number.isFinite(number) ? view.shown(number) : view.control.value);
       }
     }
-    /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
     take(target, value, at3) {
       this.#views.get(target)?.take(value, at3);
     }
@@ -2301,7 +2274,6 @@
       this.box.value = this.text(place4).replace("−", "-");
       this.#complain("");
     }
-    /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
     speak(place4, value) {
       put(this.slider, "aria-valuetext", `${this.text(place4)} ${this.axis.unit}: ${value}`);
     }
@@ -2543,7 +2515,6 @@
       put(point, "cy", px(Number.isNaN(y2) ? BOTTOM3 : y2));
       put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
     }
-    /** The canvas lies between the picture, which it hides, and the cross. */
     #laid() {
       const canvas = (
         /** @type {HTMLCanvasElement} */
@@ -2724,11 +2695,9 @@
       disconnectedCallback() {
         this.#leaving.abort();
       }
-      /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
       get grid() {
         return this.#grid;
       }
-      /** The chosen point: SI values by path. @returns {Record<string, number>} */
       get point() {
         const chosen = this.#axes.map(({ axis: axis2, values }, k) => [
           axis2.set,
@@ -2736,23 +2705,16 @@
         ]);
         return Object.fromEntries(chosen);
       }
-      /** The value at the chosen point, in SI; NaN where there is none. */
       get value() {
         return this.#valueAt(this.#places);
       }
-      /** Resolves when no point is left to be run. */
       get complete() {
         return this.#filling;
       }
-      /** Resolves when the map is live; never rejects: a failure is told in the map. */
       open() {
         this.#opening ??= this.#open();
         return this.#opening;
       }
-      /**
-       * Changes what all points have in common and resolves when the new map is drawn.
-       * @param {Record<string, number | string>} changes @param {number} at time of the input
-       */
       async set(changes2, at3 = performance.now()) {
         const settings = { ...this.#settings, ...changes2 };
         await this.#compute(settings, at3);
@@ -2795,10 +2757,6 @@
         say(note2, message);
         note2.hidden = !message;
       }
-      /**
-       * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
-       * @param {Record<string, number | string>} settings @param {number} at
-       */
       async #compute(settings, at3) {
         this.#generation += 1;
         const generation = this.#generation;
@@ -2813,11 +2771,6 @@
         waited("carts:map", at3);
         this.#filling = this.#fill(settings, first.header.done, runs, generation);
       }
-      /**
-       * The points that have to be run one by one, slice after slice, drawn as they come.
-       * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
-       * @param {number} generation
-       */
       async #fill(settings, done, runs, generation) {
         while (done < runs) {
           showProgress(this, done, runs);
@@ -2899,15 +2852,9 @@
       super();
       this.start = start;
     }
-    /** Starts Python if nobody has yet. */
     wake() {
       if (this.state === "idle") void this.#boot();
     }
-    /**
-     * Has packages that no scene of the page called for. A second Python starts with them and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
-     * @param {string[]} names @returns {Promise<void>}
-     */
     need(names) {
       if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
       const before = this.#asked;
@@ -2929,18 +2876,12 @@
       this.#become("ready");
       this.#next();
     }
-    /** Resolves when Python is not just starting. @returns {Promise<void>} */
     #settled() {
       if (this.state !== "starting") return Promise.resolve();
       return new Promise((resolve) => {
         this.addEventListener("state", () => resolve(this.#settled()), { once: true });
       });
     }
-    /**
-     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
-     * both promises then get the newer answer.
-     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
-     */
     ask(owner, message) {
       if (this.state === "failed") return Promise.reject(this.error);
       this.wake();
@@ -3004,7 +2945,6 @@
       if (this.#restarts > RESTARTS) this.#fail(reason);
       else void this.#boot();
     }
-    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
     #use(runtime) {
       const older = this.#runtime;
       runtime.onlost = (reason) => this.#lost(runtime, reason);
@@ -3012,7 +2952,6 @@
       older?.stop();
       this.#takeBack();
     }
-    /** The request under way waits again, in front: whoever could answer it is gone. */
     #takeBack() {
       const job = this.#flying;
       this.#flying = null;
@@ -3066,11 +3005,6 @@
     stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
-    /**
-     * @param {Reason} reason
-     * @param {string} [detail]
-     * @param {string} [file] the payload that is missing or damaged
-     */
     constructor(reason, detail = "", file = "") {
       super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
       this.name = "RuntimeFailure";
@@ -3233,11 +3167,6 @@
         reject(new RuntimeFailure("worker-refused", event.message));
       };
     }
-    /**
-     * @param {string} name
-     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts gzip; given away
-     * @returns {Promise<ArrayBuffer>} one that never comes has been told of
-     */
     async unpack(name2, parts2) {
       const unpacked = new Promise((resolve) => this.waiting.set(name2, resolve));
       for (const [number, part] of parts2.entries()) {
@@ -3295,12 +3224,6 @@
   var MORE = "python-more.zip";
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
-    /**
-     * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
-     *   progress after which it is given up
-     * @param {boolean} snapshot
-     */
     constructor({ folder, index, packages: packages2, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
@@ -3315,7 +3238,6 @@
       this.names = this.files();
       this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
     }
-    /** The files to load, the most urgent first. */
     files() {
       const { index, packages: packages2, snapshot } = this;
       const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
@@ -3326,7 +3248,6 @@
       if (names.every((name2) => name2 in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages2.join());
     }
-    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages: packages2, snapshot } = this;
       if (!snapshot) return [index.package, ...packages2];
@@ -3354,12 +3275,6 @@
         this.unpacker?.stop();
       }
     }
-    /**
-     * All parts of a file are asked for at once and come in any order.
-     * @param {string} name
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
-     */
     load(name2, reject) {
       return this.index.files[name2].parts.map(async (part, number) => {
         try {
@@ -3386,11 +3301,6 @@
     get fraction() {
       return 0.9 * this.done / this.total;
     }
-    /**
-     * @param {Unpacker} unpacker
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<any>}
-     */
     async boot(unpacker, reject) {
       const load = (name2) => this.load(name2, reject);
       const loading = load(LOADER);
@@ -3483,12 +3393,6 @@
         this.lose("worker-lost", event.message);
       };
     }
-    /**
-     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
-     *   reader knows that it takes long and can stop it
-     * @returns {Promise<Answer>}
-     */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
@@ -3499,7 +3403,6 @@
         if (this.queue.length === 1) this.send();
       });
     }
-    /** Ends Python. What is under way is rejected. */
     stop() {
       this.end("stopped", "");
     }
@@ -4148,7 +4051,6 @@
         names.length ? "" : tr("In this run no two touch for a time that can be read off.")
       );
     }
-    /** The forces are shown at once where one was found before. */
     async restore() {
       const kept = await keptOnPage(this.id);
       if (kept?.type !== TYPE) return;
@@ -4156,7 +4058,6 @@
       this.#found = new Map(kept.found);
       if (this.#run) this.#tell();
     }
-    /** Shows all forces once those on both bodies of a contact were found; else says what is left. */
     #tell() {
       const keys = [...this.#found.keys()];
       const whole = keys.some((key) => {
@@ -4611,7 +4512,6 @@
       });
       need(root, ".carts-forget-yes").addEventListener("click", forget);
     }
-    /** Shows the button: a prediction is locked. */
     offer() {
       this.row.hidden = false;
     }
@@ -4672,10 +4572,6 @@
   var MOST2 = 10;
   var ArrowsForm = class {
     #rows;
-    /**
-     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
-     * @param {(guesses: Guess[]) => void} draw @param {() => void} changed
-     */
     constructor(root, baked, draw, changed) {
       this.full = baked.view.force || 10;
       this.decimals = baked.view.decimals.F ?? 2;
@@ -4726,7 +4622,6 @@
         box2.disabled = !on;
       }
     }
-    /** Handles in the picture. */
     ready() {
       this.#picture();
     }
@@ -4743,7 +4638,6 @@
         names: missing.map(name).join(", ")
       });
     }
-    /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("../../../view/types.js").Run} run */
     compare(run) {
       this.draw([]);
       const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
@@ -4791,7 +4685,6 @@
       );
       return [...tables, html("p", "", text)];
     }
-    /** While typing only what makes sense is taken. @param {Row} row @param {() => void} changed @param {boolean} done */
     #typed(row, changed, done) {
       const read = readTyped(row.box.value);
       let problem = "";
@@ -4814,7 +4707,6 @@
     #range() {
       return tr("0 to {most} N, please.", { most: short(MOST2 * this.full) });
     }
-    /** Goes back to the last good size; what was typed stays in the box to be mended. */
     #restore(row, changed) {
       if (row.size === row.good) return;
       if (row.good === null) row.size = null;
@@ -5028,7 +4920,6 @@
       }
       return [html("p", "", seen.title), list];
     }
-    /** The force during the first contact. @param {import("../../../view/types.js").Run} run */
     #force({ header, trajectory: { t: t3, F: F2, dF } }) {
       const touch = touches(header.events, header.until).find(
         ({ bodies }) => bodies.includes(this.cart)
@@ -5046,7 +4937,6 @@
       );
       return { values, title };
     }
-    /** Velocity, or the way from the start, during the whole run. @param {import("../../../view/types.js").Run} run */
     #motion({ header, trajectory: { t: t3, x: x2, v: v2, a: a2 } }) {
       const [values, slopes] = this.quantity === "v" ? [v2, a2] : [x2, v2];
       const start = this.quantity === "v" ? 0 : Number(values[this.cart]?.[0]);
@@ -5096,11 +4986,6 @@
       this.root = root;
       this.saved = need(root, ".carts-saved");
     }
-    /**
-     * Resolves with what the reader left here before, where it answers what is asked today; else null.
-     * @param {Entry} entry as it is before @param {(found: Entry) => void} elsewhere what to do with what another tab keeps
-     * @returns {Promise<Entry | null>}
-     */
     async open({ id, type }, elsewhere) {
       const { site, page: page2 } = place2();
       const key = `${page2}#${id}`;
@@ -5143,10 +5028,6 @@
   // src/predict/relative.js
   var RelativeArrows = class {
     #rows;
-    /**
-     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
-     * @param {(guesses: import("./arrows.js").Guess[]) => void} draw @param {() => void} changed
-     */
     constructor(root, baked, draw, changed) {
       this.full = baked.view.force || 10;
       this.draw = draw;
@@ -5184,7 +5065,6 @@
     enable(on) {
       for (const { slider } of this.#rows) slider.disabled = !on;
     }
-    /** Handles in the picture. */
     ready() {
       this.#show();
     }
@@ -5195,7 +5075,6 @@
         names: missing.join(", ")
       });
     }
-    /** Both pairs of arrows, the longest of each as long as the other: lengths are compared, not newtons. @param {Run} run */
     compare(run) {
       this.draw([]);
       return this.#pairs.map((rows) => {
@@ -5389,12 +5268,6 @@
   var Predict = class {
     #entry;
     #keeping;
-    /**
-     * @param {HTMLElement} root of the prediction @param {Baked} baked
-     * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
-     * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
-     * @param {() => void} forgotten what to do once the prediction is forgotten
-     */
     constructor(root, baked, draw, locked, forgotten) {
       const spec = (
         /** @type {import("../../../view/types.js").PredictSpec} */
@@ -5448,20 +5321,17 @@
     get watched() {
       return Boolean(this.#entry.watched);
     }
-    /** Brings back what the reader left here before. */
     async restore() {
       const found3 = await this.#keeping.open(this.#entry, (found4) => this.#elsewhere(found4));
       this.#back(found3 ?? this.#entry);
       if (found3) say(this.#keeping.saved, tr("Saved."));
     }
-    /** Another tab has kept this prediction. What is locked here stays so. @param {Entry} found */
     #elsewhere(found3) {
       if (!this.isLocked) return this.#back(found3);
       if (!found3.locked) return;
       this.#entry = found3;
       if (this.watched) this.why.show(found3.why ?? "");
     }
-    /** The page with what the reader said before. @param {Entry} entry */
     #back(entry2) {
       this.#entry = entry2;
       if (entry2.value !== null) this.form.value = entry2.value;
@@ -5475,7 +5345,6 @@
       this.again.offer();
       this.locked(false);
     }
-    /** Shows the prediction beside the run. @param {Run} run */
     compare(run) {
       const place4 = need(this.root, ".carts-compared");
       place4.replaceChildren(...this.form.compare(run));
@@ -5536,7 +5405,6 @@
       await this.#keep();
       this.talk.show(true, true);
     }
-    /** After talking: once more, and then the run. */
     #change() {
       this.#entry.before = { value: this.#entry.value, said: this.form.said };
       this.talk.show(false, true);
@@ -5556,7 +5424,6 @@
       this.again.offer();
       this.locked(true);
     }
-    /** The prediction in words, as the list of answers shows it. */
     #told() {
       const { before, why, now } = this.#entry;
       const parts2 = [this.form.said];
@@ -5732,10 +5599,6 @@
   var TOLERANCES = [1e-3, 1e-6, 1e-9, 1e-12];
   var ADAPTIVE2 = ["rk45", "adaptive"];
   var HowPanel = class {
-    /**
-     * @param {HTMLElement} place @param {boolean} scipy whether the page can have it
-     * @param {() => void} changed when the reader chooses a method or a step
-     */
     constructor(place4, scipy, changed) {
       this.until = 1;
       this.plan = html("ol", "carts-how-plan");
@@ -5798,7 +5661,6 @@
       this.tell([]);
       say(this.note, "");
     }
-    /** The plan of the exact run. @param {Run} run @param {number} decimals */
     show({ header }, decimals) {
       this.until = header.until;
       this.#size();
@@ -5821,7 +5683,6 @@
       });
       this.told.replaceChildren(...rows);
     }
-    /** The slider fits the method. */
     #range() {
       const adaptive = ADAPTIVE2.includes(this.method.value);
       const kind = adaptive ? TOLERANCE : STEP3;
@@ -5860,11 +5721,6 @@
     #measuring = {};
     // an owner of its own: a measurement is no newer run
     #proof = null;
-    /**
-     * @param {HTMLElement} root @param {import("../scene-view.js").SceneView} view
-     * @param {import("../../runtime/client.js").Client} client
-     * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
-     */
     constructor(root, view, client2, message) {
       this.root = root;
       this.view = view;
@@ -5874,7 +5730,6 @@
       need(root, ".carts-how");
       this.details.addEventListener("toggle", () => this.#opened());
     }
-    /** A new exact run: it is shown, or its scene step by step. @param {Run} run */
     async follow(run) {
       this.#exact = run;
       this.#turn += 1;
@@ -5883,7 +5738,6 @@
       if (this.#panel?.choice) await this.#step();
       else this.#showExact();
     }
-    /** Back to exact, from the next run on. */
     reset() {
       this.#panel?.reset();
       this.#turn += 1;
@@ -5893,7 +5747,6 @@
       this.#sign = null;
       if (this.#exact) this.view.show(this.#exact);
     }
-    /** Where it is open, it tells of the run that is there now. */
     #opened() {
       clearTimeout(this.#timer);
       const run = this.#exact ?? this.view.run;
@@ -5937,7 +5790,6 @@
         if (this.#panel) say(this.#panel.cost, NO_PYTHON);
       }
     }
-    /** The reader chose a method or a step. */
     async #chosen() {
       this.#turn += 1;
       if (this.#panel?.choice) return this.#step();
@@ -6002,10 +5854,6 @@
     #timer = 0;
     #owner = {};
     // of its own: an estimate is no newer run
-    /**
-     * @param {HTMLElement} root @param {import("../runtime/client.js").Client} client
-     * @param {() => Record<string, unknown>} message a request about the scene as it is now
-     */
     constructor(root, client2, message) {
       this.client = client2;
       this.message = message;
@@ -6013,7 +5861,6 @@
       need(root, ".carts-model");
       this.details.addEventListener("toggle", () => this.#opened(0));
     }
-    /** Another run is there: what stands open is told anew. @param {Run} run */
     follow(run) {
       this.#run = run;
       this.#turn += 1;
@@ -6798,11 +6645,6 @@ ${lines4.join("\n")}
     ["program", tr("Python program")]
   ];
   var TakeAlong = class {
-    /**
-     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
-     * @param {() => State} state of the scene now
-     * @param {() => Promise<string>} program the scene's model as a text that Python writes
-     */
     constructor(root, baked, state, program) {
       const place4 = need(root, ".carts-take");
       const { fence } = baked;
@@ -6955,7 +6797,6 @@ ${lines4.join("\n")}
       this.#waiting.promise.catch(() => {
       });
     }
-    /** Resolves when Python has answered for this scene; rejects when it cannot start. */
     get ready() {
       return this.#waiting.promise;
     }
@@ -6963,14 +6804,12 @@ ${lines4.join("\n")}
       this.client.addEventListener("state", () => this.follow(), { signal });
       this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
     }
-    /** The picture stands: Python starts at the first touch at the latest. */
     still() {
       for (const kind of ["pointerdown", "keydown", "focusin"]) {
         this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
       }
       requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
     }
-    /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
     #slow() {
       if (this.element.dataset.state !== "starting") return;
       const told3 = slow(this.acts.stepwise());
@@ -6981,7 +6820,6 @@ ${lines4.join("\n")}
       this.#waiting.promise.then(over).catch(() => {
       });
     }
-    /** Follows the page's worker. */
     follow() {
       const { state } = this.client;
       const { dataset } = this.element;
@@ -7028,10 +6866,6 @@ ${lines4.join("\n")}
   var TEXT_AT = 8;
   var Prepared = class {
     #loading = null;
-    /**
-     * @param {HTMLElement} scene @param {import("../../../view/types.js").Control[]} controls
-     * @param {string} folder address of the scripts, with a slash at its end
-     */
     constructor(scene, controls, folder) {
       const { parts: parts2 = [], stops = {} } = JSON.parse(scene.dataset.prepared ?? "{}");
       this.parts = parts2;
@@ -7040,15 +6874,9 @@ ${lines4.join("\n")}
       this.controls = controls;
       this.folder = folder;
     }
-    /** Whether there are any that this browser can read. */
     get there() {
       return this.parts.length > 0 && typeof DecompressionStream === "function";
     }
-    /**
-     * The prepared run whose values are nearest. Rejects with a sentence for the reader where the
-     * change is of another kind, and where the runs cannot be loaded.
-     * @param {Settings} wanted @returns {Promise<Found>}
-     */
     async nearest(wanted) {
       this.#loading ??= this.#load();
       const table = await this.#loading;
@@ -7126,7 +6954,6 @@ ${lines4.join("\n")}
       this.#last = { target, at: now };
       Object.assign(this.wanted, changes2);
     }
-    /** A refused value goes back to the last good one. @param {Settings} changes */
     giveUp(changes2) {
       for (const [key, value] of Object.entries(changes2)) {
         if (this.wanted[key] !== value) continue;
@@ -7138,7 +6965,6 @@ ${lines4.join("\n")}
       this.#before.pop();
       this.#last.target = "";
     }
-    /** Other values in the place of all, as one change. @param {Settings} changes */
     replace(changes2) {
       this.#before.push({ ...this.wanted });
       this.wanted = { ...changes2 };
@@ -7147,7 +6973,6 @@ ${lines4.join("\n")}
     get canUndo() {
       return this.#before.length > 0;
     }
-    /** Goes back by one change; the caller then asks for a run. */
     undo() {
       this.wanted = this.#before.pop() ?? {};
       this.#last.target = "";
@@ -7172,17 +6997,11 @@ ${lines4.join("\n")}
     // of resets: what was asked for before one is not shown after it
     #asked = 0;
     // changes and resets so far: a prepared run is shown for the newest only, and before the exact one
-    /**
-     * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
-     * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void}} acts
-     *   `scene` as its author wrote it; `draw` resolves when the run is on the page; `say`: a message for the reader
-     */
     constructor(owner, client2, acts) {
       this.owner = owner;
       this.client = client2;
       this.acts = acts;
     }
-    /** Answers others of the page. @param {AbortSignal} signal */
     hear(signal) {
       const owner = {};
       const answer = ({ detail }) => {
@@ -7191,15 +7010,12 @@ ${lines4.join("\n")}
       };
       this.owner.addEventListener(ASKED, answer, { signal });
     }
-    /** Whether there are runs that need no Python. */
     get stepwise() {
       return Boolean(this.prepared?.there);
     }
-    /** The values that a slider can take where there is no Python. @param {string} target @returns {number[] | undefined} in its unit */
     stops(target) {
       return this.client.state === "failed" ? this.prepared?.stops[target] : void 0;
     }
-    /** Draws the run of changed values. @param {Settings} changes to be given up if they are refused @param {number} at time of the input, for the measure */
     async compute(changes2, at3) {
       this.#asked += 1;
       if (this.client.state === "idle" || this.client.state === "starting") void this.#meanwhile();
@@ -7213,7 +7029,6 @@ ${lines4.join("\n")}
       this.values.undo();
       this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
     }
-    /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
     preset(changes2) {
       this.values.replace(changes2);
       return this.compute(changes2, performance.now()).then(
@@ -7224,7 +7039,6 @@ ${lines4.join("\n")}
         }
       );
     }
-    /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
     async ask(changes2 = {}) {
       const generation = this.#generation;
       const { header, numbers, set } = await this.#answer().catch((error) => {
@@ -7240,7 +7054,6 @@ ${lines4.join("\n")}
       if (this.client.state === "failed") this.values.wanted = { ...set };
       return { header, trajectory: fromWire(header, numbers) };
     }
-    /** Python's answer, or where it has failed the nearest of the prepared runs. */
     async #answer() {
       try {
         const { header, numbers, sent } = await this.client.ask(this.owner, () => {
@@ -7252,7 +7065,6 @@ ${lines4.join("\n")}
         return this.prepared.nearest(this.values.wanted);
       }
     }
-    /** Shows the nearest prepared run if nothing newer has come before it. */
     async #meanwhile() {
       if (!this.prepared?.there) return;
       const asked3 = this.#asked;
@@ -7262,7 +7074,6 @@ ${lines4.join("\n")}
       const { header, numbers } = found3;
       await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
     }
-    /** Back to the values that the scene came with. */
     reset() {
       this.#generation += 1;
       this.#asked += 1;
@@ -7311,7 +7122,6 @@ ${lines4.join("\n")}
       this.world = need(root, ".carts-world");
       this.region = need(root, ".carts-announcer");
     }
-    /** After a lock its button is gone: the next thing to do is there, and the run begins in sight. @param {HTMLElement} next @param {string} sentence */
     leadTo(next, sentence) {
       const focused = document.activeElement;
       if (!focused || focused === document.body || focused.matches(".carts-lock")) {
@@ -7387,11 +7197,6 @@ ${lines4.join("\n")}
   // src/scene/drag.js
   var Drag = class {
     #held = null;
-    /**
-     * @param {SVGElement} stage @param {Layout} layout @param {import("../../../view/types.js").Baked} baked
-     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
-     *   value: of the run that is shown, in SI
-     */
     constructor(stage, layout, baked, acts) {
       const { controls } = baked.fence;
       for (const { name: name2 } of baked.run.header.bodies) {
@@ -7621,7 +7426,6 @@ ${lines4.join("\n")}
       const cell3 = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
       if (cell3) say(cell3, text);
     }
-    /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
     #roomFor({ header }) {
       const weights = header.bodies.map(({ mass }) => mass * header.gravity);
       const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
@@ -7704,7 +7508,6 @@ ${lines4.join("\n")}
         redraw();
       });
     }
-    /** What one metre of the picture takes on the screen, in units of this drawing. */
     #measure() {
       for (const layout of this.view.layouts) {
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
@@ -7716,7 +7519,6 @@ ${lines4.join("\n")}
       }
       this.#enlarge();
     }
-    /** As large as this run allows, and a bar that tells how large. */
     #enlarge() {
       const give = this.#run ? wallGives(this.#run) : 0;
       const room = WIDTH5 / 2 - MARGIN;
@@ -8163,7 +7965,6 @@ ${lines4.join("\n")}
       this.#told = wanted;
       this.root.replaceChildren(...curves.map(entry), ...note2 ? [html("span", "", note2)] : []);
     }
-    /** Something else was written in its place. */
     forget() {
       this.#told = "";
     }
@@ -8251,10 +8052,6 @@ ${lines4.join("\n")}
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals.energy ?? 3;
     }
-    /**
-     * @param {Run} run @param {boolean} open whether the ledger is seen
-     * @param {() => void} changed when it can be drawn, if not at once
-     */
     show(run, open2, changed) {
       const { events, until } = run.header;
       if (!this.asks) {
@@ -8427,7 +8224,6 @@ ${lines4.join("\n")}
     #plane = planeFor([0, 1], [0, 1]);
     #dots = [];
     behind = null;
-    /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
     drawn = () => {
     };
     #pressed = false;
@@ -8437,10 +8233,6 @@ ${lines4.join("\n")}
     #seen = Infinity;
     // s, as far as the run was watched
     #window = null;
-    /**
-     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
-     * @param {(t: number) => void} seek when the reader points at a time
-     */
     constructor(root, baked, seek) {
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
@@ -8483,13 +8275,11 @@ ${lines4.join("\n")}
       this.#draw(t3);
       this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
     }
-    /** Draws the curves as far as they were watched. @param {number} seen in s */
     grow(seen) {
       this.#seen = seen;
       this.table.grow(seen);
       if (this.#run) seen === Infinity ? this.#draw(this.#t) : this.#lines(this.#run);
     }
-    /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window, t3) {
       this.#window = window;
       if (this.#run) this.#draw(t3);
@@ -8569,7 +8359,6 @@ ${lines4.join("\n")}
       }
       this.at(t3);
     }
-    /** The curves, up to what was seen. @param {Run} run */
     #lines(run) {
       const group2 = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve2, i2) => {
@@ -9023,7 +8812,6 @@ ${lines4.join("\n")}
       }
       this.#names(told3);
     }
-    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
     #names(told3) {
       const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
@@ -9053,7 +8841,6 @@ ${lines4.join("\n")}
         }
       }
     }
-    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull(told3) {
       return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
@@ -9084,7 +8871,6 @@ ${lines4.join("\n")}
       write3(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
-    /** Where names may stand: between the walls. @returns {[number, number]} */
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
@@ -9151,10 +8937,6 @@ ${lines4.join("\n")}
       };
       return { left: at3("left"), right: at3("right") };
     }
-    /**
-     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
-     * @param {number} shift of the picture to the left, in units
-     */
     at(pressed, shift) {
       const lines4 = this.#walls.map(({ side, wall, group: group2 }) => {
         const { dent, height } = pressed[side];
@@ -9192,7 +8974,6 @@ ${lines4.join("\n")}
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
-    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       const { layout, view } = this;
@@ -9228,7 +9009,6 @@ ${lines4.join("\n")}
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
-    /** Draws the instant t. @param {number} t in s */
     at(t3) {
       const { header, trajectory } = this.#run;
       const shift = this.camera * t3;
@@ -9295,11 +9075,6 @@ ${lines4.join("\n")}
         (name2) => Number(centres[header.bodies.findIndex((body2) => body2.name === name2)])
       );
     }
-    /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
-     * the tip to pull it by; of one that is not drawn yet, the handle.
-     * @param {import("../predict/arrows.js").Guess[]} guesses
-     */
     guess(guesses) {
       const { header } = this.#run;
       const group2 = need(this.root, '[data-part="guess"]');
@@ -9336,7 +9111,6 @@ ${lines4.join("\n")}
       });
       group2.replaceChildren(...parts2);
     }
-    /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
     #mass(name2, box2, lift) {
       const mass = need(this.root, `.carts-mass[data-body="${name2}"]`);
       put(mass, "y", px(this.layout.track - lift + box2.labelY));
@@ -9499,7 +9273,6 @@ ${lines4.join("\n")}
       this.#listed = -1;
       this.grow(this.#seen);
     }
-    /** Lists what has happened by then; what the model is made of is told at the end. @param {number} seen in s */
     grow(seen) {
       this.#seen = seen;
       const seenOnes = this.told.filter(({ t: t3 }) => t3 <= seen);
@@ -9536,7 +9309,6 @@ ${lines4.join("\n")}
       item.append(button, " ", html("span", "", sentence));
       return item;
     }
-    /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before, now) {
       return this.told.filter(({ t: t3 }) => t3 > before && t3 <= now).map(({ sentence }) => sentence);
     }
@@ -9575,7 +9347,6 @@ ${lines4.join("\n")}
       this.#seen = seen;
       if (this.#until) this.#mark();
     }
-    /** Bands and ticks of what was seen. */
     #mark() {
       const at3 = (t3) => `${px(100 * t3 / this.#until, 3)}%`;
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
@@ -9624,12 +9395,7 @@ ${lines4.join("\n")}
   var Drawing = class {
     run;
     windows = [];
-    /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
     #seen = Infinity;
-    /**
-     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
-     * @param {(t: number) => void} seek when the reader points at a time
-     */
     constructor(root, baked, seek = () => {
     }) {
       this.root = root;
@@ -9655,7 +9421,6 @@ ${lines4.join("\n")}
       this.zoom = /** @type {HTMLSelectElement} */
       need(root, ".carts-window");
     }
-    /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
     show(run, t3) {
       this.run = run;
       this.windows = windowsOf(run);
@@ -9668,7 +9433,6 @@ ${lines4.join("\n")}
       this.story.show(run);
       this.#offerWindows();
     }
-    /** Draws the run as far as it was watched. @param {number} seen in s */
     grow(seen) {
       if (seen === this.#seen) return;
       this.#seen = seen;
@@ -9677,7 +9441,6 @@ ${lines4.join("\n")}
       this.story.grow(seen);
       this.#offerWindows();
     }
-    /** Draws the instant t. @param {number} t in s */
     at(t3) {
       for (const stage of this.stages) stage.at(t3);
       for (const graph2 of this.graphs) graph2.at(t3);
@@ -9685,7 +9448,6 @@ ${lines4.join("\n")}
       this.readouts.at(t3);
       this.timeline.at(t3, tr("{time} seconds", { time: fixed(t3, 2) }));
     }
-    /** The carts with boxes for their masses. */
     stand() {
       for (const stage of this.stages) stage.show(this.run, this.windows);
       const torn = this.stages.some((stage) => stage.torn);
@@ -9694,7 +9456,6 @@ ${lines4.join("\n")}
         put(sign, "data-now", torn ? "yes" : "no");
       }
     }
-    /** What acts, and what a reader must know before anything moves. */
     #words() {
       const { header } = this.run;
       const numbers = isTold(this.run) && this.baked.fence.forces === "shown";
@@ -9704,7 +9465,6 @@ ${lines4.join("\n")}
         ...header.warnings.map(({ message }) => html("p", "", told2(message)))
       );
     }
-    /** Parts of the time that the graphs can show alone: those in which bodies touch. */
     #offerWindows() {
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
       if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
@@ -9768,12 +9528,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var SOUND = tr("a click at each contact, as loud as its force");
   var FORCES = ["F", "R", "a"];
   var Choose = class {
-    /**
-     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
-     * @param {Choice[]} views
-     * @param {{stills: boolean, sound: boolean}} now whether playing shows stills in place of motion, and is heard
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
-     */
     constructor(root, baked, views, now, acts) {
       const place4 = need(root, ".carts-choices");
       const { show, forces: forces2, slow: slow2 } = baked.fence;
@@ -9852,7 +9606,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       retain(KEY, on);
       if (on) this.#click(SOFTEST);
     }
-    /** What happened in a piece of the run. @param {RunEvent[]} events of the run @param {number} before @param {number} now both in s */
     between(events, before, now) {
       if (!this.on) return;
       const loudest = Math.max(...events.map(strength));
@@ -9931,7 +9684,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.scrub.addEventListener("keydown", (event) => this.#key(event));
       this.scrub.addEventListener("pointerdown", () => player.pause());
     }
-    /** Shows the time and the state of the player. */
     show() {
       const { player } = this;
       say(this.clock, fixed(player.time, player.isSlow ? 4 : this.decimals.t ?? 3));
@@ -10010,10 +9762,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       const quantities = this.drawing.graphs.map((graph2) => graph2.quantity);
       return { run: this.run, t: this.player.time, quantities };
     }
-    /**
-     * Puts a run on the page, at the time that is shown now.
-     * @param {Run} run @param {Run | null} behind another run, seen pale behind it
-     */
     show(run, behind = null) {
       const { header } = run;
       this.behind = behind;
@@ -10030,7 +9778,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.#zoom();
       this.player.seek(this.player.time);
     }
-    /** Every graph is drawn anew, and with it what `drawn` adds. @param {GraphView["drawn"]} drawn */
     redraw(drawn2) {
       this.#drawn = drawn2;
       for (const graph2 of this.drawing.graphs) {
@@ -10038,11 +9785,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         graph2.show(this.run, this.player.time);
       }
     }
-    /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
     draggable(acts) {
       for (const stage of this.stages) new Drag(stage.root, stage.layout, this.baked, acts);
     }
-    /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
       const parts2 = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
       for (const part of this.root.querySelectorAll(parts2)) {
@@ -10050,7 +9795,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       if (on) for (const graph2 of this.drawing.graphs) graph2.enable();
     }
-    /** Fills and opens the tables for paper. @param {boolean} open */
     print(open2) {
       for (const { table } of this.drawing.graphs) {
         table.details.open = open2;
@@ -10068,7 +9812,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.announcer.tell(this.drawing.story.between(before, t3));
       this.sound.between(this.run.header.events, before, t3);
     }
-    /** Says what a step led to. @param {number} before in s */
     #stepped(before) {
       const t3 = this.player.time;
       const events = t3 > before ? this.drawing.story.between(before, t3) : [];
@@ -10110,7 +9853,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       graph2.show(this.run, this.player.time);
       this.#zoom();
     }
-    /** The time axis of the graphs: all of the run, or the touch that the reader chose. */
     #zoom() {
       const { zoom, windows, graphs } = this.drawing;
       const touch = zoom.value ? windows[Number(zoom.value)] : void 0;
@@ -10127,11 +9869,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     // a run was seen to its end: values may be changed
     whole = false;
     // and so was that of each ready-made setting
-    /**
-     * @param {HTMLElement} element of the scene @param {import("../../../../view/types.js").Baked} baked
-     * @param {import("./player.js").Player} player @param {import("../presets.js").Presets} presets
-     * @param {{first: () => void, all: () => void}} acts what to do once, when a run was seen and when all was
-     */
     constructor(element, baked, player, presets, acts) {
       this.element = element;
       this.player = player;
@@ -10152,7 +9889,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       presets.seen(presets.names.filter((name2) => !this.first || before.includes(this.#of(name2))));
       if (!this.asked && before.includes(this.#name)) this.#end();
     }
-    /** The run on the page was seen. @param {boolean} all as if those of all ready-made settings were too */
     finish(all = false) {
       const begun2 = this.over;
       const here = all ? this.presets.names : this.presets.pressed;
@@ -10172,7 +9908,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#lead();
       }
     }
-    /** A ready-made setting was pressed: if its run was never watched, it plays by itself now. @param {string} name @param {() => Promise<boolean>} draw resolves to whether its run is on the page */
     preset(name2, draw) {
       const { player } = this;
       const waits = this.first && this.presets.left.includes(name2);
@@ -10200,13 +9935,11 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.element.dataset.watched = "";
       this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
     }
-    /** What was predicted stands below what one plays with: the button leads there. */
     #lead() {
       if (!this.button || !this.asked || compared(this.element).hidden) return;
       say(this.button, tr("My prediction ↓"));
       this.#offer(true);
     }
-    /** The button keeps its place where it is not needed: nothing moves. @param {boolean} on */
     #offer(on) {
       if (this.button) this.button.style.visibility = on ? "" : "hidden";
     }
@@ -10271,7 +10004,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         addEventListener("beforeprint", () => this.#view?.print(true), { signal });
         addEventListener("afterprint", () => this.#view?.print(false), { signal });
       }
-      /** Takes over the picture and the controls that the generator wrote. */
       #adopt() {
         const baked = readBaked(this);
         const view = new SceneView(this, baked);
@@ -10307,7 +10039,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#live.follow();
       }
-      /** The start state and an empty prediction, as on the first visit. */
       async #startAgain() {
         this.#reset();
         this.#values.forget();
@@ -10319,7 +10050,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         await this.#restored;
         need(this, ".carts-predict :is(input, textarea):enabled").focus();
       }
-      /** A force was found: now they are all shown, at the same values and the same instant. */
       async #showForces(said) {
         const [t3, values] = [this.time, { ...this.#values.good }];
         this.#view?.player.pause();
@@ -10332,7 +10062,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         });
         this.time = t3;
       }
-      /** Resolves when Python has answered for this scene; rejects when it cannot start. */
       get ready() {
         return this.#live.ready;
       }
@@ -10350,11 +10079,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#view?.player.pause();
         this.#view?.player.show(Number(t3));
       }
-      /**
-       * Changes values and resolves when the new run is drawn. Rejects with a message for the reader
-       * and leaves the run as it is when a value makes no sense.
-       * @param {Settings} changes @param {number} at time of the input, for the measure
-       */
       async set(changes2, at3 = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
         this.#values.ask(changes2);
@@ -10366,11 +10090,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       get #told() {
         return !this.#predict || this.#lesson !== null;
       }
-      /** Whether the reader may change values: after a prediction its run is watched first. */
       get #free() {
         return this.#told && (!this.#predict || Boolean(this.#watch?.over));
       }
-      /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
         const shown3 = this.#inside?.follow(run);
         this.#inside?.show(this.#values.good, run.header);
@@ -10385,20 +10107,16 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         if (this.#lesson) this.#draw(this.#lesson);
         this.#view?.player.seek(0);
       }
-      /** Python's own answer takes the place of the baked run. */
       async #first() {
         const run = await this.#runs.ask();
         if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
       }
-      /** All of a run that may be told, at once: for a whole class. */
       complete() {
         if (this.#told) this.#watch?.finish(true);
       }
-      /** The run without a prediction, for a whole class: nothing is kept. */
       async reveal() {
         if (!this.#told) await this.#reveal(false, false);
       }
-      /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
       async #reveal(now, own = true) {
         this.#predict?.complain("");
         try {
@@ -10421,7 +10139,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           this.#predict?.complain(`${message} ${PREDICTION_KEPT}`);
         }
       }
-      /** All was seen: now it stands beside the prediction. */
       #watched() {
         if (!this.#predict || !this.#lesson) return;
         this.#inside?.controls.enable(true);

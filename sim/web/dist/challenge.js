@@ -661,7 +661,6 @@
       clearTimeout(this.#timer);
       this.#leaving.abort();
     }
-    /** What was tried in another tab, or on another day. */
     async #restore() {
       const earlier = await triedBefore(this.id);
       if (!earlier || earlier.runs <= this.#runs) return;
@@ -677,7 +676,6 @@
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.#count(target), SETTLED2);
     }
-    /** A run that stands: each setting counts once. @param {HTMLElement} scene */
     #count(scene) {
       const run = (
         /** @type {any} */
@@ -700,7 +698,6 @@
       const told = { runs: this.#runs, found: found2?.run ?? 0, values: found2?.values ?? "" };
       void keepTried(this.id, plainText(need(this, ".carts-q-ask")), told, said);
     }
-    /** What was set, in words. @param {Record<string, unknown>} set */
     #told(set) {
       const parts = Object.entries(set).map(([path, value2]) => {
         const { label, unit, per } = this.#facts.labels[path] ?? { label: path, unit: "", per: 1 };

@@ -90,7 +90,6 @@
       const { lesson, form: form2, student, item } = mark;
       this.marks.set(JSON.stringify([lesson, form2, codeWord(student), item]), mark);
     }
-    /** What Python is told with every question. @returns {Record<string, unknown>} */
     told() {
       const { groups } = this;
       return {
@@ -105,7 +104,6 @@
         now: (/* @__PURE__ */ new Date()).toISOString()
       };
     }
-    /** The same of the tables of marks. @returns {Record<string, unknown>} */
     toldOfTables() {
       return { kind: "class", tables: this.tables, most: this.most };
     }
@@ -837,9 +835,7 @@
     const here = spokenHere();
     return class CartsClass extends HTMLElement {
       classroom = new Classroom();
-      /** Whether Python has scipy by now. */
       inference = false;
-      /** Resolves when everything that was dropped is read and shown. @type {Promise<void>} */
       complete = Promise.resolve();
       #statistics = null;
       #read = 0;
@@ -898,7 +894,6 @@
         this.#redraw();
         this.dataset.state = "ready";
       }
-      /** Reads files into a group. @param {File[]} files @param {number} group */
       take(files, group) {
         const lifetime = this.#lifetime;
         this.complete = this.complete.then(() => this.#take(files, group, lifetime));
@@ -949,7 +944,6 @@
           this.#bar.hidden = true;
         }
       }
-      /** Loads scipy once; then the report has intervals and tests. */
       #addStatistics() {
         this.#statistics ??= client.need(PACKAGES).then(
           async () => {
@@ -970,7 +964,6 @@
           if (this.inference && !this.classroom.empty) this.dataset.state = "complete";
         });
       }
-      /** Asks for the report on what is here and shows it. */
       async show() {
         this.#redraw();
         const { classroom } = this;
@@ -1000,7 +993,6 @@
           );
         }
       }
-      /** The report on the answers, and below it that on tables. @returns {Promise<{html: string, words: any[]}>} */
       async #reported() {
         const { classroom } = this;
         const asked = { do: "report", inference: this.inference, ...here };
@@ -1013,7 +1005,6 @@
         );
         return { html: first + tables.html, words };
       }
-      /** Forgets everything that was dropped and typed. */
       clear() {
         this.#lifetime += 1;
         this.#read = 0;
@@ -1059,15 +1050,9 @@
       super();
       this.start = start;
     }
-    /** Starts Python if nobody has yet. */
     wake() {
       if (this.state === "idle") void this.#boot();
     }
-    /**
-     * Has packages that no scene of the page called for. A second Python starts with them and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
-     * @param {string[]} names @returns {Promise<void>}
-     */
     need(names) {
       if (names.every((name) => this.#asked.includes(name))) return this.#growing;
       const before = this.#asked;
@@ -1089,18 +1074,12 @@
       this.#become("ready");
       this.#next();
     }
-    /** Resolves when Python is not just starting. @returns {Promise<void>} */
     #settled() {
       if (this.state !== "starting") return Promise.resolve();
       return new Promise((resolve) => {
         this.addEventListener("state", () => resolve(this.#settled()), { once: true });
       });
     }
-    /**
-     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
-     * both promises then get the newer answer.
-     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
-     */
     ask(owner, message) {
       if (this.state === "failed") return Promise.reject(this.error);
       this.wake();
@@ -1164,7 +1143,6 @@
       if (this.#restarts > RESTARTS) this.#fail(reason);
       else void this.#boot();
     }
-    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
     #use(runtime) {
       const older = this.#runtime;
       runtime.onlost = (reason) => this.#lost(runtime, reason);
@@ -1172,7 +1150,6 @@
       older?.stop();
       this.#takeBack();
     }
-    /** The request under way waits again, in front: whoever could answer it is gone. */
     #takeBack() {
       const job = this.#flying;
       this.#flying = null;
@@ -1226,11 +1203,6 @@
     stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
-    /**
-     * @param {Reason} reason
-     * @param {string} [detail]
-     * @param {string} [file] the payload that is missing or damaged
-     */
     constructor(reason, detail = "", file = "") {
       super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
       this.name = "RuntimeFailure";
@@ -1393,11 +1365,6 @@
         reject(new RuntimeFailure("worker-refused", event.message));
       };
     }
-    /**
-     * @param {string} name
-     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts gzip; given away
-     * @returns {Promise<ArrayBuffer>} one that never comes has been told of
-     */
     async unpack(name, parts) {
       const unpacked = new Promise((resolve) => this.waiting.set(name, resolve));
       for (const [number, part] of parts.entries()) {
@@ -1455,12 +1422,6 @@
   var MORE = "python-more.zip";
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
-    /**
-     * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
-     *   progress after which it is given up
-     * @param {boolean} snapshot
-     */
     constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
@@ -1475,7 +1436,6 @@
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
-    /** The files to load, the most urgent first. */
     files() {
       const { index, packages, snapshot } = this;
       const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
@@ -1486,7 +1446,6 @@
       if (names.every((name) => name in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages.join());
     }
-    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages, snapshot } = this;
       if (!snapshot) return [index.package, ...packages];
@@ -1514,12 +1473,6 @@
         this.unpacker?.stop();
       }
     }
-    /**
-     * All parts of a file are asked for at once and come in any order.
-     * @param {string} name
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
-     */
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
@@ -1546,11 +1499,6 @@
     get fraction() {
       return 0.9 * this.done / this.total;
     }
-    /**
-     * @param {Unpacker} unpacker
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<any>}
-     */
     async boot(unpacker, reject) {
       const load = (name) => this.load(name, reject);
       const loading = load(LOADER);
@@ -1643,12 +1591,6 @@
         this.lose("worker-lost", event.message);
       };
     }
-    /**
-     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
-     *   reader knows that it takes long and can stop it
-     * @returns {Promise<Answer>}
-     */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
@@ -1659,7 +1601,6 @@
         if (this.queue.length === 1) this.send();
       });
     }
-    /** Ends Python. What is under way is rejected. */
     stop() {
       this.end("stopped", "");
     }

@@ -13053,7 +13053,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#plot(column(1 + 2 * count), column(2 + 2 * count));
       this.at(0);
     }
-    /** The room that the exact run takes, and some more; the stepped one may leave the picture. */
     #lay() {
       const { bodies, track } = (
         /** @type {CostHeader} */
@@ -13145,7 +13144,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.cursor
       );
     }
-    /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
     at(time) {
       const times2 = this.t ?? [];
       let k = times2.findLastIndex((t) => t <= time);
@@ -13203,10 +13201,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.place = place2;
       this.left = left;
     }
-    /**
-     * @param {Track[]} tracks @param {string} unit
-     * @param {{t: number[], x: number[][]} | null} curve of the model @param {number | null} touch
-     */
     show(tracks, unit, curve3, touch = null) {
       const { t, x } = planes(tracks);
       this.#axis = t;
@@ -13250,7 +13244,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         )
       );
     }
-    /** Marks an instant. @param {number} time s */
     at(time) {
       if (!this.#cursor || !this.#axis) return;
       put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP6}V${BOTTOM6}`);
@@ -13601,7 +13594,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const cell2 = this.root.querySelector(`td[data-body="${name}"][data-quantity="${quantity}"]`);
       if (cell2) say(cell2, text3);
     }
-    /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
     #roomFor({ header }) {
       const weights = header.bodies.map(({ mass }) => mass * header.gravity);
       const longest = arrowLength(Math.max(...weights), this.view.force, FULL2);
@@ -13684,7 +13676,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         redraw();
       });
     }
-    /** What one metre of the picture takes on the screen, in units of this drawing. */
     #measure() {
       for (const layout of this.view.layouts) {
         const stage2 = this.scene.querySelector(`.carts-stage-${layout.kind}`);
@@ -13696,7 +13687,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       this.#enlarge();
     }
-    /** As large as this run allows, and a bar that tells how large. */
     #enlarge() {
       const give = this.#run ? wallGives(this.#run) : 0;
       const room = WIDTH7 / 2 - MARGIN;
@@ -14003,7 +13993,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#told = wanted;
       this.root.replaceChildren(...curves.map(entry), ...note ? [html2("span", "", note)] : []);
     }
-    /** Something else was written in its place. */
     forget() {
       this.#told = "";
     }
@@ -14146,10 +14135,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals.energy ?? 3;
     }
-    /**
-     * @param {Run} run @param {boolean} open whether the ledger is seen
-     * @param {() => void} changed when it can be drawn, if not at once
-     */
     show(run, open, changed) {
       const { events, until } = run.header;
       if (!this.asks) {
@@ -14322,7 +14307,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #plane = planeFor([0, 1], [0, 1]);
     #dots = [];
     behind = null;
-    /** Draws what somebody else knows of it behind the curves. @type {(graph: GraphView, plane: g.Plane) => void} */
     drawn = () => {
     };
     #pressed = false;
@@ -14332,10 +14316,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #seen = Infinity;
     // s, as far as the run was watched
     #window = null;
-    /**
-     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
-     * @param {(t: number) => void} seek when the reader points at a time
-     */
     constructor(root, baked, seek) {
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
@@ -14378,13 +14358,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#draw(t);
       this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
     }
-    /** Draws the curves as far as they were watched. @param {number} seen in s */
     grow(seen) {
       this.#seen = seen;
       this.table.grow(seen);
       if (this.#run) seen === Infinity ? this.#draw(this.#t) : this.#lines(this.#run);
     }
-    /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window2, t) {
       this.#window = window2;
       if (this.#run) this.#draw(t);
@@ -14464,7 +14442,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       this.at(t);
     }
-    /** The curves, up to what was seen. @param {Run} run */
     #lines(run) {
       const group = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve3, i) => {
@@ -14784,7 +14761,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       this.#names(told3);
     }
-    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
     #names(told3) {
       const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
@@ -14814,7 +14790,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         }
       }
     }
-    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull(told3) {
       return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
@@ -14845,7 +14820,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       write(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
-    /** Where names may stand: between the walls. @returns {[number, number]} */
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
@@ -14912,10 +14886,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       };
       return { left: at("left"), right: at("right") };
     }
-    /**
-     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
-     * @param {number} shift of the picture to the left, in units
-     */
     at(pressed, shift) {
       const lines3 = this.#walls.map(({ side: side2, wall, group }) => {
         const { dent, height } = pressed[side2];
@@ -14953,7 +14923,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
-    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       const { layout, view } = this;
@@ -14989,7 +14958,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
-    /** Draws the instant t. @param {number} t in s */
     at(t) {
       const { header, trajectory } = this.#run;
       const shift = this.camera * t;
@@ -15056,11 +15024,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
-    /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
-     * the tip to pull it by; of one that is not drawn yet, the handle.
-     * @param {import("../predict/arrows.js").Guess[]} guesses
-     */
     guess(guesses) {
       const { header } = this.#run;
       const group = need(this.root, '[data-part="guess"]');
@@ -15097,7 +15060,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       });
       group.replaceChildren(...parts2);
     }
-    /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
     #mass(name, box2, lift) {
       const mass = need(this.root, `.carts-mass[data-body="${name}"]`);
       put(mass, "y", px(this.layout.track - lift + box2.labelY));
@@ -15260,7 +15222,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#listed = -1;
       this.grow(this.#seen);
     }
-    /** Lists what has happened by then; what the model is made of is told at the end. @param {number} seen in s */
     grow(seen) {
       this.#seen = seen;
       const seenOnes = this.told.filter(({ t }) => t <= seen);
@@ -15297,7 +15258,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       item.append(button2, " ", html2("span", "", sentence));
       return item;
     }
-    /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before2, now) {
       return this.told.filter(({ t }) => t > before2 && t <= now).map(({ sentence }) => sentence);
     }
@@ -15336,7 +15296,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#seen = seen;
       if (this.#until) this.#mark();
     }
-    /** Bands and ticks of what was seen. */
     #mark() {
       const at = (t) => `${px(100 * t / this.#until, 3)}%`;
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
@@ -15385,12 +15344,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var Drawing = class {
     run;
     windows = [];
-    /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
     #seen = Infinity;
-    /**
-     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
-     * @param {(t: number) => void} seek when the reader points at a time
-     */
     constructor(root, baked, seek = () => {
     }) {
       this.root = root;
@@ -15416,7 +15370,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.zoom = /** @type {HTMLSelectElement} */
       need(root, ".carts-window");
     }
-    /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
     show(run, t) {
       this.run = run;
       this.windows = windowsOf(run);
@@ -15429,7 +15382,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.story.show(run);
       this.#offerWindows();
     }
-    /** Draws the run as far as it was watched. @param {number} seen in s */
     grow(seen) {
       if (seen === this.#seen) return;
       this.#seen = seen;
@@ -15438,7 +15390,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.story.grow(seen);
       this.#offerWindows();
     }
-    /** Draws the instant t. @param {number} t in s */
     at(t) {
       for (const stage2 of this.stages) stage2.at(t);
       for (const graph2 of this.graphs) graph2.at(t);
@@ -15446,7 +15397,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.readouts.at(t);
       this.timeline.at(t, tr("{time} seconds", { time: fixed(t, 2) }));
     }
-    /** The carts with boxes for their masses. */
     stand() {
       for (const stage2 of this.stages) stage2.show(this.run, this.windows);
       const torn = this.stages.some((stage2) => stage2.torn);
@@ -15455,7 +15405,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         put(sign, "data-now", torn ? "yes" : "no");
       }
     }
-    /** What acts, and what a reader must know before anything moves. */
     #words() {
       const { header } = this.run;
       const numbers = isTold(this.run) && this.baked.fence.forces === "shown";
@@ -15465,7 +15414,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         ...header.warnings.map(({ message }) => html2("p", "", told2(message)))
       );
     }
-    /** Parts of the time that the graphs can show alone: those in which bodies touch. */
     #offerWindows() {
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
       if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;

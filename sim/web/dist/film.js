@@ -180,7 +180,6 @@
     metres({ x, y }) {
       return this.scale * (x * this.axis.x + y * this.axis.y);
     }
-    /** The place on the line through `base` along the track. @param {number} metres @param {Point} base @returns {Point} */
     place(metres, base) {
       const on = (metres - this.metres(base)) / this.scale;
       return { x: base.x + on * this.axis.x, y: base.y + on * this.axis.y };
@@ -253,10 +252,6 @@
         this.#asked.clear();
       };
     }
-    /**
-     * @param {Record<string, unknown>} message @param {(part: number) => void} part called with how much is done, 0 to 1
-     * @returns {Promise<any>} rejects with a Refusal
-     */
     ask(message, part = () => {
     }) {
       this.#last += 1;
@@ -266,7 +261,6 @@
         this.worker.postMessage({ ...message, id });
       });
     }
-    /** What is being followed is given up. */
     stop() {
       this.worker.postMessage({ do: "stop" });
     }
@@ -282,7 +276,6 @@
     constructor(rows) {
       this.rows = rows;
     }
-    /** Lost, and neither set nor left out since. @returns {Place[]} in the order of time */
     get lost() {
       return this.rows.flatMap(
         ({ marks }, row) => marks.flatMap(
@@ -296,7 +289,6 @@
         count: this.rows.filter(({ marks }) => !marks[mark]).length
       }));
     }
-    /** The first lost place after this one, else the first of all. @param {Place} place @returns {Place | null} */
     after({ row, mark }) {
       const { lost } = this;
       const later = lost.find((one) => one.row > row || one.row === row && one.mark > mark);
@@ -312,7 +304,6 @@
       if (marks) marks[mark] = null;
       this.#left.add(`${row} ${mark}`);
     }
-    /** Where a mark should be, from the frames before and after that show it. @param {Place} place @returns {Point | null} */
     expected({ row, mark }) {
       const seen = (one) => one.marks[mark] ?? null;
       const now = this.rows[row]?.t ?? 0;
@@ -323,7 +314,6 @@
       const part = (now - before.t) / (after.t - before.t);
       return { x: a.x + part * (b.x - a.x), y: a.y + part * (b.y - a.y) };
     }
-    /** The row whose frame is shown at this time. @param {number} time s of the film */
     at(time) {
       const later = this.rows.findIndex(({ t }) => t > time + 1e-6);
       return Math.max(0, (later < 0 ? this.rows.length : later) - 1);
@@ -375,7 +365,6 @@
       const mark = Math.max(0, NAMES.indexOf(this.film.setup.aim));
       return { row: this.mending.at(this.film.frames.time), mark };
     }
-    /** Goes to the next place that was lost. */
     next() {
       const found = this.mending.after(this.here);
       if (found) this.#go(found);
@@ -400,7 +389,6 @@
       this.mending.set(here, point);
       this.#done(here, lost);
     }
-    /** There is no mark to be seen in this frame. */
     leave() {
       const here = this.here;
       this.mending.leave(here);
@@ -457,7 +445,6 @@
       this.points[this.aim] = point;
       this.aim = AIMS.find((aim) => !this.points[aim]) ?? this.aim;
     }
-    /** Marks hold for the frame in which they were clicked. */
     forgetMarks() {
       delete this.points.A;
       delete this.points.B;
@@ -483,7 +470,6 @@
       const { A, B } = this.points;
       return A && B ? [A, B] : [];
     }
-    /** Shows what can be set now. @param {Aim[]} offered */
     show(offered) {
       for (const button of this.buttons) {
         const aim = (
@@ -561,7 +547,6 @@
       this.#cross = point;
       this.draw();
     }
-    /** Puts the cross where a place is expected. @param {Point} point */
     aim(point) {
       this.#move({ ...point });
     }
@@ -610,7 +595,6 @@
       this.pen.fillStyle = COLOURS[shape];
       this.pen.fillText(label, x, y - reach - 4 * fine);
     }
-    /** Seen before anything: a bright line in a dark one. @param {Path2D} path @param {string} colour @param {number} fine */
     #line(path, colour, fine) {
       for (
         const [width, ink] of
@@ -638,7 +622,6 @@
       }
       this.#line(path, "#fff", fine);
     }
-    /** In the corner that is farthest from the cross. @param {Point} at @param {ImageBitmap} picture @param {number} fine */
     #lens({ x, y }, picture, fine) {
       const { width, height } = this.canvas;
       const side = LENS * height;
@@ -683,7 +666,6 @@
   var Session = class {
     #mending = null;
     #repair = null;
-    /** Where the model's carts are, m, and when, s of the readings. @type {{time: number, places: Record<string, number>}} */
     #model = { time: 0, places: {} };
     #along = null;
     constructor(root, file, take) {
@@ -759,7 +741,6 @@
       say(need(this.root, ".carts-film-clock"), clock);
       this.view.show(picture, this.#marks());
     }
-    /** What is drawn over the frame. */
     #marks() {
       const rows = this.#mending?.rows ?? [];
       const row = this.#mending ? rows[this.#mending.at(this.frames.time)] ?? null : null;
@@ -767,7 +748,6 @@
       const places = row && row === rows[meant ?? -1] ? this.#model.places : {};
       return [...marked(this.setup.points, row), ...crosses(places, this.#along, rows)];
     }
-    /** Says what is to be done next. */
     #changed() {
       if (this.phase === "followed") this.setup.show(CARTS);
       if (this.phase !== "marking") return;
@@ -781,7 +761,6 @@
       this.#say(open2 ? asked(this.setup.aim) : askLength());
       this.view.mark(this.#marks());
     }
-    /** A place was chosen in the frame. @param {Point} point */
     async #set(point) {
       if (this.phase === "followed") return this.#repair?.set(point);
       if (this.phase !== "marking") return;
@@ -796,7 +775,6 @@
       }
       this.#changed();
     }
-    /** Follows both marks from the frame that is shown to the end of the film. */
     async follow() {
       if (this.phase !== "marking" || !this.setup.ruler) return;
       const bar = (
@@ -840,7 +818,6 @@
       this.read();
       this.view.mark(this.#marks());
     }
-    /** Back to the first clicks; the ruler stays. */
     #again() {
       this.#mending = null;
       this.#along = null;
@@ -849,7 +826,6 @@
       this.#become("marking");
       this.#changed();
     }
-    /** Hands the readings over, as a file of readings would. */
     read() {
       const [ruler, rows] = [this.setup.ruler, this.#mending?.rows];
       if (!ruler || !rows) return;
@@ -860,11 +836,9 @@
       const remarks = [`Newton's Carts, from the film ${this.file.name.replace(/\s+/g, " ")}`];
       this.take(`${name}.csv`, readings(rows, ruler, { names: NAMES, slower, remarks }));
     }
-    /** The time of the film when the readings say this one. @param {number} time s */
     #filmed(time) {
       return (this.#mending?.rows[0]?.t ?? 0) + time * this.setup.slower;
     }
-    /** Shows the film where the model is; one that stands still leaves the film alone. @param {number} time s, of the readings @param {Record<string, number>} places m */
     at(time, places) {
       if (this.phase !== "followed") return;
       const moved = time !== this.#model.time;

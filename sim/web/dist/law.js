@@ -1492,7 +1492,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       this.#names(told2);
     }
-    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
     #names(told2) {
       const [only] = told2;
       for (const { pair, groups } of this.#pushes) {
@@ -1522,7 +1521,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       }
     }
-    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull(told2) {
       return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
     }
@@ -1553,7 +1551,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       write(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
-    /** Where names may stand: between the walls. @returns {[number, number]} */
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
@@ -1620,10 +1617,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       };
       return { left: at2("left"), right: at2("right") };
     }
-    /**
-     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
-     * @param {number} shift of the picture to the left, in units
-     */
     at(pressed, shift) {
       const lines2 = this.#walls.map(({ side, wall, group }) => {
         const { dent, height } = pressed[side];
@@ -1661,7 +1654,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
-    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       const { layout, view } = this;
@@ -1697,7 +1689,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
-    /** Draws the instant t. @param {number} t in s */
     at(t) {
       const { header, trajectory } = this.#run;
       const shift = this.camera * t;
@@ -1764,11 +1755,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
-    /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
-     * the tip to pull it by; of one that is not drawn yet, the handle.
-     * @param {import("../predict/arrows.js").Guess[]} guesses
-     */
     guess(guesses) {
       const { header } = this.#run;
       const group = need(this.root, '[data-part="guess"]');
@@ -1805,7 +1791,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       });
       group.replaceChildren(...parts);
     }
-    /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
     #mass(name, box2, lift) {
       const mass = need(this.root, `.carts-mass[data-body="${name}"]`);
       put(mass, "y", px(this.layout.track - lift + box2.labelY));
@@ -1913,19 +1898,16 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     speed = 1;
     slow = true;
     until = 1;
-    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
     seen = Infinity;
     ended = () => {
     };
     // what to do at the end of the run
-    /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
     parts = [];
     halts = [];
     halting = false;
     stops = [];
-    /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
     #waited = 0;
     // s since the last still
@@ -1968,12 +1950,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       if (t <= 0) this.own = 0;
       this.#tell(this.time, false);
     }
-    /** Goes there, watched or not. @param {number} t in s */
     show(t) {
       this.seen = Math.max(this.seen, t);
       this.seek(t);
     }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count = 1) {
       this.pause();
       const start = this.time;
@@ -2033,14 +2013,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.root.append(this.#bar());
       this.#at();
     }
-    /** Nothing moves any more. */
     leave() {
       this.player.pause();
     }
-    /**
-     * @param {Baked} baked @param {Shown} shown
-     * @param {import("../../../view/windows.js").Touch[]} windows
-     */
     #picture(baked, { run, caption, impossible = false }, windows) {
       const figure = html("figure", impossible ? "carts-impossible" : "");
       const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
@@ -2128,7 +2103,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.box.value = text;
       this.box.rows = Math.min(24, Math.max(8, text.split("\n").length + 1));
     }
-    /** The cursor goes to a line. @param {number} line from 1 */
     go(line) {
       const lines2 = this.box.value.split("\n");
       const start = lines2.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
@@ -2506,7 +2480,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     );
     return {
       get,
-      /** The text goes to the earlier ones: another is about to take its place. */
       setAside() {
         entry = setAside(entry);
       },
@@ -2559,11 +2532,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
-    /**
-     * @param {Reason} reason
-     * @param {string} [detail]
-     * @param {string} [file] the payload that is missing or damaged
-     */
     constructor(reason, detail = "", file = "") {
       super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
       this.name = "RuntimeFailure";
@@ -2726,11 +2694,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         reject(new RuntimeFailure("worker-refused", event.message));
       };
     }
-    /**
-     * @param {string} name
-     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts gzip; given away
-     * @returns {Promise<ArrayBuffer>} one that never comes has been told of
-     */
     async unpack(name, parts) {
       const unpacked = new Promise((resolve) => this.waiting.set(name, resolve));
       for (const [number, part] of parts.entries()) {
@@ -2788,12 +2751,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var MORE = "python-more.zip";
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
-    /**
-     * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
-     *   progress after which it is given up
-     * @param {boolean} snapshot
-     */
     constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
@@ -2808,7 +2765,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
-    /** The files to load, the most urgent first. */
     files() {
       const { index, packages, snapshot } = this;
       const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
@@ -2819,7 +2775,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       if (names.every((name) => name in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages.join());
     }
-    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages, snapshot } = this;
       if (!snapshot) return [index.package, ...packages];
@@ -2847,12 +2802,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.unpacker?.stop();
       }
     }
-    /**
-     * All parts of a file are asked for at once and come in any order.
-     * @param {string} name
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
-     */
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
@@ -2879,11 +2828,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     get fraction() {
       return 0.9 * this.done / this.total;
     }
-    /**
-     * @param {Unpacker} unpacker
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<any>}
-     */
     async boot(unpacker, reject) {
       const load = (name) => this.load(name, reject);
       const loading = load(LOADER);
@@ -2976,12 +2920,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.lose("worker-lost", event.message);
       };
     }
-    /**
-     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
-     *   reader knows that it takes long and can stop it
-     * @returns {Promise<Answer>}
-     */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
@@ -2992,7 +2930,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         if (this.queue.length === 1) this.send();
       });
     }
-    /** Ends Python. What is under way is rejected. */
     stop() {
       this.end("stopped", "");
     }
@@ -3052,15 +2989,10 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     constructor(base) {
       this.base = base;
     }
-    /** Starts it, so that a reader who types need not wait later. */
     wake() {
       this.#runtime ??= startRuntime({ base: this.base, packages: PACKAGES });
       return this.#runtime;
     }
-    /**
-     * The answer to a request; rejects with what a reader is to be told.
-     * @param {Record<string, unknown>} message @returns {Promise<{header: any, numbers: Float64Array}>}
-     */
     async ask(message) {
       const started = this.wake();
       const late = new Promise((_, reject) => {
@@ -3094,7 +3026,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         timer.stop();
       }
     }
-    /** Ends it, whatever it does. */
     stop() {
       const runtime = this.#runtime;
       this.#runtime = null;
@@ -3145,7 +3076,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       #pictures = null;
       #python = new OwnPython(base);
       #turn = 0;
-      /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
       complete = Promise.resolve();
       connectedCallback() {
         if (this.#facts) return;
@@ -3209,7 +3139,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#open(true);
         this.dataset.state = "live";
       }
-      /** Nothing is typed over a kept law before it is here. @param {boolean} on */
       #open(on) {
         if (this.editor) this.editor.box.readOnly = !on;
         for (const one of this.querySelectorAll(".carts-law-bar button"))
@@ -3234,7 +3163,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         );
         this.toggleAttribute("data-kept", Boolean(kept));
       }
-      /** On paper stands what is in the box now. */
       #paper() {
         say(need(this, ".carts-law-paper code"), this.editor?.text ?? "");
       }
@@ -3253,7 +3181,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         if (!this.editor || !this.#facts) return;
         download(this.#facts.file, this.editor.text, "text/x-python");
       }
-      /** One thing at a time; what goes wrong is told, and the text stays. @param {() => Promise<void>} act */
       #do(act) {
         this.#turn += 1;
         const turn = this.#turn;
@@ -3313,7 +3240,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         say(note, "");
         this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
       }
-      /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
       async #example(verdict) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });
         const run = { header, trajectory: fromWire(header, numbers) };
@@ -3324,7 +3250,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         ), tr("A counterexample"));
         this.shown?.scrollIntoView({ block: "nearest" });
       }
-      /** The scene of the page, with the law as it is in the box. */
       #scene() {
         const { file } = (
           /** @type {Facts} */
@@ -3345,7 +3270,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#pictures = new Pictures(baked, [{ run, caption }]);
         this.shown?.replaceChildren(this.#pictures.root);
       }
-      /** What the reader begins with, without its numbers: a lesson may ask for them first. */
       #first() {
         const baked = (
           /** @type {Baked} */

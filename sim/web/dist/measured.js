@@ -36,11 +36,6 @@
   var Asking = class {
     #owners = { read: {}, model: {}, ready: {}, segments: {}, fit: {}, tracker: {} };
     #generation = 0;
-    /**
-     * @param {import("../runtime/client.js").Client} client
-     * @param {() => Record<string, unknown>} common readings and settings, as they are when it is asked
-     * @param {() => void} answered
-     */
     constructor(client, common, answered) {
       this.client = client;
       this.common = common;
@@ -56,7 +51,6 @@
       this.answered();
       return header;
     }
-    /** The same; null if something newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
     async newest(what, more) {
       this.#generation += 1;
       const generation = this.#generation;
@@ -156,7 +150,6 @@
         });
       }
     }
-    /** What the sliders may be set to, from the readings. @param {Track[]} tracks @param {string[]} names */
     reach(tracks, names) {
       const times = tracks.flatMap((track) => track.t);
       const [begin, end] = [Math.min(...times), Math.max(...times)];
@@ -566,19 +559,16 @@
     speed = 1;
     slow = true;
     until = 1;
-    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
     seen = Infinity;
     ended = () => {
     };
     // what to do at the end of the run
-    /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
     parts = [];
     halts = [];
     halting = false;
     stops = [];
-    /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
     #waited = 0;
     // s since the last still
@@ -621,12 +611,10 @@
       if (t <= 0) this.own = 0;
       this.#tell(this.time, false);
     }
-    /** Goes there, watched or not. @param {number} t in s */
     show(t) {
       this.seen = Math.max(this.seen, t);
       this.seek(t);
     }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count = 1) {
       this.pause();
       const start = this.time;
@@ -727,10 +715,6 @@
       this.place = place2;
       this.left = left;
     }
-    /**
-     * @param {Track[]} tracks @param {string} unit
-     * @param {{t: number[], x: number[][]} | null} curve of the model @param {number | null} touch
-     */
     show(tracks, unit, curve, touch = null) {
       const { t, x } = planes(tracks);
       this.#axis = t;
@@ -774,7 +758,6 @@
         )
       );
     }
-    /** Marks an instant. @param {number} time s */
     at(time) {
       if (!this.#cursor || !this.#axis) return;
       put(this.#cursor, "d", `M${px(across(this.#axis, time))} ${TOP}V${BOTTOM}`);
@@ -971,10 +954,6 @@
     #filmed = () => {
     };
     // ends the camera
-    /**
-     * @param {HTMLElement} bench @param {string} base address of the page's script
-     * @param {(name: string, texts: string[]) => void} take @param {Tell} tell
-     */
     constructor(bench, base, take, tell2) {
       this.bench = bench;
       this.base = base;
@@ -1007,18 +986,15 @@
       const take = (name, text2) => this.take(name, [text2]);
       this.#session = script2?.open(this.bench, file, take) ?? null;
     }
-    /** Films with the camera of this computer. */
     async camera() {
       const script2 = await this.#script();
       const end = await script2?.camera(this.bench, (file) => void this.open(file), this.tell);
       this.#filmed = end ?? (() => {
       });
     }
-    /** Shows the film where the model is. @param {number} time s @param {Record<string, number>} places m, by cart */
     at(time, places) {
       this.#session?.at(time, places);
     }
-    /** Other readings are shown now. */
     end() {
       this.#session?.end();
       this.#session = null;
@@ -1084,7 +1060,6 @@
       const rows = this.cells.map((row) => row.map((cell) => cell.trim()).join(";"));
       return ["t;x_A;x_B", ...rows].join("\n");
     }
-    /** A block from a spreadsheet fills cells to the right and down. @param {ClipboardEvent} event */
     #paste(event) {
       const text2 = event.clipboardData?.getData("text/plain") ?? "";
       if (!/[\t\n]/.test(text2.trim()) || !(event.target instanceof HTMLInputElement)) return;
@@ -1113,11 +1088,6 @@
   var ZIP = 1347093252;
   var TYPED = "typed readings";
   var Source = class _Source {
-    /**
-     * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-     * @param {(text: string) => void} tell
-     * @param {(zip: string) => Promise<{text: string} | Refused>} unzip base64 to the readings in it @param {string} base address of the page's script
-     */
     constructor(root, take, changed, tell2, unzip, base) {
       this.root = root;
       this.unzip = unzip;
@@ -1192,15 +1162,12 @@
       const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
       for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
     }
-    /** A message with the lines that it names called so too. @param {string} name @param {string} text */
     static told(name, text2) {
       return text2.replace(/\bline (\d+)/g, (_, line) => _Source.place(name, Number(line)));
     }
-    /** Whose faults are told. @param {string} name */
     static notRead(name) {
       return name && name !== TYPED ? `${name} was not read: ` : "";
     }
-    /** What a line of a text is called where it stands. @param {string} name @param {number} line */
     static place(name, line) {
       if (name !== TYPED) return `line ${line}`;
       return line > 1 ? `row ${line - 1}` : "the table";
@@ -1297,7 +1264,6 @@
     #at(x) {
       return SIDE + (x - this.#left) * this.#scale;
     }
-    /** Where the model's carts are, in m. @param {number} time s @returns {Record<string, number>} by name */
     places(time) {
       const { names, curve } = this.#shown ?? { names: [], curve: { t: [], x: [] } };
       return Object.fromEntries(
@@ -1340,7 +1306,6 @@
   var FINE = 0.01;
   var Picture = class {
     #begin = 0;
-    /** Called with the time in s and where the model's carts are then, in m. @type {(time: number, places: Record<string, number>) => void} */
     watch = () => {
     };
     constructor(root) {
@@ -1361,12 +1326,10 @@
     #part(name) {
       return need(this.root, `.carts-measured-${name}`);
     }
-    /** Hides what belongs to an earlier fit. */
     forget() {
       this.#part("result").hidden = true;
       this.#part("back").hidden = true;
     }
-    /** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
     readings(name, read, motion) {
       this.forget();
       say(this.#part("said"), [name, ...read.read].filter(Boolean).join("; "));
@@ -1385,7 +1348,6 @@
       showTable(need(this.root, ".carts-measured-table table"), read, null);
       say(this.#part("spread"), "");
     }
-    /** Two sensors, or two phones, against each other. @param {Read} read */
     #forces(read) {
       const { forces, kind } = read;
       const summed = kind === "force";
@@ -1399,7 +1361,6 @@
       say(this.#part("spread"), forces && summed ? "Lower picture: the sum of both forces." : "");
       if (read.report) showResult(this.#part("result"), read.report);
     }
-    /** The model over the readings. @param {Read} read @param {Drawn} drawn */
     draw(read, drawn) {
       this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
       this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1e3);
@@ -1425,7 +1386,6 @@
       say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
       say(this.#part("play"), this.player.playing ? "Pause" : "Play");
     }
-    /** What a fit says. @param {import("../../../view/measured/types.js").Report} report */
     told(report) {
       showResult(this.#part("result"), report);
       this.#part("back").hidden = false;
@@ -1507,7 +1467,6 @@
         input.addEventListener("change", () => changed(false));
       }
     }
-    /** Boxes for the masses of two carts. @param {string[]} names */
     named(names) {
       if (this.#masses.length && names.join() === this.#names.join()) return;
       const before = this.#masses.map((box) => box.value);
@@ -1540,14 +1499,12 @@
         html("span", "carts-quiet", "if you have a balance")
       );
     }
-    /** The runs of a file: one is chosen, where there are several. @param {string[]} runs */
     offer(runs) {
       this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
       if (this.run.options.length === runs.length) return;
       this.run.replaceChildren(...runs.map((name, k) => new Option(name, String(k + 1))));
       this.run.value = this.#wanted || "1";
     }
-    /** Another film has another clock, another log other runs. */
     clear() {
       this.#wanted = "";
       this.run.replaceChildren();
@@ -1581,7 +1538,6 @@
       }
       return units;
     }
-    /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string} empty: nothing */
     missing(read) {
       if (read.kind === "acceleration") return "";
       const kinds = (
@@ -1593,7 +1549,6 @@
       ).map((kind) => WORDS[kind]);
       return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
     }
-    /** Of these, what is kept. */
     get kept() {
       return {
         units: this.chosen,
@@ -1606,7 +1561,6 @@
         masses: this.#masses.map((box) => box.value)
       };
     }
-    /** Of these, what Python is told. */
     get asked() {
       const number = (box) => Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null;
       const masses = {};
@@ -1702,7 +1656,6 @@
   var STEPS = 500;
   var seconds = (t) => fixed(t, 2);
   var Strip = class {
-    /** What the reader has set. @type {Given[]} */
     given = [];
     #segments = [];
     #step = 0.01;
@@ -1712,7 +1665,6 @@
       this.changed = changed;
       new ResizeObserver(() => this.#stack()).observe(place2);
     }
-    /** Other readings: nothing is found or set. */
     clear() {
       this.given = [];
       this.show(null);
@@ -1837,7 +1789,6 @@
         ))
       );
     }
-    /** Everything at its place, and in words. */
     #put() {
       for (const cart of new Set(this.#segments.map((one) => one.cart))) {
         const own = ofCart(this.#segments, cart);
@@ -1886,7 +1837,6 @@
         tr("{first} until {time} s, then {second}", { first, second, time: seconds(at) })
       );
     }
-    /** Handles that would lie over each other stand below each other. */
     #stack() {
       for (const row of this.place.querySelectorAll(".carts-measured-strip-row")) {
         const width = row.getBoundingClientRect().width || USUAL2;
@@ -1907,7 +1857,6 @@
         );
       }
     }
-    /** The handle that was held, after all was drawn anew. @param {string} cart @param {number} at s */
     #focus(cart, at) {
       const off = (edge) => Math.abs(Number(edge.getAttribute("aria-valuenow")) - at);
       const within = this.#row(cart) ?? this.place;
@@ -1931,7 +1880,6 @@
         null
       );
       // of the last fit
-      /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
       complete = Promise.resolve();
       #asking = new Asking(
         client,
@@ -1980,7 +1928,6 @@
         this.picture?.player.pause();
         this.source?.films.end();
       }
-      /** What was done here before, or the lesson's readings. */
       async #restore() {
         const facts = (
           /** @type {Facts} */
@@ -2032,7 +1979,6 @@
         };
         void this.keeper?.put(structuredClone(this.#kept));
       }
-      /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
       async #newest(what, more, show) {
         try {
           const found = await this.#asking.newest(what, more);
@@ -2057,7 +2003,6 @@
         await this.#newest("read", {}, (found) => this.#show(found, found));
         this.dispatchEvent(new CustomEvent("carts-measured"));
       }
-      /** The strip before any fit: of itself over the reader's own readings only. */
       async #early() {
         const read = (
           /** @type {Read} */
@@ -2068,7 +2013,6 @@
         const still = this.#read === read && !this.#tried;
         if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
       }
-      /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
       #show(read, drawn) {
         this.#read = read;
         this.#tried = false;
@@ -2086,7 +2030,6 @@
         this.picture?.draw(read, drawn);
         if (this.#kept.texts.length && !this.#kept.fitted) void this.#early();
       }
-      /** The model as the sliders say. */
       async #byHand() {
         if (!this.hands) return;
         this.#kept.hand = this.hands.value;
@@ -2101,7 +2044,6 @@
           );
         });
       }
-      /** Fits the model and shows what it says. @param {boolean} compare with every effect */
       fit(compare = false) {
         this.complete = this.#fit(compare);
         return this.complete;
@@ -2166,15 +2108,9 @@
       super();
       this.start = start;
     }
-    /** Starts Python if nobody has yet. */
     wake() {
       if (this.state === "idle") void this.#boot();
     }
-    /**
-     * Has packages that no scene of the page called for. A second Python starts with them and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
-     * @param {string[]} names @returns {Promise<void>}
-     */
     need(names) {
       if (names.every((name) => this.#asked.includes(name))) return this.#growing;
       const before = this.#asked;
@@ -2196,18 +2132,12 @@
       this.#become("ready");
       this.#next();
     }
-    /** Resolves when Python is not just starting. @returns {Promise<void>} */
     #settled() {
       if (this.state !== "starting") return Promise.resolve();
       return new Promise((resolve) => {
         this.addEventListener("state", () => resolve(this.#settled()), { once: true });
       });
     }
-    /**
-     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
-     * both promises then get the newer answer.
-     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
-     */
     ask(owner, message) {
       if (this.state === "failed") return Promise.reject(this.error);
       this.wake();
@@ -2271,7 +2201,6 @@
       if (this.#restarts > RESTARTS) this.#fail(reason);
       else void this.#boot();
     }
-    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
     #use(runtime) {
       const older = this.#runtime;
       runtime.onlost = (reason) => this.#lost(runtime, reason);
@@ -2279,7 +2208,6 @@
       older?.stop();
       this.#takeBack();
     }
-    /** The request under way waits again, in front: whoever could answer it is gone. */
     #takeBack() {
       const job = this.#flying;
       this.#flying = null;
@@ -2333,11 +2261,6 @@
     stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
-    /**
-     * @param {Reason} reason
-     * @param {string} [detail]
-     * @param {string} [file] the payload that is missing or damaged
-     */
     constructor(reason, detail = "", file = "") {
       super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
       this.name = "RuntimeFailure";
@@ -2500,11 +2423,6 @@
         reject(new RuntimeFailure("worker-refused", event.message));
       };
     }
-    /**
-     * @param {string} name
-     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts gzip; given away
-     * @returns {Promise<ArrayBuffer>} one that never comes has been told of
-     */
     async unpack(name, parts) {
       const unpacked = new Promise((resolve) => this.waiting.set(name, resolve));
       for (const [number, part] of parts.entries()) {
@@ -2562,12 +2480,6 @@
   var MORE = "python-more.zip";
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
-    /**
-     * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
-     *   progress after which it is given up
-     * @param {boolean} snapshot
-     */
     constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
@@ -2582,7 +2494,6 @@
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
-    /** The files to load, the most urgent first. */
     files() {
       const { index, packages, snapshot } = this;
       const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
@@ -2593,7 +2504,6 @@
       if (names.every((name) => name in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages.join());
     }
-    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages, snapshot } = this;
       if (!snapshot) return [index.package, ...packages];
@@ -2621,12 +2531,6 @@
         this.unpacker?.stop();
       }
     }
-    /**
-     * All parts of a file are asked for at once and come in any order.
-     * @param {string} name
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
-     */
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
@@ -2653,11 +2557,6 @@
     get fraction() {
       return 0.9 * this.done / this.total;
     }
-    /**
-     * @param {Unpacker} unpacker
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<any>}
-     */
     async boot(unpacker, reject) {
       const load = (name) => this.load(name, reject);
       const loading = load(LOADER);
@@ -2750,12 +2649,6 @@
         this.lose("worker-lost", event.message);
       };
     }
-    /**
-     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
-     *   reader knows that it takes long and can stop it
-     * @returns {Promise<Answer>}
-     */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
@@ -2766,7 +2659,6 @@
         if (this.queue.length === 1) this.send();
       });
     }
-    /** Ends Python. What is under way is rejected. */
     stop() {
       this.end("stopped", "");
     }

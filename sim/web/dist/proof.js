@@ -206,11 +206,6 @@
     #band = null;
     #owner = {};
     // of its own: a proof is no newer run
-    /**
-     * @param {import("../scene/scene-view.js").SceneView} view @param {Element} place where it stands
-     * @param {import("../runtime/client.js").Client} client
-     * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
-     */
     constructor(view, place, client, message) {
       this.view = view;
       this.client = client;
@@ -235,7 +230,6 @@
       );
       place.append(box);
     }
-    /** Another run is there: what was proved is no longer of it, unless its values are the same. */
     forget() {
       if (this.#of === this.#asked()) return;
       this.#of = "";

@@ -17,15 +17,9 @@
       super();
       this.start = start;
     }
-    /** Starts Python if nobody has yet. */
     wake() {
       if (this.state === "idle") void this.#boot();
     }
-    /**
-     * Has packages that no scene of the page called for. A second Python starts with them and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
-     * @param {string[]} names @returns {Promise<void>}
-     */
     need(names) {
       if (names.every((name) => this.#asked.includes(name))) return this.#growing;
       const before = this.#asked;
@@ -47,18 +41,12 @@
       this.#become("ready");
       this.#next();
     }
-    /** Resolves when Python is not just starting. @returns {Promise<void>} */
     #settled() {
       if (this.state !== "starting") return Promise.resolve();
       return new Promise((resolve) => {
         this.addEventListener("state", () => resolve(this.#settled()), { once: true });
       });
     }
-    /**
-     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
-     * both promises then get the newer answer.
-     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
-     */
     ask(owner, message) {
       if (this.state === "failed") return Promise.reject(this.error);
       this.wake();
@@ -122,7 +110,6 @@
       if (this.#restarts > RESTARTS) this.#fail(reason);
       else void this.#boot();
     }
-    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
     #use(runtime) {
       const older = this.#runtime;
       runtime.onlost = (reason) => this.#lost(runtime, reason);
@@ -130,7 +117,6 @@
       older?.stop();
       this.#takeBack();
     }
-    /** The request under way waits again, in front: whoever could answer it is gone. */
     #takeBack() {
       const job = this.#flying;
       this.#flying = null;
@@ -213,11 +199,6 @@
     stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
-    /**
-     * @param {Reason} reason
-     * @param {string} [detail]
-     * @param {string} [file] the payload that is missing or damaged
-     */
     constructor(reason, detail = "", file = "") {
       super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
       this.name = "RuntimeFailure";
@@ -380,11 +361,6 @@
         reject(new RuntimeFailure("worker-refused", event.message));
       };
     }
-    /**
-     * @param {string} name
-     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts gzip; given away
-     * @returns {Promise<ArrayBuffer>} one that never comes has been told of
-     */
     async unpack(name, parts) {
       const unpacked = new Promise((resolve) => this.waiting.set(name, resolve));
       for (const [number, part] of parts.entries()) {
@@ -442,12 +418,6 @@
   var MORE = "python-more.zip";
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
-    /**
-     * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
-     *   progress after which it is given up
-     * @param {boolean} snapshot
-     */
     constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
@@ -462,7 +432,6 @@
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
-    /** The files to load, the most urgent first. */
     files() {
       const { index, packages, snapshot } = this;
       const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
@@ -473,7 +442,6 @@
       if (names.every((name) => name in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages.join());
     }
-    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
     toLoad() {
       const { index, packages, snapshot } = this;
       if (!snapshot) return [index.package, ...packages];
@@ -501,12 +469,6 @@
         this.unpacker?.stop();
       }
     }
-    /**
-     * All parts of a file are asked for at once and come in any order.
-     * @param {string} name
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
-     */
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
@@ -533,11 +495,6 @@
     get fraction() {
       return 0.9 * this.done / this.total;
     }
-    /**
-     * @param {Unpacker} unpacker
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<any>}
-     */
     async boot(unpacker, reject) {
       const load = (name) => this.load(name, reject);
       const loading = load(LOADER);
@@ -630,12 +587,6 @@
         this.lose("worker-lost", event.message);
       };
     }
-    /**
-     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
-     *   reader knows that it takes long and can stop it
-     * @returns {Promise<Answer>}
-     */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
@@ -646,7 +597,6 @@
         if (this.queue.length === 1) this.send();
       });
     }
-    /** Ends Python. What is under way is rejected. */
     stop() {
       this.end("stopped", "");
     }
@@ -1018,7 +968,6 @@
         value
       )).filter((draft) => draft.hash !== this.hash).sort((a, b) => a.last < b.last ? 1 : -1);
     }
-    /** Resolves with whether the browser keeps it beyond this visit. @param {string} text @param {string} base */
     async keep(text2, base) {
       const store = await this.store;
       const draft = { text: text2, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
@@ -3042,9 +2991,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     "carts-measured": "bench"
   };
   var LessonPage = class {
-    /** The elements of blocks by the key of their HTML. @type {Map<string, HTMLElement>} */
     #made = /* @__PURE__ */ new Map();
-    /** The element of each block, in their order. @type {(HTMLElement | null)[]} */
     #blocks = [];
     #frame = "";
     constructor(article, assets, change) {
@@ -3058,7 +3005,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     block(index) {
       return this.#blocks[index] ?? null;
     }
-    /** The page as it was built is what this look at the published text shows. @param {Look} look */
     adopt(look) {
       const found = look.pieces.filter((piece) => piece.kind === "block").map((piece) => this.#byId(piece.id ?? ""));
       look.blocks.forEach((block, k) => {
@@ -3124,7 +3070,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const head = kept.filter((child) => !foot.includes(child));
       this.article.replaceChildren(...head, made2.content, ...foot);
     }
-    /** A button before each block leads to its editor. */
     #offer() {
       for (const old of this.article.querySelectorAll(".carts-teach-change")) old.remove();
       this.#blocks.forEach((element, k) => {
@@ -3141,7 +3086,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         element.before(row);
       });
     }
-    /** A page that had no scene has not loaded their script. */
     async #bringToLife() {
       if (customElements.get("carts-scene")) return;
       const script = document.createElement("script");
@@ -3364,9 +3308,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var PieceEditor = class {
     #fields;
     #filled = false;
-    /**
-     * @param {{typed: (text: string) => void, set: (field: import("./types.js").Field, value: string, owner: object) => Promise<string>, opened: () => void}} acts
-     */
     constructor(acts) {
       this.root = document.createElement("details");
       this.root.className = "carts-teach-piece";
@@ -3409,7 +3350,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.root.classList.toggle("carts-teach-has-mistake", count > 0);
       if (this.root.open) this.#fill();
     }
-    /** What is inside is made when it is opened first, and kept up to date while it is open. */
     #fill() {
       const { piece, findings } = this;
       if (!this.#filled) {
@@ -3582,18 +3522,15 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.#faulty = faulty;
       say(this.note, text2);
     }
-    /** Whether the draft is on this computer. @param {boolean} kept */
     kept(kept) {
       const words = kept ? "Draft kept in this browser." : "This browser keeps no drafts: save often.";
       say(this.state, this.session.changed ? words : this.#unchanged);
       this.root.dataset.kept = String(kept);
     }
-    /** The text was changed: what can be told before Python has looked. */
     follow() {
       this.root.dataset.state = "looking";
       this.tools.draw();
     }
-    /** The page shows the text as it is. */
     drawn() {
       this.root.dataset.state = "ready";
     }
@@ -3670,12 +3607,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.#pieces = this.#pieces.map((one, other) => other === k ? { ...one, text: ends2 } : one);
       this.session.change(texts.join(""), `piece ${k}`);
     }
-    /** The number of a piece's block among the blocks. @param {number} k */
     #blockOf(k) {
       if (this.#pieces[k]?.kind !== "block") return -1;
       return this.#pieces.slice(0, k).filter((piece) => piece.kind === "block").length;
     }
-    /** Opens the editor of a block. @param {number} index among the blocks */
     openBlock(index) {
       const editor = this.#editors.filter(({ piece }) => piece.kind === "block")[index];
       if (!editor) return;
@@ -3697,7 +3632,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       else
         this.status("Notes and marking guides are back. Your file differs from the published one.");
     }
-    /** A lesson whose text is not in the site. */
     askForFile() {
       this.root.dataset.state = "asks";
       this.tools.root.hidden = true;
@@ -3713,7 +3647,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     offerEarlier(drafts) {
       this.notices.append(...drafts.map((draft) => earlierDraft(this.session, draft)));
     }
-    /** The whole text can still be changed and saved. @param {string} why */
     withoutPython(why) {
       this.status(`${why} The text is not checked here, and the page does not follow.`);
       const editor = new PieceEditor({
@@ -3773,15 +3706,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var Session = class {
     #looking = {};
     #timer = 0;
-    /** Resolves when Python has seen the text as it is now, and the page shows it. */
     settled = Promise.resolve();
     look = null;
     #asked = false;
     #working = false;
-    /**
-     * @param {{told: import("./source.js").Told, client: import("../runtime/client.js").Client, assets: string,
-     *   drafts: import("./drafts.js").Drafts, link: HTMLElement}} given
-     */
     constructor({ told: told2, client, assets, drafts, link }) {
       this.told = told2;
       this.client = client;
@@ -3806,7 +3734,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     get name() {
       return this.told.file.split("/").at(-1) ?? "lesson.md";
     }
-    /** Opens the panel; shows the published text first, so that the page's own elements are known. */
     async open() {
       this.show();
       scrollTo(0, 0);
@@ -3840,7 +3767,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.panel.offerEarlier(await this.drafts.earlier());
       this.panel.root.dataset.state = "ready";
     }
-    /** A kept draft is the text before anything can be typed: it would be lost under the first key. */
     #takeBack(draft) {
       if (!draft || draft.text === this.text) return null;
       this.base = draft.base;
@@ -3864,7 +3790,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       history.replaceState(null, "", address.href.replace(/#$/, ""));
       this.link.focus();
     }
-    /** The text was changed. @param {string} text @param {string} where @param {number} pause ms until Python looks */
     change(text2, where, pause = PAUSE2) {
       if (this.history.change(text2, where)) this.#changed(pause);
     }
@@ -3876,7 +3801,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.history.redo();
       this.#changed();
     }
-    /** Back to the text as it was published, as a change that can be undone. */
     reset() {
       this.change(this.base, "");
       void this.drafts.forget().catch(() => {
@@ -3898,7 +3822,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.panel.kept(false);
       }
     }
-    /** Python looks at the text as it is now; then page and panel show it. */
     async lookNow() {
       if (this.#working) return;
       this.#working = true;
@@ -3936,7 +3859,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         header
       );
     }
-    /** Loads what a scene needs beside bare Python, once. @param {Look} look */
     async #got(look) {
       if (!look.needs.length || this.#asked) return false;
       this.#asked = true;
@@ -3950,7 +3872,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         return false;
       }
     }
-    /** One value of a block. @param {number} block @param {Field} field @param {string} value @param {object} owner @returns {Promise<string>} why not; empty: done */
     async set(block, field, value, owner) {
       for (; ; ) {
         const { header, sent } = await this.client.ask(owner, () => ({
@@ -3971,7 +3892,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         return "";
       }
     }
-    /** The teacher's own file: the whole lesson, with what was kept out of the site. @param {string} own */
     async takeOwn(own) {
       if (this.told.text === null) {
         this.base = own;

@@ -1437,7 +1437,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       this.#names(told2);
     }
-    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
     #names(told2) {
       const [only] = told2;
       for (const { pair, groups } of this.#pushes) {
@@ -1467,7 +1466,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       }
     }
-    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull(told2) {
       return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
     }
@@ -1498,7 +1496,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       write(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
-    /** Where names may stand: between the walls. @returns {[number, number]} */
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
@@ -1565,10 +1562,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       };
       return { left: at("left"), right: at("right") };
     }
-    /**
-     * @param {Record<Side, {dent: number, height: number}>} pressed how far each gives way, and to a cart of which height, in units
-     * @param {number} shift of the picture to the left, in units
-     */
     at(pressed, shift) {
       const lines2 = this.#walls.map(({ side, wall, group }) => {
         const { dent, height } = pressed[side];
@@ -1606,7 +1599,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
-    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       const { layout, view } = this;
@@ -1642,7 +1634,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
-    /** Draws the instant t. @param {number} t in s */
     at(t) {
       const { header, trajectory } = this.#run;
       const shift = this.camera * t;
@@ -1709,11 +1700,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
-    /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
-     * the tip to pull it by; of one that is not drawn yet, the handle.
-     * @param {import("../predict/arrows.js").Guess[]} guesses
-     */
     guess(guesses) {
       const { header } = this.#run;
       const group = need(this.root, '[data-part="guess"]');
@@ -1750,7 +1736,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       });
       group.replaceChildren(...parts);
     }
-    /** The mass, written over all boxes: a neighbour may be taller. @param {string} name @param {shapes.Box} box @param {number} lift */
     #mass(name, box2, lift) {
       const mass = need(this.root, `.carts-mass[data-body="${name}"]`);
       put(mass, "y", px(this.layout.track - lift + box2.labelY));
@@ -1858,19 +1843,16 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     speed = 1;
     slow = true;
     until = 1;
-    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
     seen = Infinity;
     ended = () => {
     };
     // what to do at the end of the run
-    /** What to do after steps. @type {(before: number) => void} */
     stepped = () => {
     };
     parts = [];
     halts = [];
     halting = false;
     stops = [];
-    /** Whether playing shows a still each second, and each event, in place of motion. */
     stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
     #waited = 0;
     // s since the last still
@@ -1913,12 +1895,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       if (t <= 0) this.own = 0;
       this.#tell(this.time, false);
     }
-    /** Goes there, watched or not. @param {number} t in s */
     show(t) {
       this.seen = Math.max(this.seen, t);
       this.seek(t);
     }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count = 1) {
       this.pause();
       const start = this.time;
@@ -1978,14 +1958,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.root.append(this.#bar());
       this.#at();
     }
-    /** Nothing moves any more. */
     leave() {
       this.player.pause();
     }
-    /**
-     * @param {Baked} baked @param {Shown} shown
-     * @param {import("../../../view/windows.js").Touch[]} windows
-     */
     #picture(baked, { run, caption, impossible = false }, windows) {
       const figure = html("figure", impossible ? "carts-impossible" : "");
       const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
@@ -2425,7 +2400,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       );
       this.toggleAttribute("hidden", false);
     }
-    /** Nothing is known once more. */
     #close() {
       this.toggleAttribute("hidden", true);
       this.#turn += 1;

@@ -1,6 +1,7 @@
 /** Code words of students, from a printed card: BLUE-FOX-27. Two on one laptop: BLUE-FOX-27+RED-OWL-13. */
 
 import { tr } from "../../../view/language.js";
+import { codeWord } from "../shared/code-word.js";
 
 const MOST = 80;
 const HAN = /\p{Script=Han}/u; // one sign is a syllable, two or three are a name
@@ -10,13 +11,8 @@ const HAN = /\p{Script=Han}/u; // one sign is a syllable, two or three are a nam
  * @param {string} typed @returns {{code: string} | {problem: string}}
  */
 export function readCode(typed) {
-  const parts = typed
-    .normalize("NFKC")
-    .toUpperCase()
-    .split(/\s*[+&]\s*/)
-    .map((part) => part.trim().replace(/[\s–—−_]+/g, "-"));
-  const codes = [...new Set(parts)].sort();
-  const code = codes.join("+");
+  const code = codeWord(typed);
+  const codes = code.split("+");
   if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
   if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
   if (!codes.every((part) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part))) {

@@ -1,4 +1,4 @@
-/** A code word as it is compared; as in answers/codes.js and `pseudonym` of sim/classroom/files/marks_file.py. */
+/** A code word as it is kept and compared; as `pseudonym` of sim/classroom/files/marks_file.py does. */
 
 /** @param {string} typed @returns {string} “blue fox 27” is BLUE-FOX-27; of two with a + between them in one order */
 export function codeWord(typed) {
