@@ -89,7 +89,10 @@ const noComments = {
       file.includes("node_modules")
         ? undefined
         : {
-            contents: readFileSync(file, "utf8").replace(/^ *\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n/gm, ""),
+            contents: readFileSync(file, "utf8").replace(
+              /^ *\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n/gm,
+              "",
+            ),
             loader: "js",
           },
     );
