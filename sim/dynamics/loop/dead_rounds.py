@@ -1,11 +1,11 @@
-"""Dead bumpers hit in turn at one instant: a collapse whose rounds a force of their own ends.
+"""Inelastic collapse of dead bumpers that have stayed pressed in.
 
-A bumper with e = 0 that has been pressed in and has not cleared is rigid where it is pressed again:
-at its remembered overlap the force jumps from nought to k d, and a slow approach ends there within
-(m/k d) of its speed, at no way. Three bodies of which two gaps are so, or one and a wall, hit each
-other in turn for ever, each round a fixed part of the one before (as in `collapse`), and with it
-shorter: all of them at one instant as far as a clock can tell. Once the approach is `AT_REST` of
-the fastest one so far, all that touch so go on with the velocity of their centre of mass.
+A bumper with e = 0 that has not cleared is rigid where it is pressed again: at its remembered
+overlap d the force jumps from nought to k d, which ends an approach w after m w/(k d), at once as
+far as a clock can tell. Three bodies (a wall is one) with two such gaps between them hit each other
+in turn for ever, and each round leaves a fixed part of the speeds, as in `collapse`. Once an
+approach is `AT_REST` of the fastest one so far, all that were hit at that instant and move alike
+go on with the velocity of their centre of mass.
 """
 
 from __future__ import annotations
