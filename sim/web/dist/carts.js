@@ -3747,40 +3747,30 @@
   }
 
   // src/shared/newest-first.js
-  var UNDER_WAY = 3;
   function newestFirst(put2) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value, alone3) {
-      const flight = flights.get(key) ?? { count: 0, next: null };
-      flights.set(key, flight);
-      flight.count += 1;
+      const now = put2(key, value, alone3);
+      flights.set(key, { now, next: null });
       const over = () => {
-        flight.count -= 1;
-        const { next } = flight;
-        flight.next = null;
-        if (next) next.as(start(key, next.value, next.alone));
-        else if (!flight.count) flights.delete(key);
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
       };
-      const written = put2(key, value, alone3);
-      written.then(over, over);
-      return written;
+      now.then(over, over);
+      return now;
     }
     return (key, value, alone3 = false) => {
       const flight = flights.get(key);
-      if (!flight || flight.count < UNDER_WAY) return start(key, value, alone3);
+      if (!flight) return start(key, value, alone3);
       if (flight.next) {
         flight.next.value = value;
         flight.next.alone &&= alone3;
         return flight.next.written;
       }
-      let as = () => {
-      };
-      const written = (
-        /** @type {Promise<void>} */
-        new Promise((resolve) => as = resolve)
-      );
-      flight.next = { value, alone: alone3, written, as };
-      return written;
+      const next = { value, alone: alone3, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
     };
   }
 

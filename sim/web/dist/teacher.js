@@ -722,40 +722,30 @@
   }
 
   // src/shared/newest-first.js
-  var UNDER_WAY = 3;
   function newestFirst(put) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value, alone2) {
-      const flight = flights.get(key) ?? { count: 0, next: null };
-      flights.set(key, flight);
-      flight.count += 1;
+      const now = put(key, value, alone2);
+      flights.set(key, { now, next: null });
       const over2 = () => {
-        flight.count -= 1;
-        const { next } = flight;
-        flight.next = null;
-        if (next) next.as(start(key, next.value, next.alone));
-        else if (!flight.count) flights.delete(key);
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
       };
-      const written = put(key, value, alone2);
-      written.then(over2, over2);
-      return written;
+      now.then(over2, over2);
+      return now;
     }
     return (key, value, alone2 = false) => {
       const flight = flights.get(key);
-      if (!flight || flight.count < UNDER_WAY) return start(key, value, alone2);
+      if (!flight) return start(key, value, alone2);
       if (flight.next) {
         flight.next.value = value;
         flight.next.alone &&= alone2;
         return flight.next.written;
       }
-      let as = () => {
-      };
-      const written = (
-        /** @type {Promise<void>} */
-        new Promise((resolve) => as = resolve)
-      );
-      flight.next = { value, alone: alone2, written, as };
-      return written;
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin2 = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin2, begin2);
+      flight.next = next;
+      return next.written;
     };
   }
 

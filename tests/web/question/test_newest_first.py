@@ -38,14 +38,11 @@ def typed(*values: int, between: tuple[int, ...] = (), refused: int = 0) -> Any:
     return in_node(STORE, {"typed": values, "between": between, "refused": refused})
 
 
-def test_a_few_keys_are_written_without_waiting_for_each_other() -> None:
-    assert typed(1, 2, 3)["at_once"] == [1, 2, 3]
-
-
-def test_of_many_keys_only_the_newest_waits() -> None:
+def test_of_many_keys_one_is_being_written_and_only_the_newest_waits() -> None:
+    """With three under way a killed WebKit lost more: there each waits for the one before."""
     done = typed(*range(1, 101))
-    assert done["at_once"] == [1, 2, 3]
-    assert done["began"] == [1, 2, 3, 100]
+    assert done["at_once"] == [1]
+    assert done["began"] == [1, 100]
     assert done["kept"] == 100
     assert sorted(done["said"]) == list(range(1, 101))
 
@@ -58,6 +55,6 @@ def test_the_newest_is_kept_whenever_it_is_typed(count: int) -> None:
 
 
 def test_a_write_that_is_refused_holds_up_none_after_it() -> None:
-    done = typed(1, 2, 3, 4, refused=2)
+    done = typed(1, 2, 3, 4, refused=1)
     assert done["kept"] == 4
-    assert -2 in done["said"]
+    assert -1 in done["said"]
