@@ -33,14 +33,21 @@ def pressed(effects: list[Any], **more: Any) -> dict[str, Any]:
     }
 
 
-def in_25_digits(plain: dict[str, Any], drag: float, until: float) -> tuple[Any, Any]:
-    """Speeds and ways of the two, by Taylor series of order 28; nothing of `sim`."""
+def in_25_digits(
+    plain: dict[str, Any], drag: float, until: float, spring: tuple[float, float] = (0.0, 0.0)
+) -> tuple[Any, Any]:
+    """Speeds and ways of the two, by Taylor series of order 28; nothing of `sim`.
+
+    `spring`: stiffness and damping of one that is as long as the gap at the start. No stiffness of
+    the contact: the two do not touch.
+    """
     with mpmath.workdps(25):
         a, b = (mpf(c["mass"]) for c in plain["carts"].values())
         v, w = (mpf(c["velocity"]) for c in plain["carts"].values())
         k, q = mpf(plain["contact"]["stiffness"]), mpf(drag)
-        damper = 2 * mpmath.sqrt(k * a * b / (a + b))
-        over, x, y, steps = mpf(0), mpf(0), mpf(0), 140
+        damper = 2 * mpmath.sqrt(k * a * b / (a + b)) + mpf(spring[1])
+        k += mpf(spring[0])
+        over, x, y, steps = mpf(0), mpf(0), mpf(0), round(140 * until)
         h = mpf(until) / steps
         for _ in range(steps):
             vs, ws, os = [v], [w], [over]
@@ -64,6 +71,29 @@ def test_two_that_drag_presses_together_slow_down_as_in_25_digits_say() -> None:
     assert done.v == pytest.approx(speeds, abs=ROUNDING)
     assert [x - c["position"] for x, c in zip(done.x, plain["carts"].values(), strict=True)] == (
         pytest.approx(ways, abs=ROUNDING)
+    )
+    assert done.ledger.imbalance() < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("room", "most"), [(0.0, 80), (0.1, 60)], ids=["beside a contact", "across a gap"]
+)
+def test_a_spring_whose_swing_a_damper_has_taken_leads_too(room: float, most: int) -> None:
+    """Drag slows the two in unlike ways; as short as the swing would have them, steps were 778
+    beside the contact and 73 across the gap."""
+    stiffness, damping = 100.0, 13.0
+    spring = {"stiffness": stiffness, "length": room, "damping": damping}
+    plain = pressed(
+        [{"drag": {"quadratic": 0.5}}, {"spring": {"between": ["A", "B"], **spring}}], until=4.0
+    )
+    plain["carts"]["B"]["position"] += room
+    oracle = plain | {"contact": {"stiffness": 0.0 if room else 10_000}}
+    done = run(read_scene(plain))
+    speeds, ways = in_25_digits(oracle, 0.5, 4.0, (stiffness, damping))
+    assert done.solvers["power-series"] <= most
+    assert done.v == pytest.approx(speeds, abs=ROUNDING)
+    assert [x - c["position"] for x, c in zip(done.x, plain["carts"].values(), strict=True)] == (
+        pytest.approx(ways, abs=4 * ROUNDING)
     )
     assert done.ledger.imbalance() < 1e-14
 

@@ -9,6 +9,7 @@ swing would be. Here overlap and force of such a contact follow from the motion,
 
 Begun with o'' = 0, each round of the two brings about 1/(w h)², or gamma/(kappa h), of what the one
 before it brought; w is the rate of the contact and h the radius of convergence of what remains.
+A damped spring across the gap, with a contact or without, is one branch with it.
 The series is that of the one solution without a swing (the slow manifold; Fenichel, J. Diff.
 Equations 31 (1979) 53). The row is on it where overlaps and rates differ from it by no more than
 QUIET, as at rest (`rest`); that difference, 3e-13 of the force and fading, is left out.
@@ -33,13 +34,17 @@ STIFFER = 8.0
 """Times the rate of the next softer contact: from there on contacts are led."""
 
 ROUNDS = 16
+LAST_BIT = 4e-16
+"""Relative, of an overlap: what rounding leaves of it."""
+
 AGREE = 1e-16
 """Of the accelerations in the step. Rounds that differ by less give the same bits."""
 
 
 def led_step(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | None:
     """The longer step of a row whose stiff contacts have nothing left of their swing; else None."""
-    if any(body.held for body in bodies) or not (stiff := _stiff(gaps, row)):
+    plain, row = row, _with_springs_as_contacts(gaps, row)
+    if any(body.held for body in bodies) or not (stiff := _stiff(row)):
         return None
     rigid = [LOCKED if k in stiff else branch for k, branch in enumerate(row.branches)]
     if _is_clamped(row, rigid):
@@ -53,19 +58,48 @@ def led_step(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Ste
     if length < WORTH * step_length(row) or not _is_on_it(row, over, stiff, step_length(row)):
         return None
     speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
+    for k, (before, now) in enumerate(zip(plain.links, row.links, strict=True)):
+        if before != now:
+            total, contact = series.force[k], _force(plain.branches[k], over[k])
+            series.pull[k] = [t - c for t, c in zip(total, contact, strict=False)]
+            series.force[k] = contact
     return Step(
-        bodies, gaps, row.branches, length, over, series.force, series.pull, speed, [],
+        bodies, gaps, plain.branches, length, over, series.force, series.pull, speed, [],
         row.steady, short=False,
     )  # fmt: skip
 
 
-def _stiff(gaps: list[Gap], row: Row) -> set[int]:
+def _with_springs_as_contacts(gaps: list[Gap], row: Row) -> Row:
+    """The same row, where springs across a gap are one branch with its contact: it leads too."""
+    branches, links = list(row.branches), list(row.links)
+    for k, (gap, branch, own) in enumerate(zip(gaps, row.branches, row.links, strict=True)):
+        if own and not branch.locked and all(link.linear for link in own):
+            bounds = [link.bounds(gap.room) for link in own]
+            kappa = math.fsum([branch.kappa, *(stiff for stiff, _ in bounds)])
+            gamma = math.fsum([branch.gamma, *(damping for _, damping in bounds)])
+            o = row.overlaps[k]
+            push = branch.force(o, 0.0) + math.fsum(link.force(gap.room, 0.0) for link in own)
+            if kappa > 0.0:
+                branches[k], links[k] = Branch(kappa, gamma, o - push / kappa), ()
+    return replace(row, branches=branches, links=links)
+
+
+def _force(branch: Branch, over: Poly) -> Poly:
+    """kappa (o − rest) + gamma o', without the last coefficient, which o' does not have."""
+    rest = [branch.rest, *[0.0] * (len(over) - 2)]
+    return [
+        branch.kappa * (o - r) + branch.gamma * (n + 1) * after
+        for n, (o, r, after) in enumerate(zip(over, rest, over[1:], strict=False))
+    ]
+
+
+def _stiff(row: Row) -> set[int]:
     """The contacts that are stiffer by far than all others, without a spring or magnet beside."""
     rates: list[tuple[float, int]] = []
-    for k, (gap, branch) in enumerate(zip(gaps, row.branches, strict=True)):
-        if gap.touching is not None and branch.kappa > 0.0:
+    for k, (branch, links) in enumerate(zip(row.branches, row.links, strict=True)):
+        if branch.kappa > 0.0:
             rate = math.sqrt(branch.kappa * (row.inverse[k] + row.inverse[k + 1]))
-            rates.append((0.0 if gap.links else rate, k))
+            rates.append((0.0 if links else rate, k))
     if not rates:
         return set()
     rates.sort(reverse=True)
@@ -142,8 +176,10 @@ def _second(over: Poly) -> Poly:
 def _is_on_it(row: Row, over: list[Poly], stiff: set[int], step: float) -> bool:
     """Do overlaps and rates of the stiff contacts belong to a motion without a swing?"""
     deepest = max(abs(over[k][0] - row.branches[k].rest) for k in stiff)
+    longest = max(abs(row.overlaps[k]) for k in stiff)  # of a spring: its length, with its rounding
+    quiet = QUIET * deepest + LAST_BIT * longest
     return all(
-        abs(over[k][0] - row.overlaps[k]) <= QUIET * deepest
-        and abs(over[k][1] - row.rates[k]) * step <= QUIET * deepest
+        abs(over[k][0] - row.overlaps[k]) <= quiet
+        and abs(over[k][1] - row.rates[k]) * step <= quiet
         for k in stiff
     )
