@@ -22,6 +22,8 @@ TOLD = """[...document.querySelectorAll(
   .map((note) => note.offsetHeight ? note.textContent.trim() : "")
   .filter((text) => text && /not|can.t|missing|damaged|too|lost|nothing|Opening|wait|still|slow/i
     .test(text))"""
+FLUSHED = 3.0
+"""s after the last key: the browser was asked to write to the disk (`SETTLE_AFTER`), and did."""
 FIELDS = """[...document.querySelectorAll("carts-question :is(textarea, input, select)")]
   .filter((its) => its.offsetParent && !its.disabled && !its.readOnly)
   .length"""
@@ -140,6 +142,7 @@ def prepare(context: BrowserContext, fault: Fault, where: str) -> None:
     if fault.earlier:
         page.wait_for_selector(FIELD)
         _answered(page, word=EARLIER)
+        page.wait_for_timeout(1000 * FLUSHED)  # a visit lasts longer than its last key
     else:
         page.evaluate(_seed(page, fault.before))
     page.close()
