@@ -38,18 +38,25 @@ def _holds(bodies: list[Body], i: int) -> bool:
 def _group(
     bodies: list[Body], first: int, last: int, steady: list[float], found: Expansion
 ) -> None:
-    static = sum(bodies[i].load.static for i in range(first, last + 1))
+    static = [body.load.static for body in bodies[first : last + 1]]
     for n in range(len(found.bodies[first])):
         others = [0.0] * (last - first + 1)
         for i in range(first, last + 1):
             others[i - first] = steady[i] if n == 0 else 0.0
             others[i - first] += _push(found, i - 1, n, inside=first <= i - 1 < last)
             others[i - first] -= _push(found, i, n, inside=first <= i < last)
-        total = sum(others)
-        push = 0.0
-        for k in range(first, last):
-            push += others[k - first] - total * bodies[k].load.static / static
+        for k, push in enumerate(pushes(others, static), first):
             found.force[k][n] = push
+
+
+def pushes(others: list[float], static: list[float]) -> list[float]:
+    """N in each gap between neighbours that are held; of each, all other forces and μ_s N."""
+    total, bears = sum(others), sum(static)
+    found, push = [], 0.0
+    for other, own in zip(others[:-1], static, strict=False):
+        push += other - total * own / bears
+        found.append(push)
+    return found
 
 
 def _push(found: Expansion, k: int, n: int, *, inside: bool) -> float:

@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from sim.dynamics.motion.friction_shares import pushes
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
@@ -226,10 +227,8 @@ def _contacts(
 
 def _share(block: range, force: list[float], static: list[float], total: list[float]) -> None:
     """Fill in what presses together the carts of a block that friction holds, each of them."""
-    before = total[block[0] - 1] if block[0] > 0 else 0.0
-    after = total[block[-1]] if block[-1] < len(total) else 0.0
-    load = before - after + math.fsum(force[i] for i in block)
-    bears = math.fsum(static[i] for i in block)
-    for i in block[:-1]:
-        before += force[i] - load * static[i] / bears
-        total[i] = before
+    first, last = block[0], block[-1]
+    others = force[first : last + 1]
+    others[0] += total[first - 1] if first > 0 else 0.0
+    others[-1] -= total[last] if last < len(total) else 0.0
+    total[first:last] = pushes(others, static[first : last + 1])

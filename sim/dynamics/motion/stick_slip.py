@@ -18,7 +18,8 @@ takes exactly what they are, so that rounding does not decide whether the body m
 
 
 def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
-    """Set `sliding` and `held` of the bodies of one component, as they are just now.
+    """Set `sliding` and `held` of the bodies of one component, as they are just now; those locked
+    to a wall get its velocity, nought.
 
     `bodies` and `gaps` run from left to right; walls among the bodies are left alone.
     """
