@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from markupsafe import Markup
 
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.lesson import Question
 from sim.lesson.key_file import item_key, key_file
+from sim.lesson.kinds.run import Reading
+from sim.pages.question.as_opened import as_opened
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.render import FORM_NAMES
 from sim.pages.scene_block import Lesson
 from sim.pages.templates import templates
+from sim.scene import Fence
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +37,10 @@ def lesson_key(text: str, lesson: Lesson, name: str, site: str) -> Key | None:
         return None
     parts = [("Worksheet", own)] if own else []
     parts += [(form.title or FORM_NAMES[form.form], form.items) for form in forms]
-    rows = [(title, [_row(item, k) for k, item in enumerate(part, 1)]) for title, part in parts]
+    rows = [
+        (title, [_row(item, k, asks.scenes) for k, item in enumerate(part, 1)])
+        for title, part in parts
+    ]
     page = (
         templates("sim.pages.question").get_template("key.html.j2").render(lesson=name, parts=rows)
     )
@@ -41,7 +49,7 @@ def lesson_key(text: str, lesson: Lesson, name: str, site: str) -> Key | None:
     )
 
 
-def _row(item: Question, number: int) -> dict[str, Any]:
+def _row(item: Question, number: int, scenes: Mapping[str, Fence]) -> dict[str, Any]:
     key = item_key(item)
     right = key["key"].get("correct", [])
     beliefs = key["key"].get("beliefs", {})
@@ -60,11 +68,22 @@ def _row(item: Question, number: int) -> dict[str, Any]:
             for letter, option in zip("abcdefghijkl", key.get("options", []), strict=False)
             if f"option-{option}" in item.texts()
         ],
-        "answer": answer_words(item, key["key"]),
+        "answer": answer_words(item, key["key"]) + _where_it_opens(item, scenes),
         "rubric": [(marks, Markup(to_html(text))) for marks, text in key.get("rubric", {}).items()],
         "explain": Markup(to_html(key.get("explain", ""))),
         "note": Markup(to_html(key.get("note", ""))),
     }
+
+
+def _where_it_opens(item: Question, scenes: Mapping[str, Fence]) -> str:
+    """Of a reading: the number with the settings of the page, three digits of it."""
+    if not isinstance(item, Reading) or item.scene not in scenes:
+        return ""
+    try:
+        found = as_opened(item, scenes[item.scene].scene)
+    except UnsolvedError:
+        return ""
+    return "" if found is None else f" (as the page opens: {found:.3g} {item.unit}".rstrip() + ")"
 
 
 def answer_words(item: Question, key: dict[str, Any]) -> str:

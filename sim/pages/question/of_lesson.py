@@ -11,9 +11,10 @@ from sim.pages.findings import AuthorError
 from sim.pages.question.block import read_question_block
 from sim.pages.question.on_page import BEFORE_A_RUN, OPEN
 from sim.pages.question.quiz import read_quiz_block
-from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
+from sim.pages.scene_block import Lesson, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.sections import in_sections, title_of
+from sim.scene import Fence
 
 WORKSHEET = "worksheet"
 """The form of the questions that stand in the lesson itself."""
@@ -25,7 +26,7 @@ class LessonAsks:
 
     `title`: its first heading, may be empty. `about`: ids of own questions, each with the id of
     the scene that it is about. `predicted`: ids of scenes that ask for a prediction. `optional`:
-    ids of own questions in parts for who has time.
+    ids of own questions in parts for who has time. `scenes`: what can be read of them, by id.
     """
 
     title: str
@@ -34,6 +35,7 @@ class LessonAsks:
     about: dict[str, str]
     predicted: tuple[str, ...]
     optional: frozenset[str]
+    scenes: dict[str, Fence]
 
     @property
     def parts(self) -> dict[str, tuple[Question, ...]]:
@@ -48,15 +50,15 @@ def lesson_asks(text: str, lesson: Lesson) -> LessonAsks:
     own: list[Question] = []
     forms: list[Form] = []
     about: dict[str, str] = {}
-    predicted: list[str] = []
+    scenes: dict[str, Fence] = {}
     last = ""  # the scene with a prediction that the text since the last heading is about
     optional: set[str] = set()
     lines = text.splitlines()
     for block, section in in_sections(lines, scan(lines)):
         last = "" if section.new else last
-        if block.name == "scene" and (found := _predicting(block, lesson)):
-            predicted.append(found)
-            last = found
+        if block.name == "scene" and (fence := _read(block, lesson)):
+            scenes[fence.id] = fence
+            last = fence.id if fence.predict else last
         elif block.name == "question":
             question = read_question_block(block, lesson, ids, first_line=1).question
             own.append(question)
@@ -66,8 +68,9 @@ def lesson_asks(text: str, lesson: Lesson) -> LessonAsks:
                 about[question.id] = scene
         elif block.name == "quiz":
             forms.append(read_quiz_block(block, lesson, ids, first_line=1).form)
-    return LessonAsks(title_of(lines), tuple(own), tuple(forms), about, tuple(predicted),
-                      frozenset(optional))  # fmt: skip
+    predicted = tuple(name for name, fence in scenes.items() if fence.predict)
+    return LessonAsks(title_of(lines), tuple(own), tuple(forms), about, predicted,
+                      frozenset(optional), scenes)  # fmt: skip
 
 
 def _scene_of(question: Question, last: str) -> str:
@@ -79,10 +82,9 @@ def _scene_of(question: Question, last: str) -> str:
     return "" if question.KIND in BEFORE_A_RUN else last
 
 
-def _predicting(block: Block, lesson: Lesson) -> str:
-    """The id of a scene with a prediction; empty for others, and for one that cannot be read."""
+def _read(block: Block, lesson: Lesson) -> Fence | None:
+    """None for a scene that cannot be read: `carts check` names what is wrong with it."""
     try:
-        plain, _ = with_scene_file(load_block(block, lesson.file, first_line=1), lesson)
+        return read_scene_block(block, lesson, SiteIds(), first_line=1).fence
     except AuthorError:
-        return ""  # `carts check` names what is wrong with a scene
-    return str(plain.get("id", "")) if "predict" in plain else ""
+        return None

@@ -33,7 +33,8 @@ MODULES = (
 """Of `sim/pages`."""
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
-    *("pages/question/published.py", "pages/question/key_page.py", "pages/question/of_lesson.py"),
+    *("pages/question/published.py", "pages/question/key_page.py"),
+    *("pages/question/as_opened.py", "pages/question/of_lesson.py"),
     "pages/map/png.py",
     *("pages/language/catalogues/", "pages/language/extract.py"),
 )

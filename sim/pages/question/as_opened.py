@@ -1,0 +1,57 @@
+"""What a reading is with the settings of the page as it opens: for the teacher's key.
+
+A student reads off the run on the screen, whatever was set there, and is marked by that run. Who
+marks by hand wants a number all the same. Between two samples a quantity is the cubic through
+their values and slopes, as the page reads it.
+"""
+
+from __future__ import annotations
+
+from array import array
+from bisect import bisect_right
+
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import trajectory
+from sim.lesson.kinds.run import Reading
+from sim.scene.model import Scene
+
+SLOPES = {"x": "v", "v": "a", "F": "dF"}
+
+
+def as_opened(reading: Reading, scene: Scene) -> float | None:
+    """The quantity in the reading's unit; None where the run has none of it (no such force)."""
+    what, _, whose = reading.quantity.partition(".")
+    mass = {cart.name: cart.mass for cart in scene.carts}
+    factor = mass[whose] if what == "p" else 1.0
+    what = "v" if what == "p" else what
+    columns = trajectory(run(scene)).columns
+    values = columns.get((what, whose))
+    if values is None:
+        return None
+    if reading.at == "largest":
+        found = max(values, key=abs)
+    elif reading.at == "start":
+        found = values[0]
+    elif reading.at == "end":
+        found = values[-1]
+    else:
+        slopes = columns.get((SLOPES.get(what, ""), whose))
+        found = _between(columns[("t",)], values, slopes, float(reading.at))
+    return factor * found / reading.per
+
+
+def _between(
+    t: array[float], values: array[float], slopes: array[float] | None, at: float
+) -> float:
+    """At `at` s; after a jump, where there is one."""
+    k = bisect_right(t, at) - 1
+    if k + 1 >= len(t):
+        return values[-1]
+    span = t[k + 1] - t[k]
+    s = (at - t[k]) / span
+    straight = values[k] + s * (values[k + 1] - values[k])
+    if slopes is None:
+        return straight
+    secant = (values[k + 1] - values[k]) / span
+    bend = (1.0 - s) * (slopes[k] - secant) - s * (slopes[k + 1] - secant)
+    return straight + s * (1.0 - s) * span * bend
