@@ -6,7 +6,7 @@ import io
 import json
 import random
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from sim.classroom.files.reading import Source
@@ -116,3 +116,11 @@ def zipped(files: Iterable[Source]) -> bytes:
         for file in files:
             archive.writestr(file.name, file.content)
     return packed.getvalue()
+
+
+def packed(fill: Callable[[zipfile.ZipFile], None], way: int = zipfile.ZIP_DEFLATED) -> bytes:
+    """A zip with what `fill` writes into it."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", way) as archive:
+        fill(archive)
+    return buffer.getvalue()

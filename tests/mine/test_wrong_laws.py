@@ -1,0 +1,116 @@
+"""Laws in Python: what is said of those that cannot be asked, and what bounds leave as it is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sim.mine.arguments import ARGUMENTS
+from sim.mine.instance import Instance, read_law
+from sim.mine.wrong import WrongLawError
+
+WRONG_TEXTS = {
+    "no Python": ("def force(overlap)\n    return 1\n", 1, "not Python"),
+    "no function": ("x = 1\n", 1, "no function called force"),
+    "another module": ("import math\nimport os\ndef force(overlap):\n    return 1\n", 2, "“os”"),
+    "a part of another": ("from sys import path\ndef force(overlap):\n    return 1\n", 1, "“sys”"),
+    "an unknown argument": ("\ndef force(overlap, speed):\n    return 1\n", 2, "“speed”"),
+    "a star": ("def force(*all):\n    return 1\n", 1, "without *"),
+    "not a number": ("def force(overlap):\n    x = 1\n    return 'much'\n", 3, "this is str"),
+    "nothing": ("def force(overlap):\n    overlap + 1\n", 1, "without a return"),
+    "nan": ("def force(overlap):\n    x = 1e300 * 1e300\n    return x - x\n", 3, "nan"),
+    "infinity": ("def force(overlap):\n    return 1e308 * 10 + overlap\n", 2, "inf"),
+    "a complex number": ("def force(overlap):\n    return (overlap - 1) ** 0.5\n", 2, "complex"),
+    "a division by nought": ("def force(overlap):\n    a = 0\n    return 1 / a\n", 3, "Zero"),
+    "an unknown name": ("def force(overlap):\n    return k * overlap\n", 2, "“k”|'k'"),
+    "an endless loop": ("def force(overlap):\n    x = 1\n    while x:\n        x = 2\n",
+                        3, "goes on and on"),
+    "an endless loop outside": ("while True:\n    pass\ndef force(overlap):\n    return 1\n", 1,
+                                "goes on and on"),
+    "a long count": ("def force(overlap):\n    return sum(i for i in range(10**9))\n", 2, "range"),
+    "a function that calls itself": (
+        "def f(x):\n    return f(x)\ndef force(overlap):\n    return f(1)\n", 1, "Recursion"
+    ),
+    "a huge power": ("def force(overlap):\n    return 10 ** 10 ** 10\n", 2, "power"),
+    "a huge power in place": (
+        "def force(overlap):\n    x = 9\n    x **= 9 ** 5\n    return 1\n", 3, "power"
+    ),
+    "a power in a list": (
+        "def force(overlap):\n    x = [9]\n    x[0] **= 9 ** 5\n    return 1\n", 3, "power"
+    ),
+    "a long shift": ("def force(overlap):\n    return 1 << 10 ** 6\n", 2, "whole number"),
+    "a number squared again and again": (
+        "def force(overlap):\n    x = 9\n    for k in range(16):\n        x = x * x\n    return 1",
+        4, "whole number"
+    ),
+    "a long list": ("def force(overlap):\n    return len([0] * 10 ** 6)\n", 2, "list or text"),
+    "a list that doubles itself": (
+        "def force(overlap):\n    x = [1]\n    for k in range(20):\n        x += x\n    return 1\n",
+        4, "list or text"
+    ),
+    "a wide text": ("def force(overlap):\n    x = '%100000d' % 1\n    return 1\n", 2, "too wide"),
+    "a wide field": ("def force(overlap):\n    x = f'{1:100000}'\n    return 1\n", 2, ":100000"),
+    "a reckoned width": ("def force(overlap):\n    x = f'{1:{9}}'\n    return 1\n", 2, ":{*}"),
+    "a filled text": ("def force(overlap):\n    return len('a'.ljust(10 ** 6))\n", 2, "ljust"),
+    "a factorial": (
+        "import math\ndef force(overlap):\n    math.factorial(2000)\n    return 1\n", 3, "number"
+    ),
+    "a product": (
+        "from math import prod\ndef force(overlap):\n    prod(range(1, 2000))\n    return 1\n",
+        3, "number"
+    ),
+    "rounded to nothing": (
+        "def force(overlap):\n    return round(5, -10 ** 5)\n", 2, "whole number"
+    ),
+    "a lambda that calls itself twice": (
+        "f = lambda n: f(n - 1) + f(n - 1) if n else 1\ndef force(overlap):\n    return f(16)\n",
+        1, "goes on and on"
+    ),
+    "a deep nest": (f"def force(overlap):\n    return {'+'.join('1' * 2000)}\n", 1, "longer"),
+    "a file": ("def force(overlap):\n    return len(open('x').read())\n", 2, "“open”"),
+    "what lies below": ("def force(overlap):\n    return ().__class__\n", 2, "“__class__”"),
+    "a try that swallows": (
+        "def force(overlap):\n    try:\n        return 1\n    finally:\n        pass\n", 2, "“try”"
+    ),
+    "a class": ("class A:\n    pass\ndef force(overlap):\n    return 1\n", 1, "“class”"),
+    "too long": ("#" * 20_001, 1, "longer"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", WRONG_TEXTS)
+def test_a_law_that_cannot_be_asked_is_told_with_its_line(name: str) -> None:
+    text, line, words = WRONG_TEXTS[name]
+    with pytest.raises(WrongLawError) as found:
+        Instance(read_law(text)).ask([0.01, 0.1, *[1.0] * (len(ARGUMENTS) - 2)])
+    assert found.value.line == line
+    assert any(word in found.value.message for word in words.split("|")), found.value.message
+
+
+def test_bounds_change_nothing_of_what_a_law_reckons() -> None:
+    text = """\
+seen = [0, [1]]
+
+def force(overlap, side):
+    same, n, word, first = seen[1], 3, "ab", "%s: " % side
+    seen[1] += [2, 3]
+    seen[len(first) - 6] += len(first)
+    same *= 2
+    seen[1][1:2] *= 3
+    n **= 3
+    n <<= 2
+    word *= 2
+    word += word
+    force.calls = n
+    force.calls *= n
+    square = lambda a: a * a
+    lengths = len(word) + sum(seen[1]) + seen[0]
+    return n % 7 + lengths + square(n) / 7 + overlap * 3 ** 2 + force.calls
+"""
+    plain: dict[str, Any] = {}
+    exec(text, plain)
+    law = Instance(read_law(text))
+    for overlap in (0.1, 0.3):
+        asked: list[Any] = [1.0] * len(ARGUMENTS)
+        asked[0], asked[-1] = overlap, "left"
+        assert law.ask(asked) == plain["force"](overlap, "left")
