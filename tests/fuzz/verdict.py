@@ -19,7 +19,7 @@ from tests.fuzz.mirror import mirrored
 from tests.fuzz.rows import Plain
 from tests.fuzz.units import scaled
 from tests.processor_time import TooSlowError, budget
-from tests.reference.contact_branches import UnsupportedError
+from tests.reference.contact_branches import DEAD, UnsupportedError
 from tests.reference.effects import integrate
 
 BUDGET = 1.0
@@ -107,6 +107,8 @@ def compared(plain: Plain, done: Any) -> Verdict:
         if tuple(v * length / s for v in other.v) != done.v:
             return Verdict("scale", f"{done.v} for {tuple(v * length / s for v in other.v)}")
         done = other
+    if (dead := as_nothing_back(plain)) != plain:
+        plain, done = dead, run(read_scene(dead))
     try:
         with budget(ORACLE_BUDGET):
             expected = integrate(done.scene, most_steps=20_000)
@@ -128,6 +130,25 @@ def compared(plain: Plain, done: Any) -> Verdict:
         if (off := distance(done, expected.x, expected.v)) <= AGREE:
             return Verdict("right", f"{off:.1e}, finely")
     return Verdict("end", f"off by {off:.1e}: {done.v} for {tuple(map(float, expected.v))}")
+
+
+def as_nothing_back(plain: Plain) -> Plain:
+    """The scene as the oracle has it: a bumper that gives back less than `DEAD` gives nothing.
+
+    What such a pair parts by, e u, is small; but the root of the room that it opens tells when the
+    two touch again under a force.
+    """
+
+    def one(contact: Plain) -> Plain:
+        own = dict(contact)
+        if 0.0 < float(own.get("restitution", 1.0)) <= DEAD:
+            own["restitution"] = 0
+        return own
+
+    contact = one(plain.get("contact", {}))
+    if "pairs" in contact:
+        contact["pairs"] = {name: one(own) for name, own in contact["pairs"].items()}
+    return {**plain, "contact": contact}
 
 
 def in_a_mirror(plain: Plain, done: Any) -> Verdict | None:

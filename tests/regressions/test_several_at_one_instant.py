@@ -8,6 +8,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
+from tests.fuzz.mirror import mirrored
 from tests.reference.effects import integrate
 
 
@@ -156,3 +157,26 @@ def test_velcro_does_not_hold_what_starts_more_slowly_than_its_neighbour_leaves(
     own, other = both(plain)
     assert own[0] < own[1] - 0.2
     assert other == pytest.approx(own, abs=1e-12)
+
+
+def test_held_bumpers_that_part_at_one_instant_part_alike_in_a_mirror() -> None:
+    """A is between the wall and B; both contacts end at one instant, in the order of the gaps.
+
+    Of what e = 1e-9 would give back came another touch, and of its time the root: 3e-7 of all.
+    """
+    dead = {"law": "bumper", "restitution": 1e-9, "stiffness": 47.0}
+    plain = {
+        "carts": {
+            "A": {"mass": 0.584, "position": 0.1, "velocity": 0.0},
+            "B": {"mass": 0.221, "position": 0.35, "velocity": 0.5},
+            "C": {"mass": 1.73, "position": 0.784, "velocity": 0.0},
+            "D": {"mass": 3.32, "position": 0.984, "velocity": -1.0},
+        },
+        "track": {"left": "wall", "right": "open", "length": 1.347},
+        "contact": {
+            "law": "push-only", "restitution": 0.5, "stiffness": 7700.0, "pairs": {"A-B": dead},
+        },
+        "until": 0.5,
+    }  # fmt: skip
+    one, two = run(read_scene(plain)).v, run(read_scene(mirrored(plain))).v
+    assert [-v for v in reversed(two)] == pytest.approx(one, abs=1e-13)

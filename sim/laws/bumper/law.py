@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 RIGID = 1e-7
 """Restitution. In a group of contacts, a bumper that springs back less than this is held at its
 greatest overlap as one with e = 0 is: followed exactly it would swing 1/e times as fast as all
-else. Velocities are off by at most this part of the approach speed; alone, a pair is exact."""
+else, and when the group ends it does not spring back. Velocities are off by at most this part of
+the approach speed; a pair that is alone from touch to separation is exact."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,6 +70,8 @@ class Bumper:
         w = math.sqrt(self.stiffness / mu)
         t, d, v = 0.0, d0, v0
         memory = max(memory, d0)
+        if self.e <= RIGID and d == memory and v == 0.0:
+            return ()  # held so far, in a group; which of its ends came first is no matter
         if self.e > 0.0 and (d < memory or v < 0.0):
             steep, rest = undamped(w / self.e), self.resting_overlap(memory)
             reach = math.hypot(d - rest, v / steep.w)
