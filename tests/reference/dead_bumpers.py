@@ -57,9 +57,13 @@ class HeldRow(Row):
     def join(self, k: int) -> None:
         for i in (k - 1, k):
             group = self.group(i)
-            if k not in self.held_at and group and len(self.body(i)) < len(group.carts):
+            if k not in self.held_at and group and self._holds_a_gap(group.carts):
                 raise UnsupportedError("velcro beside a held bumper")
         super().join(k)
+
+    def _holds_a_gap(self, carts: list[int]) -> bool:
+        """Is a gap beside one of these carts held, one at a wall too?"""
+        return any(k in self.held_at for i in carts for k in (i, i + 1))
 
     def let_go(self, k: int, state: str) -> None:
         """The bodies of gap k move on their own."""
