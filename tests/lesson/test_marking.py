@@ -93,6 +93,20 @@ def test_a_schools_own_way_of_writing_units_is_that_of_its_hints() -> None:
     assert facts["units"]["cm s⁻¹"] == 0.01
 
 
+@pytest.mark.parametrize(
+    ("answer", "typed"),
+    [("2 N", "2 kg m/s²"), ("2 N", "2 kg m s^-2"), ("2 N", "2 kg*m/s/s"), ("3 J", "3 N m")],
+)
+def test_a_unit_with_a_name_of_its_own_may_be_written_in_those_it_is_made_of(
+    answer: str, typed: str
+) -> None:
+    question = {"id": "f", "type": "number", "ask": "?", "answer": answer, "tolerance": "1 %"}
+    facts = read_question(question).data(key=True)
+    read = """const { readNumber } = await import(source + "/question/marking/typed-number.js");
+        give(readNumber(data[0], data[1]));"""
+    assert in_node(read, [typed, facts["units"]]) == {"value": float(answer[0])}
+
+
 ANSWERS = st.recursive(
     st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=8),
     lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner),

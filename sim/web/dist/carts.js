@@ -6004,9 +6004,11 @@
       );
       if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
       if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
-      if (event.key === "Escape" && isOn(scene)) void project(scene, false);
     });
   }
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") for (const scene of shown2()) void project(scene, false);
+  });
   document.addEventListener("fullscreenchange", () => {
     if (!document.fullscreenElement) for (const scene of shown2()) mark(scene, false);
   });
@@ -6018,7 +6020,6 @@
   async function project(scene, on) {
     for (const other of shown2()) if (other !== scene) mark(other, false);
     mark(scene, on);
-    if (on) scene.complete?.();
     if (!on) {
       if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
       });
@@ -6029,6 +6030,7 @@
     need(scene, ".carts-project").focus();
   }
   function mark(scene, on) {
+    if (!on && isOn(scene)) void scene.conceal?.();
     scene.classList.toggle("carts-projector", on);
     document.documentElement.classList.toggle("carts-projecting", shown2().length > 0);
     scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
@@ -7715,11 +7717,12 @@ ${lines4.join("\n")}
     let x0 = timeX(plane, Number(times2[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d2 = `M${px(x0)} ${px(y0)}`;
+    const isNear = (k) => k <= last && Math.abs(timeX(plane, Number(times2[k])) - x0) < NEAR2 && Math.abs(valueY(plane, Number(values[k])) - y0) < NEAR2;
     for (let k = 1; k <= last; k += 1) {
       if (Number(times2[k]) > seen) return d2 + tail2(curve2, times2, plane, Number(times2[k - 1]), seen);
       const x2 = timeX(plane, Number(times2[k]));
       const y2 = valueY(plane, Number(values[k]));
-      if (k < last && Math.abs(x2 - x0) < NEAR2 && Math.abs(y2 - y0) < NEAR2) continue;
+      if (isNear(k) && isNear(k + 1)) continue;
       const third = (Number(times2[k]) - Number(times2[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn2 === k - 1 && third > 0) {
@@ -7890,7 +7893,6 @@ ${lines4.join("\n")}
   }
 
   // src/scene/graphs/impulse-layer.js
-  var POINTS2 = 40;
   var ImpulseLayer = class {
     constructor(root, view) {
       this.shade = need(root, '[data-part="areas"]');
@@ -7912,15 +7914,7 @@ ${lines4.join("\n")}
         return say(this.note, this.windows.length ? hint : "");
       }
       const end2 = Math.min(t3, touch.end);
-      const outline2 = (sign) => {
-        const points = Array.from({ length: POINTS2 + 1 }, (_2, k) => {
-          const at3 = touch.start + (end2 - touch.start) * k / POINTS2;
-          const force2 = sign * contactForce(run, touch.pair, at3, 0);
-          return `${px(timeX(plane, at3))} ${px(valueY(plane, force2))}`;
-        });
-        const zero = px(valueY(plane, 0));
-        return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
-      };
+      const outline2 = (sign) => under(run, touch, plane, end2, sign);
       put(
         /** @type {Element} */
         paths[0],
@@ -7942,6 +7936,19 @@ ${lines4.join("\n")}
       say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
     }
   };
+  function under({ trajectory: { t: t3, F: F2, dF } }, touch, plane, end2, sign) {
+    const force2 = F2[touch.pair];
+    const first = rowAt(t3, touch.start);
+    if (!force2 || first < 0) return "";
+    const length = Math.min(rowAt(t3, end2) + 2, t3.length) - first;
+    const part = (column, factor) => Float64Array.from({ length }, (_2, k) => factor * Number(column[first + k]));
+    const [values, slope] = [part(force2, sign), dF[touch.pair]];
+    const slopes = slope ? part(slope, sign) : null;
+    const curve2 = { label: "", style: "", over: false, values, slopes };
+    const drawn2 = path2(curve2, part(t3, 1), plane, end2);
+    const zero = px(valueY(plane, 0));
+    return `M${px(timeX(plane, Number(t3[first])))} ${zero}L${drawn2.slice(1)}V${zero}Z`;
+  }
 
   // src/scene/graphs/key.js
   var Key = class {
@@ -9853,6 +9860,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   };
 
   // src/scene/time/watch.js
+  var PROJECTED = "carts-projector";
   var WATCHED = "carts-watched";
   var Watch = class {
     over = false;
@@ -9874,7 +9882,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         player.show(player.until);
       });
       if (this.first) player.seen = 0;
-      player.ended = () => this.finish();
+      player.ended = () => this.finish(element.classList.contains(PROJECTED));
       const before = this.first ? remembered() : [];
       presets.seen(presets.names.filter((name2) => !this.first || before.includes(this.#of(name2))));
       if (!this.asked && before.includes(this.#name)) this.#end();
@@ -10029,7 +10037,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#live.follow();
       }
-      async #startAgain() {
+      async #startAgain(lead = true) {
         this.#reset();
         this.#values.forget();
         this.#lesson = null;
@@ -10038,7 +10046,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.classList.add("carts-asks");
         this.#adopt();
         await this.#restored;
-        need(this, ".carts-predict :is(input, textarea):enabled").focus();
+        if (lead) need(this, ".carts-predict :is(input, textarea):enabled").focus();
       }
       async #showForces(said) {
         const [t3, values] = [this.time, { ...this.#values.good }];
@@ -10101,11 +10109,11 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const run = await this.#runs.ask();
         if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
       }
-      complete() {
-        if (this.#told) this.#watch?.finish(true);
-      }
       async reveal() {
         if (!this.#told) await this.#reveal(false, false);
+      }
+      async conceal() {
+        if (this.#told && this.#predict && !this.#predict.isLocked) await this.#startAgain(false);
       }
       async #reveal(now, own = true) {
         this.#predict?.complain("");
@@ -10118,9 +10126,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           this.#draw(run);
           this.#view?.enable(true);
           if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
-          if (!own || this.#predict?.watched) this.#watch?.finish(true);
+          if (this.#predict?.watched) this.#watch?.finish(true);
           else if (!this.#watch?.first) this.#watched();
-          else if (now) this.#view?.player.play();
+          else if (now || !own) this.#view?.player.play();
         } catch (error) {
           const { message } = (
             /** @type {Error} */

@@ -12215,11 +12215,12 @@ ${rows}</tbody></table></div>
     let x0 = timeX(plane, Number(times2[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d = `M${px(x0)} ${px(y0)}`;
+    const isNear = (k) => k <= last && Math.abs(timeX(plane, Number(times2[k])) - x0) < NEAR && Math.abs(valueY(plane, Number(values[k])) - y0) < NEAR;
     for (let k = 1; k <= last; k += 1) {
       if (Number(times2[k]) > seen) return d + tail(curve3, times2, plane, Number(times2[k - 1]), seen);
       const x = timeX(plane, Number(times2[k]));
       const y = valueY(plane, Number(values[k]));
-      if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
+      if (isNear(k) && isNear(k + 1)) continue;
       const third = (Number(times2[k]) - Number(times2[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn === k - 1 && third > 0) {
@@ -12767,12 +12768,12 @@ ${legend(baked, layout)}
     const last = right === "wall" ? Number(length) : high;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
-    const under2 = layout.track + layout.beam;
+    const under3 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
     const numbers = { low: first, high: last, step };
     const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
-    const fine = ticks2({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
+    const fine = ticks2({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under3)}v4`);
     const wall = (side2) => html`<g data-wall=${side2}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>
 `;
     return html`<g data-part="ground">
@@ -12780,7 +12781,7 @@ ${left === "wall" && wall("left")}${right === "wall" && wall("right")}<rect clas
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks2(numbers).map(
-      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 22)}>${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under3)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under3 + 22)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -13928,7 +13929,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
 
   // src/scene/graphs/impulse-layer.js
-  var POINTS2 = 40;
   var ImpulseLayer = class {
     constructor(root, view) {
       this.shade = need(root, '[data-part="areas"]');
@@ -13950,15 +13950,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         return say(this.note, this.windows.length ? hint : "");
       }
       const end2 = Math.min(t, touch.end);
-      const outline = (sign) => {
-        const points = Array.from({ length: POINTS2 + 1 }, (_, k) => {
-          const at = touch.start + (end2 - touch.start) * k / POINTS2;
-          const force = sign * contactForce(run, touch.pair, at, 0);
-          return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
-        });
-        const zero = px(valueY(plane, 0));
-        return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
-      };
+      const outline = (sign) => under2(run, touch, plane, end2, sign);
       put(
         /** @type {Element} */
         paths[0],
@@ -13980,6 +13972,19 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
     }
   };
+  function under2({ trajectory: { t, F, dF } }, touch, plane, end2, sign) {
+    const force = F[touch.pair];
+    const first = rowAt(t, touch.start);
+    if (!force || first < 0) return "";
+    const length = Math.min(rowAt(t, end2) + 2, t.length) - first;
+    const part = (column, factor) => Float64Array.from({ length }, (_, k) => factor * Number(column[first + k]));
+    const [values, slope] = [part(force, sign), dF[touch.pair]];
+    const slopes = slope ? part(slope, sign) : null;
+    const curve3 = { label: "", style: "", over: false, values, slopes };
+    const drawn = path(curve3, part(t, 1), plane, end2);
+    const zero = px(valueY(plane, 0));
+    return `M${px(timeX(plane, Number(t[first])))} ${zero}L${drawn.slice(1)}V${zero}Z`;
+  }
 
   // src/scene/graphs/key.js
   var Key = class {

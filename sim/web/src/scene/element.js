@@ -105,8 +105,8 @@ export function sceneElement(client, folder) {
       this.#live.follow();
     }
 
-    /** The start state and an empty prediction, as on the first visit. */
-    async #startAgain() {
+    /** The start state and an empty prediction, as on the first visit. @param {boolean} lead whether the focus goes there */
+    async #startAgain(lead = true) {
       this.#reset();
       this.#values.forget();
       this.#lesson = null;
@@ -115,7 +115,7 @@ export function sceneElement(client, folder) {
       this.classList.add("carts-asks");
       this.#adopt();
       await this.#restored;
-      need(this, ".carts-predict :is(input, textarea):enabled").focus();
+      if (lead) need(this, ".carts-predict :is(input, textarea):enabled").focus();
     }
 
     /** A force was found: now they are all shown, at the same values and the same instant. */
@@ -201,14 +201,14 @@ export function sceneElement(client, folder) {
       if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
     }
 
-    /** All of a run that may be told, at once: for a whole class. */
-    complete() {
-      if (this.#told) this.#watch?.finish(true);
-    }
-
-    /** The run without a prediction, for a whole class: nothing is kept. */
+    /** The run without a prediction, for a whole class: it plays, and nothing is kept. */
     async reveal() {
       if (!this.#told) await this.#reveal(false, false);
+    }
+
+    /** What the class has seen is no student's prediction: the scene asks again. */
+    async conceal() {
+      if (this.#told && this.#predict && !this.#predict.isLocked) await this.#startAgain(false);
     }
 
     /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
@@ -223,9 +223,9 @@ export function sceneElement(client, folder) {
         this.#draw(run);
         this.#view?.enable(true);
         if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
-        if (!own || this.#predict?.watched) this.#watch?.finish(true);
+        if (this.#predict?.watched) this.#watch?.finish(true);
         else if (!this.#watch?.first) this.#watched();
-        else if (now) this.#view?.player.play(); // opened again, it waits to be played
+        else if (now || !own) this.#view?.player.play(); // opened again, it waits to be played
       } catch (error) {
         const { message } = /** @type {Error} */ (error);
         this.#predict?.complain(`${message} ${words.PREDICTION_KEPT}`);

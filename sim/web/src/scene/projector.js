@@ -1,12 +1,13 @@
 /**
  * One scene for the whole class: full screen, large type, a count of hands for each option, “Reveal”
  * without a prediction of its own, and “Next” for the next scene of the page. Key P, or the button.
+ * The class watches too: the run plays, and its curves grow. Nothing of it is kept.
  */
 
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
 
-/** @typedef {HTMLElement & {reveal?: () => Promise<void>, complete?: () => void}} Scene */
+/** @typedef {HTMLElement & {reveal?: () => Promise<void>, conceal?: () => Promise<void>}} Scene */
 
 const MOST_HANDS = 999;
 /** @type {WeakSet<Scene>} scenes that listen to keys; their inside may be put there anew */
@@ -40,9 +41,12 @@ export function offerProjector(scene) {
     );
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
-    if (event.key === "Escape" && isOn(scene)) void project(scene, false);
   });
 }
+
+document.addEventListener("keydown", (event) => {
+  if (event.key === "Escape") for (const scene of shown()) void project(scene, false);
+});
 
 document.addEventListener("fullscreenchange", () => {
   if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
@@ -58,7 +62,6 @@ const isOn = (scene) => scene.classList.contains("carts-projector");
 async function project(scene, on) {
   for (const other of shown()) if (other !== scene) mark(other, false);
   mark(scene, on);
-  if (on) scene.complete?.();
   if (!on) {
     if (document.fullscreenElement) await document.exitFullscreen().catch(() => {});
     return;
@@ -69,6 +72,7 @@ async function project(scene, on) {
 
 /** @param {Scene} scene @param {boolean} on */
 function mark(scene, on) {
+  if (!on && isOn(scene)) void scene.conceal?.();
   scene.classList.toggle("carts-projector", on);
   document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
   scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));

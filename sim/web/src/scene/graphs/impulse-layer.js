@@ -1,15 +1,13 @@
 /** The shaded impulse in the force graph, with its number and m Δv of both bodies beside it. */
 
 import { brief } from "../../../../view/bodies.js";
-import { contactForce } from "../../../../view/forces.js";
 import * as g from "../../../../view/graph.js";
 import { area, changes } from "../../../../view/impulse.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, px } from "../../../../view/numbers.js";
+import { rowAt } from "../../../../view/trajectory.js";
 import { latestTouch, touches } from "../../../../view/windows.js";
 import { need, put, say } from "../../shared/dom.js";
-
-const POINTS = 40; // of the shaded outline
 
 export class ImpulseLayer {
   /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
@@ -39,15 +37,7 @@ export class ImpulseLayer {
       return say(this.note, this.windows.length ? hint : "");
     }
     const end = Math.min(t, touch.end);
-    const outline = (/** @type {number} */ sign) => {
-      const points = Array.from({ length: POINTS + 1 }, (_, k) => {
-        const at = touch.start + ((end - touch.start) * k) / POINTS;
-        const force = sign * contactForce(run, touch.pair, at, 0);
-        return `${px(g.timeX(plane, at))} ${px(g.valueY(plane, force))}`;
-      });
-      const zero = px(g.valueY(plane, 0));
-      return `M${px(g.timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
-    };
+    const outline = (/** @type {number} */ sign) => under(run, touch, plane, end, sign);
     put(/** @type {Element} */ (paths[0]), "d", outline(1));
     if (signed) put(/** @type {Element} */ (paths[1]), "d", outline(-1));
     const impulse = area(run, touch.pair, touch.start, end);
@@ -63,4 +53,21 @@ export class ImpulseLayer {
         : tr("{names}, shaded area so far: {amount}", { names, amount });
     say(this.note, tr("{values}, all in N\u00a0s.", { values: [shaded, ...parts].join("; ") }));
   }
+}
+
+/** What lies between the curve, as the graph draws it, and no force: closed. @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch} touch @param {g.Plane} plane @param {number} end in s @param {number} sign of the force */
+function under({ trajectory: { t, F, dF } }, touch, plane, end, sign) {
+  const force = F[touch.pair];
+  const first = rowAt(t, touch.start);
+  if (!force || first < 0) return "";
+  const length = Math.min(rowAt(t, end) + 2, t.length) - first;
+  /** @param {import("../../../../view/types.js").Column} column @param {number} factor */
+  const part = (column, factor) =>
+    Float64Array.from({ length }, (_, k) => factor * Number(column[first + k]));
+  const [values, slope] = [part(force, sign), dF[touch.pair]];
+  const slopes = slope ? part(slope, sign) : null;
+  const curve = { label: "", style: "", over: false, values, slopes };
+  const drawn = g.path(curve, part(t, 1), plane, end);
+  const zero = px(g.valueY(plane, 0));
+  return `M${px(g.timeX(plane, Number(t[first])))} ${zero}L${drawn.slice(1)}V${zero}Z`;
 }

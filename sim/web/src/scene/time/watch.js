@@ -8,6 +8,7 @@ import { tr } from "../../../../view/language.js";
 import { need, say } from "../../shared/dom.js";
 import { recall, retain } from "../../shared/tab.js";
 
+const PROJECTED = "carts-projector"; // class of a scene that a whole class watches: one run is enough
 export const WATCHED = "carts-watched"; // an event of the scene, once, when all of it was seen
 
 export class Watch {
@@ -33,7 +34,7 @@ export class Watch {
       player.show(player.until);
     });
     if (this.first) player.seen = 0;
-    player.ended = () => this.finish();
+    player.ended = () => this.finish(element.classList.contains(PROJECTED));
     const before = this.first ? remembered() : [];
     presets.seen(presets.names.filter((name) => !this.first || before.includes(this.#of(name))));
     if (!this.asked && before.includes(this.#name)) this.#end();
