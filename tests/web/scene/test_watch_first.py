@@ -144,10 +144,21 @@ def test_where_a_lesson_has_it_free_everything_is_there_after_the_lock(
 
 
 @pytest.mark.one_browser
-def test_on_the_projector_everything_is_there(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(put(widget_site, "class-watched", WATCHED)), "watched")
-    page.locator("#watched .carts-project").click()
-    assert told(page)["events"] != 0
+def test_on_the_projector_a_class_watches_too_and_one_run_is_enough(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(put(widget_site, "class-watched", PRESETS)), "presets")
+    scene = page.locator("#presets")
+    scene.locator(".carts-project").click()
+    scene.locator(".carts-project-bar button").first.click()  # Reveal
+    expect(scene.locator(".carts-transport")).to_have_class(re.compile("carts-is-playing"))
+    assert told(page, "presets")["events"] == 0
+    scene.locator(".carts-end").click()
+    assert told(page, "presets")["events"] != 0
+    expect(scene).to_have_attribute("data-watched", "")
+    page.keyboard.press("Escape")  # what the class has seen is no student's prediction
+    expect(scene.locator(".carts-results")).to_be_hidden()
+    expect(scene.locator(".carts-lock")).to_be_visible()
 
 
 @pytest.mark.one_browser

@@ -151,6 +151,13 @@ def test_a_jump_is_drawn_upright() -> None:
     assert len({x for x, _ in points}) == len(points) - 1
 
 
+def test_free_flight_is_drawn_level_from_where_the_contact_ends() -> None:
+    """A curve that rises where nothing pushes would tell of a force that is not there."""
+    for path in curves(MEETING, "v")["paths"]:
+        (_, before), (_, end) = drawn_points(path)[-2:]
+        assert before == end
+
+
 def test_slow_motion_makes_a_contact_last_and_misses_none() -> None:
     parts, ends = in_node(
         """const { slowParts, advance } = await import(source + "/scene/time/slow.js");
