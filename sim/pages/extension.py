@@ -17,10 +17,9 @@ from markdown import Extension, Markdown
 from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
 from markdown.treeprocessors import Treeprocessor
-from markupsafe import Markup
 
 from sim.pages.findings import AuthorError, error_box
-from sim.pages.language import speaking, tr, tr_html, words
+from sim.pages.language import speaking, tr_html, words
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
@@ -153,8 +152,10 @@ class _HoldBack(Treeprocessor):
 def _waits(scene: str, page: Page) -> str:
     """The line that stands there until then. Its link is no link of Markdown's tree: the generator
     would look for the scene there, which is put in later."""
+    from sim.pages.question.render import the_run
+
     with speaking(words(page.language)):
-        link = Markup('<a href="#{}">{}</a>').format(scene, tr("the run above"))
+        link = the_run(scene, page.items.runs(scene))
         told = tr_html("This part opens when you have watched {the_run}.", the_run=link)
     return f'<p class="carts-q-waits">{told}</p>'
 

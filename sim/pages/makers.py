@@ -75,7 +75,8 @@ def _question(block: Block, page: Page) -> str:
     if page.section.optional:
         page.items.optional.add(read.question.id)
     gate = page.items.gate(read.question)
-    return render_question(read.question, number=len(page.items.questions), after=gate)
+    number = len(page.items.questions)
+    return render_question(read.question, number=number, after=gate, runs=page.items.runs(gate))
 
 
 def _quiz(block: Block, page: Page) -> str:

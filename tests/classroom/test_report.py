@@ -210,7 +210,7 @@ def test_texts_are_read_and_marked_by_the_teacher() -> None:
 def test_typed_codes_stand_beside_files() -> None:
     reading = Reading.of([Source("key.json", keys(BANK, ["pre"]).encode())])
     pre = form("pre", BANK)
-    code = encode([4] * 10, [1, 2, 3, 4, 1, 2, 3, 4, 0, 2], pre.hash)
+    code = encode([4] * 10, [1, 2, 3, 4, 1, 2, 3, 4, 0, 2], f"pre:{pre.hash}")
     text = f"BLUE-FOX {code}\n\nRED-OWL pre {code.lower().replace('-', ' ')}\nBEE {code[:-1]}Z\nx"
     read, refused = read_codes(text, reading.keys)
     assert [r.answers.student for r in read] == ["BLUE-FOX", "RED-OWL"]
@@ -224,13 +224,13 @@ def test_typed_codes_stand_beside_files() -> None:
     assert first.startswith('p class="carts-class-lost">2 files could not be read: ')
 
 
-def test_a_code_that_fits_two_forms_asks_which() -> None:
+def test_a_code_tells_which_form_it_is_of() -> None:
     reading = Reading.of([Source("key.json", keys(BANK).encode())])
-    code = encode([4] * 10, [1] * 10, form("pre", BANK).hash)
-    read, refused = read_codes(f"FOX {code}", reading.keys)
+    code = encode([4] * 10, [1] * 10, f"post:{form('post', BANK).hash}")
+    assert read_codes(f"FOX {code}", reading.keys)[0][0].answers.form == "post"
+    read, refused = read_codes(f"FOX pre {code}", reading.keys)
     assert not read
-    assert "pre or post" in refused[0].reason
-    assert read_codes(f"FOX post {code}", reading.keys)[0][0].answers.form == "post"
+    assert "another form" in refused[0].reason
 
 
 def test_a_record_comes_back_as_the_file_it_was() -> None:

@@ -53,7 +53,9 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
         if wanted and form.form != wanted:
             continue
         try:
-            chosen = decode([count for _, count in form.options], match.group(), form.hash)
+            chosen = decode(
+                [count for _, count in form.options], match.group(), f"{form.form}:{form.hash}"
+            )
         except HandInError as error:
             problem = reason_of(error)
         else:

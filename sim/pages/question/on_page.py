@@ -45,6 +45,10 @@ class PageItems:
             return question.scene if own and own.watched_first else ""
         return "" if question.KIND in BEFORE_A_RUN else self.asking
 
+    def runs(self, scene: str) -> int:
+        """How many are watched before what waits for the scene: one of each ready-made setting."""
+        return max([1, *(len(one.presets) for one in self.scenes if one.id == scene)])
+
     def give_up(self, block: Block) -> None:
         """Remember that this block has mistakes."""
         if meant_kind(block.name) == "scene" and block.stated_id:

@@ -24,6 +24,12 @@ UNMARKED = ("confidence", "drawn", "idea")  # kinds that nothing is said to
 SURE = {"guess": mark("a guess"), "think": mark("I think so"), "sure": mark("I am sure")}
 
 
+def the_run(scene: str, runs: int) -> Markup:
+    """A link to what is watched first."""
+    said = tr("the run above") if runs == 1 else tr("all the runs above")
+    return Markup('<a href="#{}">{}</a>').format(scene, said)
+
+
 def render_question(
     question: Question,
     *,
@@ -31,11 +37,13 @@ def render_question(
     key: bool = True,
     scope: str = "",
     after: str = "",
+    runs: int = 1,
 ) -> str:
     """HTML of the element. With `key` the page marks at once; without, nothing tells the answer.
 
     `number` is printed before the question. `scope` is the form it belongs to: the element's id
-    and the form's name of the answer are `scope-id`. `after`: the scene that is watched first.
+    and the form's name of the answer are `scope-id`. `after`: the scene that is watched first,
+    in so many `runs`.
     """
     common = question.common
     element = f"{scope}-{common.id}" if scope else common.id
@@ -46,6 +54,7 @@ def render_question(
         "kind": question.KIND,
         "number": number,
         "after": after,
+        "the_run": the_run(after, runs),
         "level": common.level,
         "level_words": tr(LEVELS[common.level]),
         "minutes": common.minutes,

@@ -5018,6 +5018,8 @@
   // src/predict/relative.js
   var RelativeArrows = class {
     #rows;
+    #told = "";
+    // names of the arrows that were said to be missing
     constructor(root, baked, draw, changed) {
       this.full = baked.view.force || 10;
       this.draw = draw;
@@ -5059,11 +5061,17 @@
       this.#show();
     }
     problem() {
-      const missing = this.#rows.filter(({ share }) => share === null).map(name);
-      if (!missing.length) return null;
-      return tr("Set every arrow first: {names}. No arrow counts too: pull it out and back.", {
-        names: missing.join(", ")
-      });
+      const missing = this.#rows.filter(({ share }) => share === null);
+      const names = missing.map(name).join(", ");
+      const told3 = names === this.#told;
+      this.#told = names;
+      if (!names) return null;
+      if (!told3) {
+        return tr("Not set yet: {names}. Is there no such force? Then lock once more.", { names });
+      }
+      for (const row of missing) row.share = 0;
+      this.#show();
+      return null;
     }
     compare(run) {
       this.draw([]);

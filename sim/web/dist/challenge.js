@@ -635,6 +635,8 @@
     #tries = { before: 0, tried: [], found: null };
     #leaving = new AbortController();
     #timer = 0;
+    #restored = Promise.resolve();
+    // when what was tried at earlier visits is known
     connectedCallback() {
       this.#facts = JSON.parse(need(this, ".carts-challenge-facts").textContent ?? "{}");
       this.#tries = kept(this.#name);
@@ -644,7 +646,7 @@
         document.addEventListener(kind, (event) => this.#heard(event), { signal });
       }
       this.#show();
-      void this.#restore();
+      this.#restored = this.#restore();
       void hearOnPage(this.id, () => void this.#restore());
     }
     disconnectedCallback() {
@@ -664,7 +666,9 @@
     #heard({ target }) {
       if (!(target instanceof HTMLElement) || target.id !== this.#facts.scene) return;
       clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => this.#count(target), SETTLED2);
+      this.#timer = setTimeout(() => {
+        void this.#restored.then(() => this.#count(target));
+      }, SETTLED2);
     }
     #count(scene) {
       const run = (
@@ -674,6 +678,8 @@
       const first = scene.querySelector(".carts-end") !== null;
       if (!run || first && !("watched" in scene.dataset)) return;
       const set = setBy(scene);
+      const again = this.#tries.before > 0 && Object.keys(set).length === 0;
+      if (again) return;
       const key = JSON.stringify(Object.entries(set).sort());
       const { tried } = this.#tries;
       if (tried.includes(key)) return;

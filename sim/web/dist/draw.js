@@ -12799,7 +12799,7 @@ ${ticks2(numbers).map(
     const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html`<g class="carts-legend">
-<text x="12" y=${px(before2 ? y + 5 : y - 6)}>${word}</text>
+<text x="12" y=${px(before2 ? y + 5 : y - 9)}>${word}</text>
 ${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text3(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text3(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}

@@ -162,7 +162,7 @@ def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     from sim.lesson.handin import encode
 
     choices = bank(8)
-    code = encode([4] * 8, [1, 2, 3, 4, 1, 2, 3, 4], form("pre", choices).hash)
+    code = encode([4] * 8, [1, 2, 3, 4, 1, 2, 3, 4], f"pre:{form('pre', choices).hash}")
     choose(page, [Source("key.json", keys(choices).encode())])
     expect(page.locator(".carts-class-list > summary")).to_contain_text("key for 2", timeout=60_000)
     page.locator(".carts-class-codes > summary").click()

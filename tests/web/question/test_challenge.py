@@ -95,5 +95,7 @@ def test_what_was_tried_in_a_lesson_is_kept_with_the_answers(
     again = page.context.new_page()  # another tab, another day
     again.goto(page.url)
     expect(again.locator("#third-break .carts-challenge-tries")).to_contain_text("tried: 2.")
+    again.wait_for_selector("#third-own[data-state=live]", timeout=60_000)
+    again.wait_for_timeout(1500)  # the run that it opens with is none that was tried
     page.evaluate("document.getElementById('third-own').set({'B.mass': 1.5})")
     expect(again.locator("#third-break .carts-challenge-tries")).to_contain_text("tried: 3.")

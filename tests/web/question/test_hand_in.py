@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
+from sim.classroom.files.codes import read_codes
+from sim.classroom.files.keyed import read_key_file
 from sim.lesson.form import Form
 from sim.lesson.handin import decode
+from sim.lesson.key_file import key_file
 from sim.pages.extension import Page as MadePage
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as, saved_file
@@ -79,6 +83,13 @@ def test_a_form_is_taken_before_and_after_and_handed_in(
         options = [count for _, count in facts["items"]]
         codes = decode(options, content["code"], f"{form}:{facts['hash']}")
         assert codes == ((1, 0) if form == "pre" else (2, 3))
+    keyed = read_key_file(json.dumps(key_file("", "test", [], described.values())))
+    typed = "\n".join(f"BLUE-FOX-27 {form} {one['code']}" for form, one in by_form.items())
+    read, refused = read_codes(typed, keyed)
+    assert not refused  # what the page prints is what class results read
+    assert [{item.id: item.value for item in one.answers.items} for one in read] == [
+        chosen[form] for form in by_form
+    ]
 
     pre.locator(".carts-quiz-word").fill("harbour")
     pre.locator(".carts-quiz-open").click()

@@ -13,6 +13,7 @@ import { ALIKE, asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
 export class RelativeArrows {
   /** @type {Row[]} */
   #rows;
+  #told = ""; // names of the arrows that were said to be missing
 
   /**
    * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
@@ -65,12 +66,19 @@ export class RelativeArrows {
     this.#show();
   }
 
+  /** An arrow that was left alone may be forgotten, or an idea: that there is no such force. */
   problem() {
-    const missing = this.#rows.filter(({ share }) => share === null).map(name);
-    if (!missing.length) return null;
-    return tr("Set every arrow first: {names}. No arrow counts too: pull it out and back.", {
-      names: missing.join(", "),
-    });
+    const missing = this.#rows.filter(({ share }) => share === null);
+    const names = missing.map(name).join(", ");
+    const told = names === this.#told;
+    this.#told = names;
+    if (!names) return null;
+    if (!told) {
+      return tr("Not set yet: {names}. Is there no such force? Then lock once more.", { names });
+    }
+    for (const row of missing) row.share = 0;
+    this.#show();
+    return null;
   }
 
   /** Both pairs of arrows, the longest of each as long as the other: lengths are compared, not newtons. @param {Run} run */

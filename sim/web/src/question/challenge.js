@@ -26,6 +26,7 @@ export class ChallengeElement extends HTMLElement {
   #tries = { before: 0, tried: [], found: null };
   #leaving = new AbortController();
   #timer = 0;
+  #restored = Promise.resolve(); // when what was tried at earlier visits is known
 
   connectedCallback() {
     this.#facts = JSON.parse(need(this, ".carts-challenge-facts").textContent ?? "{}");
@@ -36,7 +37,7 @@ export class ChallengeElement extends HTMLElement {
       document.addEventListener(kind, (event) => this.#heard(event), { signal });
     }
     this.#show();
-    void this.#restore();
+    this.#restored = this.#restore();
     void hearOnPage(this.id, () => void this.#restore());
   }
 
@@ -62,7 +63,9 @@ export class ChallengeElement extends HTMLElement {
   #heard({ target }) {
     if (!(target instanceof HTMLElement) || target.id !== this.#facts.scene) return;
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.#count(target), SETTLED);
+    this.#timer = setTimeout(() => {
+      void this.#restored.then(() => this.#count(target));
+    }, SETTLED);
   }
 
   /** A run that stands: each setting counts once. @param {HTMLElement} scene */
@@ -71,6 +74,8 @@ export class ChallengeElement extends HTMLElement {
     const first = scene.querySelector(".carts-end") !== null; // it is watched before it is known
     if (!run || (first && !("watched" in scene.dataset))) return;
     const set = setBy(scene);
+    const again = this.#tries.before > 0 && Object.keys(set).length === 0;
+    if (again) return; // as the lesson sets it: that was the first at the first visit
     const key = JSON.stringify(Object.entries(set).sort());
     const { tried } = this.#tries;
     if (tried.includes(key)) return;
