@@ -32,7 +32,7 @@ _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", r
 _DECIMAL_COMMA = re.compile(r"\d*,\d", re.ASCII)
 _SPACES = re.compile(r"[ \u00a0\u202f]+")
 _NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", "|": "bar", " ": "space"}
-_EMPTY = ("", "nan", "-nan", "null", "none", "-")
+_EMPTY = ("", "nan", "-nan", "null", "none", "n/a", "-")
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +162,33 @@ def check_decimals(rows: Sequence[Row]) -> None:
             seen.setdefault(sign, line)
 
 
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
+_WHOLE = re.compile(r"[+-]?[1-9]\d{2}")
+_FINE = re.compile(r"[+-]?[1-9]\d?,\d{3}")
+
+
+def check_thousands(rows: Sequence[Row], units: Sequence[str]) -> None:
+    """Refuses a column in which 1,148 is most probably more than a thousand, and not 1.148.
+
+    Whole numbers of three digits beside it say so, where every sign has three digits behind it
+    (900, 1,148); and so do thousandths of a millimetre or of a millisecond, which nobody reads.
+    """
+    for k in range(max((len(row.cells) for row in rows), default=0)):
+        column = [(row.line, _plain(row.cells[k])) for row in rows if k < len(row.cells)]
+        signed = [(line, cell) for line, cell in column if "," in cell or "." in cell]
+        if not signed or not all(_THOUSANDS.fullmatch(cell) for _, cell in signed):
+            continue
+        whole = any(_WHOLE.fullmatch(cell) for _, cell in column)
+        fine = k < len(units) and units[k] in ("mm", "ms")
+        if whole or (fine and all(_FINE.fullmatch(cell) for _, cell in signed)):
+            line, cell = signed[0]
+            reason = (
+                f"“{shown(cell)}” could be a thousand times what it says: is that a decimal sign?"
+            )
+            hint = f"write thousands without a sign ({re.sub('[.,]', '', cell)}), or all decimals"
+            raise refuse(line, reason, hint)
+
+
 def _numbers(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
     return ((row.line, cell) for row in rows for cell in row.cells if is_number(cell))
 
@@ -182,6 +209,7 @@ __all__ = [
     "Row",
     "Rows",
     "check_decimals",
+    "check_thousands",
     "decoded",
     "is_empty",
     "is_number",

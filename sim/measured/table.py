@@ -70,6 +70,7 @@ def read_table(text: str) -> Table:
         heads_line = data[0].line
     clocks = {k for k, c in enumerate(data[0].cells) if _is_clock(c)}
     units = [unit or ("s" if k in clocks else "") for k, unit in enumerate(units)]
+    cells.check_thousands(data, units)
     columns = tuple(
         Column(name, unit, track, tuple(row[k] for row in numbers))
         for k, (name, unit, track) in enumerate(zip(heads, units, tracks, strict=True))

@@ -76,3 +76,9 @@ def test_two_force_columns_are_two_sensors() -> None:
     found = read_measured([text])
     assert found.kind == "force"
     assert found.names == ("A", "B")
+
+
+def test_metres_in_three_decimals_with_a_comma_are_no_thousands() -> None:
+    lines = "".join(f"0,{20 + k}0\t1,{300 + k}\t1,{900 - k}\n" for k in range(30))
+    found = read_measured(["t\tx_A\tx_B\n" + lines])
+    assert found.tracks[0].value[0] == 1.3

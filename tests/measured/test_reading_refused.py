@@ -33,6 +33,14 @@ REFUSED = {
     "time goes back": (body({4: "0.01\t0.5\t0.9"}), 6, "the time goes back"),
     "a reading without time": (body({4: "\t0.5\t0.9"}), 6, "no time"),
     "two decimal signs": (body({9: GOOD[9].replace(".", ",")}), 11, "another decimal sign"),
+    "thousands in whole numbers": (
+        "t\tx_A (mm)\tx_B (mm)\n" + "".join(f"{k}\t{980 + k}\t800\n" for k in range(20))
+        + "".join(f"{k}\t1,{k:03}\t800\n" for k in range(20, 40)), 22, "a thousand times"
+    ),
+    "thousands of millimetres": (
+        "t (ms)\tx_A (mm)\tx_B (mm)\n" + "".join(f"{k}\t1,{300 + k}\t2,001\n" for k in range(20)),
+        2, "a thousand times"
+    ),
     "too many cells": (body({2: "0.1\t1\t2\t3"}), 4, "4 cells under 3 heads"),
     "mixed units": (
         "t\tx_A (cm)\tx_B\n" + rows("\t"), 1, "one column names its unit and the other does not"
