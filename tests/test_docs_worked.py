@@ -12,7 +12,9 @@ from typing import Any
 
 import pytest
 
+from sim.classroom.files.keyed import keyed_item
 from sim.lesson import read as lesson_read
+from sim.lesson.key_file import item_key
 from sim.pages.runtime.node import node_program
 
 DEVELOPERS = Path(__file__).parents[1] / "docs" / "developers"
@@ -39,6 +41,8 @@ def test_the_added_question_type_marks_alike_in_both_languages(
     monkeypatch.setitem(lesson_read.KINDS, "claim", claim)
     (vectors,) = map(json.loads, code("add-a-question-type.md", "json"))
     question = lesson_read.read_question(vectors["question"])
+    keyed = keyed_item(json.loads(json.dumps(item_key(question)))).question  # as class results do
+    assert keyed.key() == question.key()
     (rule,) = code("add-a-question-type.md", "js")
     facts = question.data(key=True)
     for case in vectors["cases"]:

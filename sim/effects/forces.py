@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
+from itertools import pairwise
 from typing import Any, ClassVar, Protocol
 
 from sim.scene.model import Scene
@@ -131,7 +132,28 @@ class Acting:
 
 def acting(scene: Scene) -> tuple[Acting, ...]:
     """The listed effects at work, in the order listed."""
-    return tuple(
+    found = tuple(
         import_module(f"sim.effects.{effect.kind}.force").act(effect, scene)
         for effect in scene.effects
     )
+    for one in found:
+        _refuse_drift(one, scene)
+    return found
+
+
+INSIDE = 0.381966
+"""Of a phase. Where a force is looked at once more: no period of whole parts repeats there."""
+
+
+def _refuse_drift(one: Acting, scene: Scene) -> None:
+    """A body force is a formula in v from one switch to the next. One that changes in between
+    would be taken as it begins, by every solver: that is a fault of the effect, not of a scene."""
+    times = sorted({0.0, *(t for t in one.switches() if 0.0 < t < scene.until)})
+    for begin, end in pairwise([*times, scene.until]):
+        inside = begin + INSIDE * (end - begin)
+        for cart in range(len(scene.carts)):
+            if one.body_force(cart, begin) != one.body_force(cart, inside):
+                raise TypeError(
+                    f"{one.kind}: its force on cart {cart} changes from {begin:g} to {end:g} s; "
+                    "name the times in switches(): in between it is steady - b v - c v |v|"
+                )

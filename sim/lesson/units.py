@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -19,16 +20,21 @@ MOMENTUM = Dimension(
         **dict.fromkeys(("g m/s", "mN s"), Fraction(1, 1000)),
     },
 )
+FORCE = replace(quantity.FORCE, units={**quantity.FORCE.units, "kg m/s²": Fraction(1)})
+ENERGY = replace(
+    quantity.ENERGY, units={**quantity.ENERGY.units, "N m": Fraction(1), "kg m²/s²": Fraction(1)}
+)
+"""A student may write what a named unit is made of; a scene has its name."""
 RATIO = Dimension("number", "", "0.8", {"": Fraction(1), "%": Fraction(1, 100)})
 DIMENSIONS = (
     quantity.MASS,
     quantity.LENGTH,
     quantity.SPEED,
     quantity.TIME,
-    quantity.FORCE,
+    FORCE,
     quantity.ACCELERATION,
     quantity.STIFFNESS,
-    quantity.ENERGY,
+    ENERGY,
     quantity.ANGLE,
     MOMENTUM,
 )
@@ -36,7 +42,7 @@ OF_QUANTITY = {
     "x": quantity.LENGTH,
     "v": quantity.SPEED,
     "a": quantity.ACCELERATION,
-    "F": quantity.FORCE,
+    "F": FORCE,
     "p": MOMENTUM,
     "t": quantity.TIME,
 }

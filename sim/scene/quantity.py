@@ -82,17 +82,7 @@ SPEED = _dimension(
     km_per_s="1000",
 )
 TIME = _dimension("time", "6 s", s="1", ms="1/1000", µs="1/1000000", min="60", h="3600")
-FORCE = Dimension(
-    "force",
-    "N",
-    "2 N",
-    {
-        "N": Fraction(1),
-        "mN": Fraction(1, 1000),
-        "kN": Fraction(1000),
-        "kg m/s²": Fraction(1),
-    },
-)
+FORCE = _dimension("force", "2 N", N="1", mN="1/1000", kN="1000")
 STIFFNESS = _dimension(
     "stiffness", "400 N/m", N_per_m="1", N_per_cm="100", N_per_mm="1000", kN_per_m="1000"
 )
@@ -116,16 +106,7 @@ ANGLE = Dimension(
     "2 deg",
     {"rad": Fraction(1), "deg": Fraction(math.pi / 180), "°": Fraction(math.pi / 180)},
 )
-ENERGY = Dimension(
-    "energy",
-    "J",
-    "0.3 J",
-    {
-        **dict.fromkeys(("J", "N m", "kg m²/s²"), Fraction(1)),
-        "mJ": Fraction(1, 1000),
-        "kJ": Fraction(1000),
-    },
-)
+ENERGY = _dimension("energy", "0.3 J", J="1", mJ="1/1000", kJ="1000")
 LINEAR_DRAG = Dimension(
     "drag",
     "kg/s",

@@ -12,11 +12,11 @@ from sim.lesson.kinds.idea import Idea
 from sim.lesson.kinds.interactions import Interactions
 from sim.lesson.kinds.links import Known, Link
 from sim.lesson.kinds.number import Number, Wrong
-from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
 from sim.lesson.kinds.table import Open, Table
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.question import Common, Question
+from sim.lesson.read import KINDS
 
 CHOSEN: dict[str, type[Single | Idea]] = {kind.KIND: kind for kind in (Single, Multiple, Idea)}
 """Kinds in which options are chosen; in an idea none of them is right."""
@@ -71,17 +71,9 @@ def question_of(row: Mapping[str, Any], common: Common) -> Question:
         return _table(row, common)
     if kind == "interactions":
         return _interactions(row, common)
-    if kind == "reading":
-        return Reading(
-            common=common, scene=str(row["scene"]), quantity=str(row["quantity"]),
-            at=row["at"], unit=str(row["unit"]), units={}, per=float(row["per"]),
-            tolerance=float(key["tolerance"]), relative=bool(key["relative"]),
-        )  # fmt: skip
     if kind == "confidence":
         return Confidence(common=common)
-    if kind == "drawn":
-        return Drawn(common=common, scene=str(row["scene"]))
-    raise ValueError(kind)
+    return KINDS[kind].from_key(row, common)
 
 
 def _table(row: Mapping[str, Any], common: Common) -> Table:

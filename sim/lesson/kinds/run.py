@@ -88,6 +88,16 @@ class Reading(Question):
             relative=relative,
         )
 
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """As a key file has it; units that a student may type are the page's matter."""
+        key = row["key"]
+        return cls(
+            common=common, scene=str(row["scene"]), quantity=str(row["quantity"]),
+            at=row["at"], unit=str(row["unit"]), units={}, per=float(row["per"]),
+            tolerance=float(key["tolerance"]), relative=bool(key["relative"]),
+        )  # fmt: skip
+
     def asked(self) -> dict[str, Any]:
         """Which scene, which quantity, when, in which unit."""
         return {
@@ -130,6 +140,11 @@ class Drawn(Question):
         """The scene must have a `predict:`; whoever knows the page looks at that."""
         scene = keys.needed(table, "scene", path, problems, "scene: light-meets-heavy")
         return cls(common=common, scene=scene)
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """As a key file has it."""
+        return cls(common=common, scene=str(row["scene"]))
 
     def asked(self) -> dict[str, Any]:
         """Which scene."""
