@@ -10,6 +10,7 @@ import click
 import yaml
 
 from sim.cli.check import report
+from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.question.key_page import Key, lesson_key
 from sim.pages.translate.in_languages import in_languages
@@ -39,10 +40,9 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
         try:
             for name, key in _keys(path, root):
-                out.mkdir(parents=True, exist_ok=True)
                 text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
-                (out / f"{name}.key.json").write_text(f"{text}\n", encoding="utf-8")
-                (out / f"{name}.key.html").write_text(key.page, encoding="utf-8")
+                write_out(out / f"{name}.key.json", f"{text}\n", "--out DIR")
+                write_out(out / f"{name}.key.html", key.page, "--out DIR")
                 written += 1
                 click.echo(f"{out / name}.key.html")
         except AuthorError as error:
