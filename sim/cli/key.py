@@ -10,6 +10,7 @@ import click
 import yaml
 
 from sim.cli.check import report
+from sim.cli.site import site_folder
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.question.key_page import Key, lesson_key
@@ -36,6 +37,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     carts key worksheets/test-forces-and-motion.md
     """
     root = Path.cwd()
+    _not_to_students(out, root)
     written = 0
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
         try:
@@ -50,6 +52,18 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
             ctx.exit(1)
     if not written:
         click.echo("There is no question in these lessons.")
+
+
+def _not_to_students(out: Path, root: Path) -> None:
+    """A sentence and the end where the keys would lie in the site, or be copied into it."""
+    if not (root / site_folder.SETTINGS).is_file():
+        return
+    for folder in site_folder.read(root).handed_out:
+        if out.resolve().is_relative_to(folder):
+            raise click.UsageError(
+                f"{out} is in the folder “{folder.name}”, which students get, and a key holds the"
+                " right answers. Another place: --out build/keys"
+            )
 
 
 def _keys(path: Path, root: Path) -> Iterator[tuple[str, Key]]:
