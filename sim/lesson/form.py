@@ -32,7 +32,7 @@ FORM_KEYS = (
     Key("mode", "practice: feedback at once, the key is in the page. exam: neither", "exam",
         one_of(*MODES), True),
     Key("title", "shown above", "Before the lesson", PROSE),
-    Key("intro", "shown before the first question, in Markdown", "About 15 minutes, alone.", PROSE),
+    Key("intro", "shown before the first question, in Markdown", '"About 15 minutes, alone."', PROSE),
     Key("bank", "file in worksheets/banks/", "forces-and-motion.yml", TEXT, True),
     Key("use", "a form of that name in the bank", "test-15"),
     Key("items", "or: the ids of the items", "[pod, table]", TEXTS),
