@@ -15,7 +15,7 @@ from urllib.parse import unquote
 from sim.pages.effect_pages import EFFECTS, PLACE
 from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
-from sim.pages.text.fence_scan import KINDS, meant_kind
+from sim.pages.text.fence_scan import KINDS, after_front_matter, meant_kind
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import without_scene
 
@@ -167,7 +167,8 @@ def _braces_match(formula: str) -> bool:
 
 
 def _minutes(text: str, prose: str) -> Iterator[Found]:
-    stated = _STATED.match(text)
+    closed = after_front_matter(text.splitlines())
+    stated = _STATED.match(text) if closed else None
     core = (m for m in _MINUTES.finditer(prose) if _MORE.search(m[0]) is None)
     parts = [int(m[1]) for m in core]
     if stated and parts and sum(parts) != int(stated[1]):
