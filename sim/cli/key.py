@@ -14,6 +14,7 @@ from sim.cli.site import site_folder
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.question.key_page import Key, lesson_key
+from sim.pages.translate.catalogues import is_bank
 from sim.pages.translate.in_languages import in_languages
 
 
@@ -38,6 +39,9 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     """
     root = Path.cwd()
     _not_to_students(out, root)
+    for path in paths:
+        if path.suffix in (".yml", ".yaml"):
+            raise click.UsageError(_no_lesson(path))
     written = 0
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
         try:
@@ -64,6 +68,16 @@ def _not_to_students(out: Path, root: Path) -> None:
                 f"{out} is in the folder “{folder.name}”, which students get, and a key holds the"
                 " right answers. Another place: --out build/keys"
             )
+
+
+def _no_lesson(path: Path) -> str:
+    """What to do with a file that is no lesson."""
+    if not is_bank(path.resolve()):
+        return f"{path} is no lesson (.md)."
+    return (
+        f"{path} is a bank. A key belongs to a lesson (.md) that asks its questions: carts key"
+        f" LESSON.md. The bank itself, with its answers: carts export {path}"
+    )
 
 
 def _keys(path: Path, root: Path) -> Iterator[tuple[str, Key]]:

@@ -94,3 +94,11 @@ def test_a_key_is_written_beside_the_site(tmp_path: Path, monkeypatch: pytest.Mo
     Path("mkdocs.yml").write_text("site_name: A\n", encoding="utf-8")
     assert CliRunner().invoke(main, ["key", LESSON]).exit_code == 0
     assert Path("build/keys/newtons-third-law.key.html").is_file()
+
+
+def test_a_bank_is_answered_with_what_to_do(tmp_path: Path) -> None:
+    bank = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
+    result = CliRunner().invoke(main, ["key", str(bank), "--out", str(tmp_path)])
+    assert result.exit_code == 2
+    assert "is a bank. A key belongs to a lesson (.md)" in result.stderr
+    assert f"carts export {bank}" in result.stderr
