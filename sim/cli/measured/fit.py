@@ -129,9 +129,12 @@ def command(
         raise click.UsageError("One file with both carts, or two files with one cart each.")
     if friction and tilt:
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
+    low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
+    if low is not None and high is not None and low >= high:
+        raise click.UsageError(f"--from {begin} is not before --until {end}.")
     units = Units(time=time, length=length, force=force, run=run or 0)
     measured = readings(files, units)
-    measured = cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
+    measured = cut(measured, low, high)
     hints = Hints(
         at=quantity("--contact", contact, TIME),
         flips=named("--flip", flips, measured.names),
