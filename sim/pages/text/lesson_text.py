@@ -17,7 +17,7 @@ from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import KINDS, after_front_matter, meant_kind
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
-from sim.pages.text.held_back import without_scene
+from sim.pages.text.held_back import misspelt, without_scene
 
 _FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
 _INLINE_CODE = re.compile(r"(`+)(?!`).+?(?<!`)\1(?!`)")
@@ -91,11 +91,14 @@ def _few_backticks(prose: str) -> Iterator[Found]:
 
 
 def _held_back(prose: str) -> Iterator[Found]:
-    """Text that would wait for ever, and is there at once."""
+    """Text that would wait, and is there at once."""
     hint = "put it below the scene whose run is watched first"
     for at, named in without_scene(prose):
         told = f"no scene “{named[:40]}” stands above it" if named else "no scene stands above it"
         yield at, "no-such-scene", f"“!!! after” waits for a run, and {told}", hint
+    for at, word in misspelt(prose):
+        message = f"“{word[:40]}” holds nothing back: this text is there at once"
+        yield at, "unknown-word", message, 'did you mean after? !!! after "Title"'
 
 
 def _pictures(prose: str) -> Iterator[Found]:
