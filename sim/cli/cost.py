@@ -11,6 +11,7 @@ import click
 from sim.cli import scene_file
 from sim.cli.proved import proved
 from sim.cli.tables import table
+from sim.cli.write_out import write_out
 from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.cost.many import event_cost
 from sim.dynamics.cost.measure import CostRow, cost, ways
@@ -72,7 +73,7 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
             drawn = draw("cost-file", {"title": title, **{k: document[k] for k in DRAWN}})
         except DrawingError as error:
             raise click.ClickException(str(error)) from error
-        picture.write_text(drawn, encoding="utf-8")
+        write_out(picture, drawn, "--svg FILE")
     if as_json:
         click.echo(json.dumps(document, allow_nan=False, ensure_ascii=False))
     else:

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from sim.cli.check import report
+from sim.cli.write_out import write_out
 from sim.lesson import Question
 from sim.pages.classroom.gift import gift
 from sim.pages.classroom.losses import Target, fitting, losses
@@ -97,12 +98,9 @@ def command(
     if not taken:
         nothing = ["there is no question in it that a platform could take", *left, *refused]
         raise click.ClickException("\n".join(nothing))
-    made = WRITERS[target](asked.title, taken)
-    content = made.encode("utf-8") if isinstance(made, str) else made
     name = f"{path.stem}.{language}" if language else path.stem
     out = out or Path("build/export") / f"{name}{ENDINGS[target]}"
-    out.parent.mkdir(parents=True, exist_ok=True)
-    out.write_bytes(content)
+    write_out(out, WRITERS[target](asked.title, taken), "--out FILE")
     click.echo(f"{out}: {len(taken)} {'question' if len(taken) == 1 else 'questions'}")
     for sentence in (*left, *refused, *losses(taken, target), *asked.stays):
         click.echo(sentence, err=True)

@@ -10,8 +10,11 @@ import click
 import yaml
 
 from sim.cli.check import report
+from sim.cli.site import site_folder
+from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.question.key_page import Key, lesson_key
+from sim.pages.translate.catalogues import is_bank
 from sim.pages.translate.in_languages import in_languages
 
 
@@ -35,14 +38,17 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     carts key worksheets/test-forces-and-motion.md
     """
     root = Path.cwd()
+    _not_to_students(out, root)
+    for path in paths:
+        if path.suffix in (".yml", ".yaml"):
+            raise click.UsageError(_no_lesson(path))
     written = 0
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
         try:
             for name, key in _keys(path, root):
-                out.mkdir(parents=True, exist_ok=True)
                 text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
-                (out / f"{name}.key.json").write_text(f"{text}\n", encoding="utf-8")
-                (out / f"{name}.key.html").write_text(key.page, encoding="utf-8")
+                write_out(out / f"{name}.key.json", f"{text}\n", "--out DIR")
+                write_out(out / f"{name}.key.html", key.page, "--out DIR")
                 written += 1
                 click.echo(f"{out / name}.key.html")
         except AuthorError as error:
@@ -50,6 +56,28 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
             ctx.exit(1)
     if not written:
         click.echo("There is no question in these lessons.")
+
+
+def _not_to_students(out: Path, root: Path) -> None:
+    """A sentence and the end where the keys would lie in the site, or be copied into it."""
+    if not (root / site_folder.SETTINGS).is_file():
+        return
+    for folder in site_folder.read(root).handed_out:
+        if out.resolve().is_relative_to(folder):
+            raise click.UsageError(
+                f"{out} is in the folder “{folder.name}”, which students get, and a key holds the"
+                " right answers. Another place: --out build/keys"
+            )
+
+
+def _no_lesson(path: Path) -> str:
+    """What to do with a file that is no lesson."""
+    if not is_bank(path.resolve()):
+        return f"{path} is no lesson (.md)."
+    return (
+        f"{path} is a bank. A key belongs to a lesson (.md) that asks its questions: carts key"
+        f" LESSON.md. The bank itself, with its answers: carts export {path}"
+    )
 
 
 def _keys(path: Path, root: Path) -> Iterator[tuple[str, Key]]:

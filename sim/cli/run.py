@@ -139,11 +139,7 @@ def _world(name: str, wanted: str, *, as_json: bool, as_csv: bool) -> None:
     fence = scene_file.read_shown(name)
     world = next((one for one in fence.worlds if one.kind.name == wanted), None)
     if world is None:
-        named = ", ".join(one.kind.name for one in fence.worlds) or "none"
-        raise click.UsageError(
-            f"The scene does not name the world “{wanted}” (it names {named}). "
-            f"Write in it: worlds: [{wanted}]"
-        )
+        raise click.UsageError(_not_named(wanted, [one.kind.name for one in fence.worlds]))
     try:
         done = follow(fence.scene, world)
         found = broken(done)
@@ -160,6 +156,18 @@ def _world(name: str, wanted: str, *, as_json: bool, as_csv: bool) -> None:
         return
     click.echo(f"{label}\n\n{run_as_text(done.run)}\n")
     click.echo("\n".join(found.sentences))
+
+
+def _not_named(wanted: str, named: list[str]) -> str:
+    """Why a scene is not run in this world."""
+    from sim.worlds.describe import kinds
+
+    if wanted not in kinds():
+        return f"There is no world “{wanted}”. Worlds: {', '.join(kinds())}"
+    return (
+        f"The scene does not name the world “{wanted}” (it names {', '.join(named) or 'none'}). "
+        f"Write in it: worlds: [{wanted}]"
+    )
 
 
 def _written(name: str, description: Scene, *, as_json: bool, as_csv: bool) -> None:

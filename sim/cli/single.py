@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from sim.cli.scene_file import fail
+from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError, SiteError
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import scan
@@ -42,7 +43,7 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
     except SiteError as error:
         raise click.ClickException(str(error)) from None
     target = out or Path(f"{block.fence.id}.html")
-    target.write_text(text, encoding="utf-8")
+    write_out(target, text, "--out FILE")
     click.echo(f"{target} ({target.stat().st_size / 1e6:.0f} MB). It needs no other file.")
 
 

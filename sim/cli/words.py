@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from sim.cli.check import report
+from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.language import LANGUAGES
 from sim.pages.text.lesson_places import BANK_FOLDER
@@ -60,8 +61,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, .
             except AuthorError as error:
                 report(list(error.findings))
                 ctx.exit(1)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_text(made, encoding="utf-8", newline="\n")
+            write_out(target, made)
             said = read_words(target, shown)
             texts = {unit.text for unit in units}
             left = len(texts - set(said.words))

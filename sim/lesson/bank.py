@@ -17,8 +17,8 @@ from sim.scene.tables import mapping, unknown_keys
 
 BANK_KEYS = (
     Key("title", "what the bank is about", "Forces and motion", PROSE, True),
-    Key("note", "for the teacher", "Our own items, not validated.", PROSE),
-    Key("items", "the questions, with the keys of a question block", "- {id: …, type: single, …}",
+    Key("note", "for the teacher", '"Our own items, not validated."', PROSE),
+    Key("items", "the questions, with the keys of a question block", "[{id: …, type: single, …}]",
         {"type": "array", "items": {"type": "object"}, "minItems": 1}, True),
     Key("forms", "forms by name: the ids of their items, in order", "{test-15: [pod, table]}",
         {"type": "object", "additionalProperties": TEXTS}),

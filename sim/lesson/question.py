@@ -22,7 +22,7 @@ COMMON_KEYS = (
     Key("id", "name of the question, one of its kind in the site; never change it", "why-equal", {
         "type": "string", "pattern": f"^{ID.pattern}$"}, True),
     Key("type", "kind of question", "single", TEXT, True),
-    Key("ask", "the question, in Markdown", "What is the force on B by A?", PROSE, True),
+    Key("ask", "the question, in Markdown", '"What is the force on B by A?"', PROSE, True),
     Key("level", "for everybody, for who needs help, for who wants more", "core", one_of(*LEVELS)),
     Key("minutes", "how long it takes; `carts check` adds them up", "3", {
         "type": "integer", "minimum": 1}),

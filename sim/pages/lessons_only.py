@@ -152,5 +152,6 @@ def _head(text: str) -> dict[str, Any]:
 
 
 def _plain(text: str) -> str:
-    """Text that Markdown shows as it is."""
-    return re.sub(r"([\\`*_\[\]<>&#$|])", r"\\\1", " ".join(text.split()))
+    """Text that Markdown shows as it is. It knows no backslash before & and <."""
+    marks = re.sub(r"([\\`*_\[\]#$|])", r"\\\1", " ".join(text.split()))
+    return marks.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -54,7 +54,8 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     gravity = number(GRAVITY, table, (), problems)
     overlap_allowed = _start(table.get("start", {}), problems)
     if len(problems) > before or exact is None or track is None or until is None or gravity is None:
-        read_contacts(table.get("contact", {}), sorted_names(exact or {}), track, problems)
+        neighbours = None if exact is None else sorted_names(exact)
+        read_contacts(table.get("contact", {}), neighbours, track, problems)
         if track is not None:  # what is wrong with the effects is told in the same reading
             read_effects(table.get("effects", []), _written_names(table), track, problems)
         return None

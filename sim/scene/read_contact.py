@@ -18,19 +18,20 @@ HINT = "contact: {restitution: 0.8, stiffness: 400 N/m, law: bumper}"
 
 
 def read_contacts(
-    value: object, names: list[str], track: Track | None, problems: list[Problem]
+    value: object, names: list[str] | None, track: Track | None, problems: list[Problem]
 ) -> tuple[Contact | None, ...]:
     """The contact of each gap from left to right, None on an open side.
 
-    `track` None: it could not be read, and nobody knows where there are walls.
+    `names` or `track` None: they could not be read, and nobody knows who are neighbours, or where
+    there are walls.
     """
     table = mapping(value, ("contact",), problems, HINT)
     if table is None:
         return ()
     unknown_keys(table, (*KEYS, "pairs"), ("contact",), problems)
     common = _contact(table, {}, ("contact",), problems)
-    bodies = ["left", *names, "right"]
-    contacts = [common] * (len(names) + 1)
+    bodies = ["left", *(names or ()), "right"]
+    contacts = [common] * (len(bodies) - 1)
     pairs = mapping(
         table.get("pairs", {}), ("contact", "pairs"), problems, "pairs: {A-B: {restitution: 0.5}}"
     )
@@ -38,17 +39,19 @@ def read_contacts(
     for key, changes in (pairs or {}).items():
         path = ("contact", "pairs", key)
         gap = _gap_named(str(key), bodies)
-        if gap is None:
+        if gap is None and names is not None:
             _unknown_pair(str(key), bodies, path, problems)
             continue
         own = mapping(changes, path, problems, "{restitution: 0.5}")
         if own is not None:
             unknown_keys(own, KEYS, path, problems)
-            contacts[gap] = _contact(own, table, path, problems)
-        if (first := named.setdefault(gap, str(key))) != key:
+            contact = _contact(own, table, path, problems)
+            if gap is not None:
+                contacts[gap] = contact
+        if gap is not None and (first := named.setdefault(gap, str(key))) != key:
             message = f"“{key}” is the same pair as “{first}”"
             problems.append(Problem(path, "twice", message, "keep one of them"))
-    for gap, side in ((0, "left"), (len(names), "right")) if track is not None else ():
+    for gap, side in ((0, "left"), (len(contacts) - 1, "right")) if track is not None else ():
         if getattr(track, side) == "open":
             contacts[gap] = None
             if gap in named:

@@ -123,6 +123,16 @@ def test_a_mark_at_the_beginning_of_a_windows_file_is_no_mistake():
     assert carts("run", "-", stdin=b"\xef\xbb\xbf" + TWO.encode()).exit_code == 0
 
 
+def test_a_world_that_does_not_exist_is_answered_with_those_that_do():
+    result = carts("run", "-", "--world", "nope", stdin=TWO)
+    assert result.exit_code == 2
+    assert "There is no world “nope”. Worlds: " in result.stderr
+    assert "bigger-pushes-more" in result.stderr
+    assert "Write in it" not in result.stderr
+    unnamed = carts("run", "-", "--world", "bigger-pushes-more", stdin=TWO).stderr
+    assert "Write in it: worlds: [bigger-pushes-more]" in unnamed
+
+
 @pytest.mark.parametrize("command", ["run", "plan"])
 def test_a_path_that_cannot_be_read_is_a_wrong_call(command, tmp_path):
     (tmp_path / "loop.yml").symlink_to("loop.yml")

@@ -11,7 +11,8 @@ from click.testing import CliRunner, Result
 
 from sim.classroom.files.marks_file import marks_file
 from sim.cli import main
-from tests.classroom.given.makers import bank, keys, random_class, sources, zipped
+from sim.lesson.handin import encode
+from tests.classroom.given.makers import bank, form, keys, random_class, sources, zipped
 
 BANK = bank(6, words=1)
 
@@ -50,6 +51,21 @@ def test_without_a_key_answers_are_counted_and_nothing_is_marked(school: Path) -
     assert pre["of"] == 0
     assert sum(choice["count"] for choice in pre["items"][0]["choices"]) > 5
     assert "no key for it, so nothing is marked" in carts(school / "7a").stdout
+
+
+@pytest.mark.parametrize("also", [(), ("--key", "KEY")])
+def test_a_class_with_nothing_but_typed_codes_is_read(
+    also: tuple[str, ...], tmp_path: Path
+) -> None:
+    of = bank(6)
+    code = encode([4] * 6, [1, 2, 3, 4, 0, 1], form("post", of).hash)
+    codes, key = tmp_path / "codes.txt", tmp_path / "carts.key.json"
+    codes.write_text(f"BLUE-FOX-27 post {code}\n", encoding="utf-8")
+    key.write_text(keys(of), encoding="utf-8")
+    result = carts("--codes", codes, *[key if word == "KEY" else word for word in also], "--json")
+    assert result.exit_code == (0 if also else 1)
+    assert json.loads(result.stdout)["files"]["counted"] == len(also) // 2
+    assert ("there is no key for it" in result.stderr) is not bool(also)
 
 
 def test_a_zip_gives_the_same_report_as_its_folder(school: Path) -> None:

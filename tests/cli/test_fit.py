@@ -104,6 +104,7 @@ def test_of_two_files_the_bad_one_is_named(tracker: Path, tmp_path: Path) -> Non
         (("--mass", "A=-1kg"), "more than 0"),
         (("--mass", "A=1 m"), "not a unit of mass"),
         (("--touch", "wide"), "not a number"),
+        (("--from", "2", "--until", "1 s"), "--from 2 is not before --until 1 s"),
         (("--law", "hertz"), "'bumper', 'paper'"),
     ],
 )

@@ -63,3 +63,42 @@ def test_a_translated_lesson_has_its_key_in_the_words_that_students_read(
     ]  # fmt: skip
     right = [{name: key.get("correct") for name, key in one.items()} for one in answers]
     assert right[0] == right[1]
+
+
+LESSON = str(ROOT / "worksheets" / "newtons-third-law.md")
+
+
+@pytest.mark.parametrize(
+    ("settings", "out"),
+    [
+        ("site_name: A\n", "site"),
+        ("site_name: A\n", "site/below/keys"),
+        ("site_dir: public\n", "build/../public"),
+        ("docs_dir: worksheets\n", "worksheets/keys"),
+        ("docs_dir: !ENV X\n", "./site"),
+    ],
+)
+def test_a_key_is_never_written_where_students_get_it(
+    settings: str, out: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("mkdocs.yml").write_text(settings, encoding="utf-8")
+    result = CliRunner().invoke(main, ["key", LESSON, "--out", out])
+    assert result.exit_code == 2
+    assert "which students get" in result.stderr
+    assert list(tmp_path.rglob("*.key.*")) == []
+
+
+def test_a_key_is_written_beside_the_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("mkdocs.yml").write_text("site_name: A\n", encoding="utf-8")
+    assert CliRunner().invoke(main, ["key", LESSON]).exit_code == 0
+    assert Path("build/keys/newtons-third-law.key.html").is_file()
+
+
+def test_a_bank_is_answered_with_what_to_do(tmp_path: Path) -> None:
+    bank = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
+    result = CliRunner().invoke(main, ["key", str(bank), "--out", str(tmp_path)])
+    assert result.exit_code == 2
+    assert "is a bank. A key belongs to a lesson (.md)" in result.stderr
+    assert f"carts export {bank}" in result.stderr

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import html
 import re
 from pathlib import Path
 
+import markdown
 import pytest
 import yaml
 from click.testing import CliRunner
@@ -145,3 +147,25 @@ def test_every_lesson_of_ours_can_be_taken_over_whole(
     assert check_paths([Path("worksheets").resolve()], Path.cwd()) == []
     ours = (ROOT / "worksheets" / lesson.name).read_text(encoding="utf-8")
     assert lesson.read_text(encoding="utf-8").count("\n") == ours.count("\n")
+
+
+@pytest.mark.parametrize(
+    "title",
+    [
+        "Two trains: meet & greet",
+        "1 < 2 > 0",
+        "&amp; <b>",
+        r"C:\carts",
+        "*a* _b_ `c` [d] #e $f$ |g|",
+    ],
+)
+def test_the_home_page_shows_a_title_as_it_was_typed(title: str, empty: Path) -> None:
+    lesson = empty / "a.md"
+    lesson.write_text(f"---\ntitle: {quoted(title)}\n---\n", encoding="utf-8")
+    text = lessons_only.ready_page("index.md", title, title, {"a/": lesson}) or ""
+    page = markdown.markdown(
+        text.split("---\n")[-1],
+        extensions=list(lessons_only.EXTENSIONS),
+        extension_configs={**lessons_only.EXTENSIONS, "toc": {}},
+    )
+    assert html.unescape(re.sub(r"<[^>]*>", "", page)).split("\n") == [title] * 3

@@ -15,6 +15,10 @@ from sim.lesson.bank import BANK_KEYS
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.form import DRAW_KEYS, FORM_KEYS
 from sim.lesson.key_file import KIND
+from sim.lesson.kinds.arrange import PAIR_KEYS
+from sim.lesson.kinds.choice import OPTION_KEYS
+from sim.lesson.kinds.links import INVENTED_KEYS, MISSING_KEYS
+from sim.lesson.kinds.number import WRONG_KEYS
 from sim.lesson.opening import RULES
 from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS
@@ -91,3 +95,14 @@ def test_carts_key_writes_the_key_for_the_teacher(
     assert "✓ Weight and the pull by the cord act" in page
     assert "push each other equally hard" in page  # a sample of the rubric
     assert "<script" not in page
+
+
+TABLES = [COMMON_KEYS, FORM_KEYS, DRAW_KEYS, BANK_KEYS, OPTION_KEYS, WRONG_KEYS, PAIR_KEYS,
+          MISSING_KEYS, INVENTED_KEYS, *(kind.KEYS for kind in KINDS.values())]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "line", sorted({f"{{{key.name}: {key.example}}}" for table in TABLES for key in table})
+)
+def test_an_example_of_the_reference_can_be_copied_into_a_row(line: str) -> None:
+    assert len(load(line).plain) == 1

@@ -105,3 +105,29 @@ def test_a_lesson_whose_ending_the_computer_hides_is_named(tmp_path: Path) -> No
 def test_our_own_lessons_and_scenes_have_no_findings() -> None:
     root = Path(__file__).parents[2]
     assert not check_paths([root / "worksheets", root / "docs", root / "tests" / "scenes"], root)
+
+
+def test_a_folder_of_banks_is_named_once(tmp_path: Path) -> None:
+    lesson = tmp_path / "worksheets" / "a.md"
+    lesson.parent.mkdir()
+    lesson.write_text("```quiz\nid: q\nform: pre\nbank: force.yml\n```\n", encoding="utf-8")
+    hints = [f.hint for f in check_paths([lesson], tmp_path) if "no bank" in f.message]
+    assert hints == ["looked in: worksheets/banks"]
+
+
+NOTE = "```scene\nid: a\ncarts: {A: {mass: 1 kg, position: 1 m}}\n```\n\n%s\n    All is open.\n"
+
+
+@pytest.mark.parametrize(
+    "word", ["afer", "aftr", "atfer", "After", "aftwr", "check afer", "afer a"]
+)
+@pytest.mark.parametrize("title", ["", ' "What was it?"'])
+def test_a_misspelt_after_is_told(word: str, title: str) -> None:
+    lesson = Lesson("a.md", (), ())
+    found = check_lesson(NOTE % f"!!! {word}{title}", lesson, SiteIds())
+    assert [(f.line, f.hint[:18]) for f in found] == [(6, "did you mean after")]
+
+
+@pytest.mark.parametrize("word", ["after", "check after", "after a", "later", "water", "danger"])
+def test_a_note_of_another_kind_is_no_mistake(word: str) -> None:
+    assert check_lesson(NOTE % f'!!! {word} "Title"', Lesson("a.md", (), ()), SiteIds()) == []

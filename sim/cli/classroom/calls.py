@@ -37,7 +37,7 @@ def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[s
     """Answer files, tables or summaries, and to each the options that are made for it."""
     given = ctx.params
     merge, of_answers = given["merge"], any(given[name] for name in OF_ANSWERS)
-    if not files and not tables:
+    if not files and not tables and not given["codes"]:
         raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
     if tables and (files or of_answers):
         raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
@@ -57,7 +57,7 @@ def only_country(ctx: click.Context, parquet: object, tables: Sequence[str]) -> 
     if given["slips"] or given["sheet"]:
         raise click.UsageError("--slips and --sheet are made from answer files, without a table")
     if parquet:
-        if not given["files"]:
+        if not given["files"] and not given["codes"]:
             raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
         others = ("merge", "backend", "most", "lesson")
         if tables or any(given[name] for name in others):

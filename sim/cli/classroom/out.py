@@ -15,6 +15,7 @@ from sim.classroom.show.standalone import standalone
 from sim.classroom.summary.sums import LessonSums
 from sim.cli.classroom.summary import write_summary
 from sim.cli.classroom.text import report_as_text, teller
+from sim.cli.write_out import write_out
 from sim.pages.language import words
 from sim.scene.said import said
 
@@ -61,14 +62,11 @@ class Out:
     def _hand(self, report: dict[str, Any]) -> None:
         """Writes the files of a report, and prints it. JSON is for programs and stays English."""
         if self.html:
-            page = standalone(report, self.words, self.language)
-            self.html.write_text(page, encoding="utf-8")
+            write_out(self.html, standalone(report, self.words, self.language), "--html FILE")
         if self.csv_file:
-            table = students_csv(report, self.words)
-            self.csv_file.write_text(table, encoding="utf-8", newline="")
+            write_out(self.csv_file, students_csv(report, self.words), "--csv FILE")
         if self.items_file:
-            table = items_csv(report, self.words)
-            self.items_file.write_text(table, encoding="utf-8", newline="")
+            write_out(self.items_file, items_csv(report, self.words), "--items FILE")
         if self.as_json:
             click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
             return

@@ -11,6 +11,7 @@ from sim.classroom.files.reading import Read
 from sim.classroom.handouts.paper import Handout, handout, handout_file
 from sim.classroom.report.report import Asked
 from sim.cli.classroom.out import Out, written
+from sim.cli.write_out import write_out
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,5 +33,5 @@ class Papers:
                 what=what, language=out.language, words=out.words, answers=self.answers
             )
             html = handout(files, keys, asked, wanted)
-            path.write_text(handout_file(html, wanted), encoding="utf-8")
+            write_out(path, handout_file(html, wanted), f"--{what} FILE")
             out.say(written(path), err=True)

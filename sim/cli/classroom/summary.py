@@ -19,6 +19,7 @@ from sim.classroom.summary.of_answers import lessons_of
 from sim.classroom.summary.reading import MOST_BYTES, read_summary
 from sim.classroom.summary.sums import LessonSums
 from sim.classroom.summary.written import summary_file
+from sim.cli.write_out import write_out
 from sim.scene.said import counted, reason_of
 
 
@@ -38,7 +39,7 @@ def write_summary(
 def write_whole(path: Path, summary: Summary) -> None:
     """Writes a summary as it is."""
     text = json.dumps(summary_file(summary), ensure_ascii=False, allow_nan=False)
-    path.write_text(f"{text}\n", encoding="utf-8")
+    write_out(path, f"{text}\n", "--summary FILE")
 
 
 def lessons_of_answers(

@@ -12,6 +12,7 @@ import click
 from sim.cli.measured.given import cut, readings
 from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
 from sim.cli.tables import table
+from sim.cli.write_out import write_out
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.events.story import Hints
 from sim.measured.events.words import ladder, strip
@@ -128,9 +129,12 @@ def command(
         raise click.UsageError("One file with both carts, or two files with one cart each.")
     if friction and tilt:
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
+    low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
+    if low is not None and high is not None and low >= high:
+        raise click.UsageError(f"--from {begin} is not before --until {end}.")
     units = Units(time=time, length=length, force=force, run=run or 0)
     measured = readings(files, units)
-    measured = cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
+    measured = cut(measured, low, high)
     hints = Hints(
         at=quantity("--contact", contact, TIME),
         flips=named("--flip", flips, measured.names),
@@ -180,9 +184,9 @@ def _write(
     if made is None and (scene_file or tracker_file) and not refused:
         raise click.UsageError("--scene and --tracker need a bounce, seen in positions.")
     if scene_file and made:
-        scene_file.write_text(report["scene"], encoding="utf-8")
+        write_out(scene_file, report["scene"], "--scene FILE")
     if tracker_file and made:
-        tracker_file.write_text(model_as_tracker(measured, made), encoding="utf-8")
+        write_out(tracker_file, model_as_tracker(measured, made), "--tracker FILE")
 
 
 def _forces(name: str, measured: Measured) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import click
 
 from sim.cli.site import site_folder
 from sim.cli.site.build import build_site, mistakes_told
+from sim.cli.write_out import unwritten
 from sim.pages.classroom.scorm import scorm_files
 from sim.pages.open_me import NAME as OPEN_ME
 from sim.pages.open_me import open_me
@@ -129,6 +130,4 @@ def write_zip(files: dict[str, bytes], out: Path) -> None:
     except OSError as error:
         with suppress(OSError):
             whole.unlink(missing_ok=True)
-        raise click.ClickException(
-            f"{out} cannot be written: {error.strerror}. Another place: carts pack --out FILE.zip"
-        ) from None
+        raise unwritten(out, error, "carts pack --out FILE.zip") from None

@@ -17,12 +17,16 @@ SETTINGS = "mkdocs.yml"
 
 @dataclass(frozen=True, slots=True)
 class SiteFolder:
-    """A folder with a mkdocs.yml: title, identifier, and the version that `carts new` wrote."""
+    """A folder with a mkdocs.yml: title, identifier, and the version that `carts new` wrote.
+
+    `handed_out`: the folders that students get, the built site and what is copied into it.
+    """
 
     root: Path
     title: str
     site_id: str
     made_with: str
+    handed_out: tuple[Path, ...]
 
 
 def here() -> SiteFolder:
@@ -65,6 +69,10 @@ def read(root: Path) -> SiteFolder:
         str(settings.get("site_name", "Newton's Carts")),
         str(extra.get("site_id", "site")),
         str(extra.get("made_with", "")),
+        tuple(
+            (root / str(settings.get(name) or usual)).resolve()
+            for name, usual in (("site_dir", "site"), ("docs_dir", "docs"))
+        ),
     )
 
 

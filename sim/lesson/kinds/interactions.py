@@ -57,9 +57,9 @@ class Interactions(Question):
         Key("distance", "pairs that act without touching", "[[book, Earth]]", LINKS_SCHEMA),
         Key("focus", "objects whose forces are listed beside the diagram", "book", PROSES),
         Key("missing", "what is said where a right link is missing: `between`, `by`, `feedback`",
-            "[{between: [book, Earth], feedback: Why does it fall?}]", rows_schema(MISSING_KEYS)),
+            '[{between: [book, Earth], feedback: "Why does it fall?"}]', rows_schema(MISSING_KEYS)),
         Key("wrong", "what is said to an invented link: `between`, `by`, `belief`, `feedback`",
-            "[{between: [book, Earth], by: contact, feedback: Do they touch?}]",
+            '[{between: [book, Earth], by: contact, feedback: "Do they touch?"}]',
             rows_schema(INVENTED_KEYS)),
     )  # fmt: skip
     objects: tuple[str, ...]

@@ -65,7 +65,9 @@ def _bank(
     path = find_bank(name, lesson)
     if path is None:
         folders = ", ".join(
-            f"{folder.parent.name}/{folder.name}".lstrip("/") for folder in lesson.bank_folders
+            dict.fromkeys(
+                f"{folder.parent.name}/{folder.name}".lstrip("/") for folder in lesson.bank_folders
+            )
         )
         message = f"there is no bank “{name[:60]}”"
         problem = Problem(("bank",), "no-such-file", message, f"looked in: {folders or FOLDER}")

@@ -63,7 +63,8 @@ def front_matter(text: str) -> Iterator[Found]:
         except YamlError as error:
             at = sum(map(len, lines[: error.line - 1])) + error.col - 1
             yield at, "yaml", error.message, error.hint
-    if (stated := _ORDER.match(text)) and not _PLACE.fullmatch(stated[1].strip()):
+    stated = _ORDER.match(text) if inside else None
+    if stated and not _PLACE.fullmatch(stated[1].strip()):
         message = f"order: “{stated[1].strip()}” is not a whole number"
         yield stated.start(1), "not-a-number", message, "for example order: 30"
     yield from _misspelt(inside, len(lines[0]) if lines else 0)

@@ -11,6 +11,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from difflib import SequenceMatcher
+from itertools import zip_longest
 
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.sections import HEADING
@@ -20,6 +22,8 @@ _OPENS = re.compile(
     r"(?P<indent>\s*)!!! +(?P<kind>[\w-]+ +)?after(?: +(?P<scene>[\w-]+))?"
     r"(?: +\"(?P<title>[^\"]*)\")?[ \t]*"
 )
+_NOTE = re.compile(r"\s*!!! ?(?P<words>[\w-]+(?: +[\w-]+)*)(?: +\".*\")?[ \t]*")
+WORD = "after"
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +73,28 @@ def without_scene(text: str) -> Iterator[tuple[int, str]]:
             if not above or (named and named not in above):
                 yield at + len(found["indent"]), named
         at += len(line)
+
+
+def misspelt(text: str) -> Iterator[tuple[int, str]]:
+    """Where in the text, without its code, a note was meant to wait and does not, and the word."""
+    at = 0
+    for line in text.splitlines(keepends=True):
+        end = line.rstrip("\n")
+        if "!!!" in line and not _OPENS.fullmatch(end) and (note := _NOTE.fullmatch(end)):
+            yield from ((at + line.index("!!!"), word) for word in note["words"].split()
+                        if _meant(word.lower()))  # fmt: skip
+        at += len(line)
+
+
+def _meant(word: str) -> bool:
+    """Whether this is `after`: with a letter more, less or changed, or in another order. “later”
+    and “water” are words of their own."""
+    changed = sum(a != b for a, b in zip_longest(word, WORD))
+    return (
+        changed <= 1
+        or sorted(word) == sorted(WORD)
+        or SequenceMatcher(None, word, WORD).ratio() > 0.85
+    )
 
 
 def first_told(lines: Iterable[str]) -> int | None:

@@ -15,9 +15,9 @@ from urllib.parse import unquote
 from sim.pages.effect_pages import EFFECTS, PLACE
 from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
-from sim.pages.text.fence_scan import KINDS, meant_kind
+from sim.pages.text.fence_scan import KINDS, after_front_matter, meant_kind
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
-from sim.pages.text.held_back import without_scene
+from sim.pages.text.held_back import misspelt, without_scene
 
 _FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
 _INLINE_CODE = re.compile(r"(`+)(?!`).+?(?<!`)\1(?!`)")
@@ -91,11 +91,14 @@ def _few_backticks(prose: str) -> Iterator[Found]:
 
 
 def _held_back(prose: str) -> Iterator[Found]:
-    """Text that would wait for ever, and is there at once."""
+    """Text that would wait, and is there at once."""
     hint = "put it below the scene whose run is watched first"
     for at, named in without_scene(prose):
         told = f"no scene “{named[:40]}” stands above it" if named else "no scene stands above it"
         yield at, "no-such-scene", f"“!!! after” waits for a run, and {told}", hint
+    for at, word in misspelt(prose):
+        message = f"“{word[:40]}” holds nothing back: this text is there at once"
+        yield at, "unknown-word", message, 'did you mean after? !!! after "Title"'
 
 
 def _pictures(prose: str) -> Iterator[Found]:
@@ -167,7 +170,8 @@ def _braces_match(formula: str) -> bool:
 
 
 def _minutes(text: str, prose: str) -> Iterator[Found]:
-    stated = _STATED.match(text)
+    closed = after_front_matter(text.splitlines())
+    stated = _STATED.match(text) if closed else None
     core = (m for m in _MINUTES.finditer(prose) if _MORE.search(m[0]) is None)
     parts = [int(m[1]) for m in core]
     if stated and parts and sum(parts) != int(stated[1]):

@@ -1,0 +1,28 @@
+"""A file that a command was asked to write."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+
+def write_out(path: Path, content: str | bytes, another: str = "") -> None:
+    """Makes the folder and writes the file; `another`: how to name another place, "--svg FILE".
+
+    Where that cannot be done, a sentence and the end.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+    except OSError as error:
+        raise unwritten(path, error, another) from None
+
+
+def unwritten(path: Path, error: OSError, another: str) -> click.ClickException:
+    """The sentence for a file that cannot be written."""
+    why = error.strerror
+    if isinstance(error, FileExistsError | NotADirectoryError):
+        why = "a folder of its path is a file"
+    elsewhere = f" Another place: {another}" if another else ""
+    return click.ClickException(f"{path} cannot be written: {why}.{elsewhere}")
