@@ -16,7 +16,8 @@ export const WIDTH = 360;
 export const HEIGHT = 160;
 const LETTER = 8; // units, the width of a figure; a point takes half
 const BELOW_LINE = 5; // units, from a grid line to the foot of its number
-const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out, but for the last
+const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
+const LONG = 8; // units along the time axis
 const PIECES = 8; // straight ones, in place of the part of a bend that was seen
 const STRAIGHT = 0.05; // units; a curve that bends less is drawn as a line
 
@@ -80,16 +81,14 @@ export function path(curve, times, plane, seen = Infinity) {
   let x0 = timeX(plane, Number(times[0]));
   let y0 = valueY(plane, Number(values[0]));
   let d = `M${px(x0)} ${px(y0)}`;
-  /** From the row that ends a crowd the curve goes on: a level line begins at its own height. @param {number} k */
-  const isNear = (k) =>
-    k <= last &&
-    Math.abs(timeX(plane, Number(times[k])) - x0) < NEAR &&
-    Math.abs(valueY(plane, Number(values[k])) - y0) < NEAR;
+  /** Of a crowd the last row is drawn where a long piece follows: free flight begins at its own height. @param {number} k @param {number} x */
+  const isLong = (k, x) => k < last && timeX(plane, Number(times[k + 1])) - x > LONG;
   for (let k = 1; k <= last; k += 1) {
     if (Number(times[k]) > seen) return d + tail(curve, times, plane, Number(times[k - 1]), seen);
     const x = timeX(plane, Number(times[k]));
     const y = valueY(plane, Number(values[k]));
-    if (isNear(k) && isNear(k + 1)) continue;
+    const near = Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR;
+    if (k < last && near && !isLong(k, x)) continue;
     const third = (Number(times[k]) - Number(times[k - 1])) / 3;
     let bent = false;
     if (slopes && drawn === k - 1 && third > 0) {

@@ -58,7 +58,7 @@ def test_a_class_with_nothing_but_typed_codes_is_read(
     also: tuple[str, ...], tmp_path: Path
 ) -> None:
     of = bank(6)
-    code = encode([4] * 6, [1, 2, 3, 4, 0, 1], form("post", of).hash)
+    code = encode([4] * 6, [1, 2, 3, 4, 0, 1], f"post:{form('post', of).hash}")
     codes, key = tmp_path / "codes.txt", tmp_path / "carts.key.json"
     codes.write_text(f"BLUE-FOX-27 post {code}\n", encoding="utf-8")
     key.write_text(keys(of), encoding="utf-8")

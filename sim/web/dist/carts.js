@@ -7684,6 +7684,7 @@ ${lines4.join("\n")}
   var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR2 = 0.7;
+  var LONG2 = 8;
   var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t3) {
@@ -7725,12 +7726,13 @@ ${lines4.join("\n")}
     let x0 = timeX(plane, Number(times2[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d2 = `M${px(x0)} ${px(y0)}`;
-    const isNear = (k) => k <= last && Math.abs(timeX(plane, Number(times2[k])) - x0) < NEAR2 && Math.abs(valueY(plane, Number(values[k])) - y0) < NEAR2;
+    const isLong = (k, x2) => k < last && timeX(plane, Number(times2[k + 1])) - x2 > LONG2;
     for (let k = 1; k <= last; k += 1) {
       if (Number(times2[k]) > seen) return d2 + tail2(curve2, times2, plane, Number(times2[k - 1]), seen);
       const x2 = timeX(plane, Number(times2[k]));
       const y2 = valueY(plane, Number(values[k]));
-      if (isNear(k) && isNear(k + 1)) continue;
+      const near = Math.abs(x2 - x0) < NEAR2 && Math.abs(y2 - y0) < NEAR2;
+      if (k < last && near && !isLong(k, x2)) continue;
       const third = (Number(times2[k]) - Number(times2[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn2 === k - 1 && third > 0) {

@@ -12174,6 +12174,7 @@ ${rows}</tbody></table></div>
   var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR = 0.7;
+  var LONG = 8;
   var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
@@ -12215,12 +12216,13 @@ ${rows}</tbody></table></div>
     let x0 = timeX(plane, Number(times2[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d = `M${px(x0)} ${px(y0)}`;
-    const isNear = (k) => k <= last && Math.abs(timeX(plane, Number(times2[k])) - x0) < NEAR && Math.abs(valueY(plane, Number(values[k])) - y0) < NEAR;
+    const isLong = (k, x) => k < last && timeX(plane, Number(times2[k + 1])) - x > LONG;
     for (let k = 1; k <= last; k += 1) {
       if (Number(times2[k]) > seen) return d + tail(curve3, times2, plane, Number(times2[k - 1]), seen);
       const x = timeX(plane, Number(times2[k]));
       const y = valueY(plane, Number(values[k]));
-      if (isNear(k) && isNear(k + 1)) continue;
+      const near2 = Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR;
+      if (k < last && near2 && !isLong(k, x)) continue;
       const third = (Number(times2[k]) - Number(times2[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn === k - 1 && third > 0) {
@@ -12811,7 +12813,7 @@ ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(
   }
 
   // ../view/skeleton/time.js
-  var LONG = 60;
+  var LONG2 = 60;
   var SPEEDS = [1, 10, 100];
   var START2 = "M3 3v10M13 3L6 8l7 5z";
   var BACK2 = "M12.5 3v10M10 3L3 8l7 5z";
@@ -12843,8 +12845,8 @@ ${fence.watch === "first" && html`<button type="button" class="carts-button cart
     return html`<button type="button" class="carts-button carts-${name}" aria-label=${label} title=${title} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${icon}/></svg></button>`;
   }
   function openingSpeed(until) {
-    if (until <= LONG) return 1;
-    return until >= 10 * LONG ? 100 : 10;
+    if (until <= LONG2) return 1;
+    return until >= 10 * LONG2 ? 100 : 10;
   }
 
   // ../view/skeleton/scene.js
