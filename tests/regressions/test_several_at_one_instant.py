@@ -180,3 +180,32 @@ def test_held_bumpers_that_part_at_one_instant_part_alike_in_a_mirror() -> None:
     }  # fmt: skip
     one, two = run(read_scene(plain)).v, run(read_scene(mirrored(plain))).v
     assert [-v for v in reversed(two)] == pytest.approx(one, abs=1e-13)
+
+
+def test_dead_bumpers_held_one_behind_the_other_are_pressed_further_by_a_harder_hit() -> None:
+    """C rests between B and the wall, whose bumpers keep what they were pressed in; A hits B.
+
+    B and C had a speed of 1e-16 from each other, by rounding: they were taken to part, and what
+    presses a held bumper further was not looked for. A left with 0.77 m/s in place of 0.17.
+    """
+    plain = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.35, "velocity": 1.0},
+            "B": {"mass": 1.0, "position": 0.55, "velocity": 1.0},
+            "C": {"mass": 0.341, "position": 0.75, "velocity": 0.0},
+        },
+        "track": {"left": "open", "right": "wall", "length": 1.15},
+        "contact": {
+            "law": "push-only-uncorrected", "restitution": 0.908, "stiffness": 43100.0,
+            "pairs": {
+                "B-C": {"law": "bumper", "restitution": 0, "stiffness": 1420.0},
+                "C-right": {"law": "bumper", "restitution": 0, "stiffness": 482000.0},
+            },
+        },
+        "until": 0.5,
+    }  # fmt: skip
+    done = run(read_scene(plain))
+    assert done.ledger.imbalance() < 1e-12
+    expected = list(map(float, integrate(read_scene(plain)).v))
+    assert expected[0] == pytest.approx(-0.171488787, abs=1e-9)
+    assert list(done.v) == pytest.approx(expected, abs=1e-10)

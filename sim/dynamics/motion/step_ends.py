@@ -16,6 +16,9 @@ NEGLIGIBLE = 1e-13
 forces are a rounding error of it and less, and their sign means nothing: such a contact is kept."""
 
 
+ROUNDING = 1e-15
+"""Of the greatest speed in the group. Two that were held part no faster by rounding."""
+
 PARTED = [-1.0]
 """Of a locked contact that nobody presses any more: it is over."""
 
@@ -90,9 +93,10 @@ def _least(step: Step, end: End) -> float:
 
 
 def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End, Poly]]:
+    still = ROUNDING * max(abs(speed[0]) for speed in step.speed)
     for k, (gap, branch) in enumerate(zip(step.gaps, step.branches, strict=True)):
         touches = gap.touching is not None
-        if touches and branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
+        if touches and branch.locked and (sizes[k] <= noise or gap.rate > still):
             yield End("apart", k), PARTED  # nobody pushes them together any more
             continue
         for guard in guards_of(gap, branch) if not touches or sizes[k] >= noise else offs_of(gap):
