@@ -79,6 +79,14 @@ def context(browser: Browser, browser_name: str) -> Iterator[BrowserContext]:
     made.close()
 
 
+PYTHON_KEPT = """async () => {
+    const parts = performance.getEntriesByType("resource").map((one) => one.name)
+        .filter((name) => name.includes("/runtime/"));
+    const found = await Promise.all(parts.map((name) => caches.match(name)));
+    return parts.length > 0 && found.every(Boolean);
+}"""
+
+
 def kept(page: Page, address: str) -> None:
     page.goto(address)
     page.wait_for_selector("html[data-offline=ready]", timeout=WAIT)
@@ -196,6 +204,8 @@ def test_a_lesson_of_a_hosted_site_is_alive_without_a_network(
     home = f"{server.address}school/p/"
     page = context.new_page()
     kept(page, f"{home}worksheets/newtons-third-law.html")
+    page.wait_for_selector("carts-scene[data-state=live]", timeout=WAIT)
+    page.wait_for_function(PYTHON_KEPT, timeout=WAIT)  # the first visit tells what it has loaded
     server.off()
     context.set_offline(True)
     page.goto(f"{home}worksheets/newtons-first-law.html")
