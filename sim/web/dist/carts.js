@@ -5973,6 +5973,120 @@
     }
   };
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
+  // src/scene/time/watch.js
+  var PROJECTED = "carts-projector";
+  var WATCHED = "carts-watched";
+  var Watch = class {
+    over = false;
+    // a run was seen to its end: values may be changed
+    whole = false;
+    // and so was that of each ready-made setting
+    constructor(element, baked, player, presets, acts) {
+      this.element = element;
+      this.player = player;
+      this.presets = presets;
+      this.acts = acts;
+      this.first = baked.fence.watch === "first";
+      this.asked = baked.fence.predict !== null;
+      this.button = /** @type {HTMLButtonElement | null} */
+      element.querySelector(".carts-end");
+      this.button?.addEventListener("click", () => {
+        if (this.whole) return compared(element).focus();
+        player.pause();
+        player.show(player.until);
+      });
+      if (this.first) player.seen = 0;
+      player.ended = () => this.finish(element.classList.contains(PROJECTED));
+      const before = this.first ? remembered() : [];
+      presets.seen(presets.names.filter((name2) => !this.first || before.includes(this.#of(name2))));
+      if (!this.asked && before.includes(this.#name)) this.#end();
+    }
+    finish(all = false) {
+      const begun2 = this.over;
+      const here = all ? this.presets.names : this.presets.pressed;
+      this.over = true;
+      this.player.seen = Infinity;
+      if (!this.whole) {
+        this.presets.seen(here);
+        remember(here.map((name2) => this.#of(name2)));
+        this.#offer(false);
+      }
+      const done = !this.whole && this.presets.left.length === 0;
+      if (done) this.#end();
+      if (!begun2 || done) this.player.seek(this.player.time);
+      if (!begun2) this.acts.first();
+      if (done) {
+        this.acts.all();
+        this.#lead();
+      }
+    }
+    preset(name2, draw) {
+      const { player } = this;
+      const waits = this.first && this.presets.left.includes(name2);
+      const before = player.seen;
+      player.pause();
+      if (waits) player.seen = 0;
+      player.seek(0);
+      void draw().then((drawn2) => {
+        if (!waits) return;
+        if (!drawn2) {
+          player.seen = before;
+          return player.seek(0);
+        }
+        this.#offer(true);
+        player.play();
+      });
+    }
+    #end() {
+      this.over = true;
+      this.whole = true;
+      this.player.seen = Infinity;
+      this.presets.seen(this.presets.names);
+      this.#offer(false);
+      if (!this.asked) remember([this.#name]);
+      this.element.dataset.watched = "";
+      this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
+    }
+    #lead() {
+      if (!this.button || !this.asked || compared(this.element).hidden) return;
+      say(this.button, tr("My prediction ↓"));
+      this.#offer(true);
+    }
+    #offer(on) {
+      if (this.button) this.button.style.visibility = on ? "" : "hidden";
+    }
+    get #name() {
+      return `${location.pathname}#${this.element.id}`;
+    }
+    #of(preset) {
+      return `${this.#name}/${preset}`;
+    }
+  };
+  var compared = (element) => need(element, ".carts-compared");
+  var KEY = "carts-watched";
+  function remembered() {
+    return recall(KEY) ?? [];
+  }
+  function remember(names) {
+    if (names.length) retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
+  }
+
   // src/scene/projector.js
   var MOST_HANDS = 999;
   var listening = /* @__PURE__ */ new WeakSet();
@@ -6022,9 +6136,9 @@
   });
   var shown2 = () => (
     /** @type {NodeListOf<Scene>} */
-    document.querySelectorAll(".carts-projector")
+    document.querySelectorAll(`.${PROJECTED}`)
   );
-  var isOn = (scene) => scene.classList.contains("carts-projector");
+  var isOn = (scene) => scene.classList.contains(PROJECTED);
   async function project(scene, on) {
     for (const other of shown2()) if (other !== scene) mark(other, false);
     mark(scene, on);
@@ -6039,7 +6153,7 @@
   }
   function mark(scene, on) {
     if (!on && isOn(scene)) void scene.conceal?.();
-    scene.classList.toggle("carts-projector", on);
+    scene.classList.toggle(PROJECTED, on);
     document.documentElement.classList.toggle("carts-projecting", shown2().length > 0);
     scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
   }
@@ -9584,33 +9698,17 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     return parsed(graph(baked, quantity).text);
   }
 
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
-  }
-
   // src/scene/time/sound.js
-  var KEY = "carts-sound";
+  var KEY2 = "carts-sound";
   var LASTS = 0.08;
   var FADES = 60;
   var SOFTEST = 0.05;
   var Sound = class {
-    on = recall(KEY) === true;
+    on = recall(KEY2) === true;
     #machine = null;
     set(on) {
       this.on = on;
-      retain(KEY, on);
+      retain(KEY2, on);
       if (on) this.#click(SOFTEST);
     }
     between(events, before, now) {
@@ -9868,104 +9966,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       for (const graph2 of graphs) graph2.zoom(window, this.player.time);
     }
   };
-
-  // src/scene/time/watch.js
-  var PROJECTED = "carts-projector";
-  var WATCHED = "carts-watched";
-  var Watch = class {
-    over = false;
-    // a run was seen to its end: values may be changed
-    whole = false;
-    // and so was that of each ready-made setting
-    constructor(element, baked, player, presets, acts) {
-      this.element = element;
-      this.player = player;
-      this.presets = presets;
-      this.acts = acts;
-      this.first = baked.fence.watch === "first";
-      this.asked = baked.fence.predict !== null;
-      this.button = /** @type {HTMLButtonElement | null} */
-      element.querySelector(".carts-end");
-      this.button?.addEventListener("click", () => {
-        if (this.whole) return compared(element).focus();
-        player.pause();
-        player.show(player.until);
-      });
-      if (this.first) player.seen = 0;
-      player.ended = () => this.finish(element.classList.contains(PROJECTED));
-      const before = this.first ? remembered() : [];
-      presets.seen(presets.names.filter((name2) => !this.first || before.includes(this.#of(name2))));
-      if (!this.asked && before.includes(this.#name)) this.#end();
-    }
-    finish(all = false) {
-      const begun2 = this.over;
-      const here = all ? this.presets.names : this.presets.pressed;
-      this.over = true;
-      this.player.seen = Infinity;
-      if (!this.whole) {
-        this.presets.seen(here);
-        remember(here.map((name2) => this.#of(name2)));
-        this.#offer(false);
-      }
-      const done = !this.whole && this.presets.left.length === 0;
-      if (done) this.#end();
-      if (!begun2 || done) this.player.seek(this.player.time);
-      if (!begun2) this.acts.first();
-      if (done) {
-        this.acts.all();
-        this.#lead();
-      }
-    }
-    preset(name2, draw) {
-      const { player } = this;
-      const waits = this.first && this.presets.left.includes(name2);
-      const before = player.seen;
-      player.pause();
-      if (waits) player.seen = 0;
-      player.seek(0);
-      void draw().then((drawn2) => {
-        if (!waits) return;
-        if (!drawn2) {
-          player.seen = before;
-          return player.seek(0);
-        }
-        this.#offer(true);
-        player.play();
-      });
-    }
-    #end() {
-      this.over = true;
-      this.whole = true;
-      this.player.seen = Infinity;
-      this.presets.seen(this.presets.names);
-      this.#offer(false);
-      if (!this.asked) remember([this.#name]);
-      this.element.dataset.watched = "";
-      this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
-    }
-    #lead() {
-      if (!this.button || !this.asked || compared(this.element).hidden) return;
-      say(this.button, tr("My prediction ↓"));
-      this.#offer(true);
-    }
-    #offer(on) {
-      if (this.button) this.button.style.visibility = on ? "" : "hidden";
-    }
-    get #name() {
-      return `${location.pathname}#${this.element.id}`;
-    }
-    #of(preset) {
-      return `${this.#name}/${preset}`;
-    }
-  };
-  var compared = (element) => need(element, ".carts-compared");
-  var KEY2 = "carts-watched";
-  function remembered() {
-    return recall(KEY2) ?? [];
-  }
-  function remember(names) {
-    if (names.length) retain(KEY2, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
-  }
 
   // src/scene/element.js
   function sceneElement(client2, folder) {

@@ -6,6 +6,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
+import { PROJECTED } from "./time/watch.js";
 
 /** @typedef {HTMLElement & {reveal?: () => Promise<void>, conceal?: () => Promise<void>}} Scene */
 
@@ -52,11 +53,10 @@ document.addEventListener("fullscreenchange", () => {
   if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
 });
 
-const shown = () =>
-  /** @type {NodeListOf<Scene>} */ (document.querySelectorAll(".carts-projector"));
+const shown = () => /** @type {NodeListOf<Scene>} */ (document.querySelectorAll(`.${PROJECTED}`));
 
 /** @param {Scene} scene */
-const isOn = (scene) => scene.classList.contains("carts-projector");
+const isOn = (scene) => scene.classList.contains(PROJECTED);
 
 /** @param {Scene} scene @param {boolean} on */
 async function project(scene, on) {
@@ -73,7 +73,7 @@ async function project(scene, on) {
 /** @param {Scene} scene @param {boolean} on */
 function mark(scene, on) {
   if (!on && isOn(scene)) void scene.conceal?.();
-  scene.classList.toggle("carts-projector", on);
+  scene.classList.toggle(PROJECTED, on);
   document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
   scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
 }

@@ -8,7 +8,7 @@ import { tr } from "../../../../view/language.js";
 import { need, say } from "../../shared/dom.js";
 import { recall, retain } from "../../shared/tab.js";
 
-const PROJECTED = "carts-projector"; // class of a scene that a whole class watches: one run is enough
+export const PROJECTED = "carts-projector"; // class of a scene that a whole class watches: one run is enough
 export const WATCHED = "carts-watched"; // an event of the scene, once, when all of it was seen
 
 export class Watch {
