@@ -1,6 +1,7 @@
 """Readings of real carts, as the wire delivers them. This side keeps nothing between requests.
 
-    {"id": 8, "kind": "measured", "do": "read", "texts": ["…"], "units": {"length": "cm"}}
+    {"id": 8, "kind": "measured", "do": "read", "texts": ["…"], "units": {"length": "cm"},
+     "synthetic": false}     whether a program made them: they are evidence for no law
     {"id": 9, "kind": "measured", "do": "model", …as read…, "law": "bumper", "hand": {…}}
     {"id": 10, "kind": "measured", "do": "fit", …as read…, "law": …, "effect": "friction",
      "distance": null, "masses": {"A": 0.5}}
@@ -67,6 +68,7 @@ def _measured(request: Mapping[str, Any]) -> Measured:
     known = {key: str(units[key]) for key in ("time", "length", "force") if units.get(key)}
     chosen = Units(**known, run=int(request.get("run") or 0))
     found = read_measured([str(text) for text in request["texts"]], chosen)
+    found = replace(found, synthetic=bool(request.get("synthetic")))
     begin, end = request.get("from"), request.get("until")
     return found if begin is None and end is None else between(found, begin, end)
 

@@ -46,9 +46,9 @@ def motion_report(
     said = [
         *of_effects(compared, names),
         *of_loss(share if ratio else 0.0),
-        *of_fit(fit, names, compared),
+        *of_fit(fit, names, compared, synthetic=measured.synthetic),
     ]
-    if balance := of_balance(ratio, masses, names):
+    if balance := of_balance(ratio, masses, names, synthetic=measured.synthetic):
         said.insert(0, balance)
     first, last = span(measured)
     lines = scene_lines(fit, names, (first, last), mass)
@@ -107,7 +107,7 @@ def span(measured: Measured) -> tuple[float, float]:
 def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
     """What two force sensors or two phones say."""
     phones = measured.kind == "acceleration"
-    said = (of_phones if phones else of_pair)(pair, measured.names)
+    said = (of_phones if phones else of_pair)(pair, measured.names, synthetic=measured.synthetic)
     said += [of_clocks(pair.set)] if pair.set is not None else []
     return {
         "format": FORMAT,

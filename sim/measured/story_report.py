@@ -18,7 +18,7 @@ from sim.measured.model.known import Untold
 from sim.measured.refusal import FitError
 from sim.measured.report import FORMAT, motion_report, row_of
 from sim.measured.tracks import Measured
-from sim.measured.words import LAWS, PROGRAM, of_balance
+from sim.measured.words import LAWS, of_balance, of_law
 
 Masses = Mapping[str, float]
 """kg, by the name of the cart."""
@@ -66,7 +66,11 @@ def by_velocities(
     base = base_report(measured, story, story.outcome, None)
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
     said = [*base["sentences"], *_momentum_said(story, masses)]
-    said += [of_balance(ratio, masses, names)] if len(masses) == 2 and ratio else []
+    said += (
+        [of_balance(ratio, masses, names, synthetic=measured.synthetic)]
+        if len(masses) == 2 and ratio
+        else []
+    )
     model: dict[str, Any] = {}
     if made is not None:
         told = {one.key: one for one in known}
@@ -86,7 +90,7 @@ def by_velocities(
         "known": [row_of(one) for one in known],
         "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
         "momentum": _momentum(story, masses),
-        "sentences": [*said, PROGRAM],
+        "sentences": [*said, of_law(synthetic=measured.synthetic)],
     }  # fmt: skip
 
 

@@ -26,7 +26,8 @@ class Measured:
     """Two tracks of one kind. Carts stand from left to right. `notes` say how they were read.
 
     `own`: each sensor may have a zero and a direction of its own; tracks as they stand in the file.
-    `runs`: all that stand in the file, where there are several.
+    `runs`: all that stand in the file, where there are several. `synthetic`: a program made
+    them, with the laws built in, so they are evidence for none.
     """
 
     kind: Content
@@ -34,6 +35,7 @@ class Measured:
     notes: tuple[str, ...]
     own: bool = False
     runs: tuple[str, ...] = ()
+    synthetic: bool = False
 
     @property
     def names(self) -> tuple[str, str]:

@@ -34,6 +34,11 @@ PROGRAM = (
     "if the ratio from the balance is the same, your carts have confirmed it."
 )
 
+SYNTHETIC = (
+    "A program made these readings, and the third law was built in: they are for practice in "
+    "reading such results, and no evidence for the law."
+)
+
 
 def number(value: float, places: int) -> str:
     """With a real minus, and no minus before nought."""
@@ -70,8 +75,15 @@ def of_known(one: Known) -> str:
     return text
 
 
-def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> list[str]:
-    """What a reader should know about this fit beside its numbers."""
+def of_law(*, synthetic: bool) -> str:
+    """Where a ratio of masses comes from, and what would confirm it; `synthetic`: nothing can."""
+    return SYNTHETIC if synthetic else PROGRAM
+
+
+def of_fit(
+    fit: Fit, names: tuple[str, str], compared: Sequence[Compared], *, synthetic: bool
+) -> list[str]:
+    """What a reader should know beside its numbers; `synthetic`: a program made the readings."""
     said = []
     e, half = fit.parameters.e, fit.factor * fit.sd("e")
     if e - half > 1.0:
@@ -103,7 +115,7 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
         for name, rests in zip(names, fit.parameters.rests, strict=True):
             if rests:
                 said.append(f"{name} stands still before the touch: its velocity there is 0.")
-    said.append(PROGRAM)
+    said.append(of_law(synthetic=synthetic))
     return said
 
 
@@ -157,7 +169,13 @@ def of_effects(compared: Sequence[Compared], names: tuple[str, str]) -> list[str
     return ["Left over (standard deviation) with " + "; with ".join(rows) + ".", verdict]
 
 
-def of_balance(ratio: Known | None, masses: Mapping[str, float], names: tuple[str, str]) -> str:
+def of_balance(
+    ratio: Known | None,
+    masses: Mapping[str, float],
+    names: tuple[str, str],
+    *,
+    synthetic: bool = False,
+) -> str:
     """Both masses weighed: the ratio from the balance beside the one from the motion."""
     if ratio is None or len(masses) < 2:
         return ""
@@ -167,6 +185,8 @@ def of_balance(ratio: Known | None, masses: Mapping[str, float], names: tuple[st
         f"the motion {with_half(ratio.value, ratio.half, '')}. "
     )
     if ratio.low <= weighed <= ratio.high:
+        if synthetic:
+            return text + "They agree, as they must: the program that made the readings took care."
         return text + (
             "They agree: each cart changed the other's motion as Newton's third law says, within "
             "this uncertainty."
@@ -177,8 +197,8 @@ def of_balance(ratio: Known | None, masses: Mapping[str, float], names: tuple[st
     )
 
 
-def of_pair(pair: Pair, names: tuple[str, str]) -> list[str]:
-    """What two force sensors say about the third law."""
+def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
+    """What two force sensors say about the third law; nothing, where they are `synthetic`."""
     a, b = names
     sure = 2.0 * max(pair.impulse_sd)
     places = places_for(sure)
@@ -197,8 +217,12 @@ def of_pair(pair: Pair, names: tuple[str, str]) -> list[str]:
         percent = max(0.1, 100.0 * (abs(pair.ratio - 1.0) + pair.ratio_half))
         said.append(
             "At every instant the two forces are equal in size and opposite, as far as these "
-            f"sensors can tell (to about {number(percent, 1)} %). No model was used for this: it "
-            "is read off the readings alone."
+            f"sensors can tell (to about {number(percent, 1)} %). "
+            + (
+                SYNTHETIC
+                if synthetic
+                else "No model was used for this: it is read off the readings alone."
+            )
         )
     else:
         percent = 100.0 * abs(pair.ratio - 1.0)

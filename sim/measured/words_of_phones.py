@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from sim.measured.third_law import Pair
-from sim.measured.words import number, places_for, with_half
+from sim.measured.words import SYNTHETIC, number, places_for, with_half
 
 
-def of_phones(pair: Pair, names: tuple[str, str]) -> list[str]:
+def of_phones(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
     """Accelerations of the common push; their ratio is that of the masses the other way round."""
     a, b = names
     sure = 2.0 * max(pair.impulse_sd)
@@ -22,7 +22,7 @@ def of_phones(pair: Pair, names: tuple[str, str]) -> list[str]:
     ]
     if pair.turned:
         said.append(f"Both phones count the push as positive: the sign of {b} is turned.")
-    return said
+    return [*said, SYNTHETIC] if synthetic else said
 
 
 def of_clocks(moved: float) -> str:

@@ -26,6 +26,7 @@ FENCE_KEYS = (
 )
 SHOWS = ("x", "v", "a", "F", "R", "p", "energy")
 FORCE_GRAPHS = ("F", "R", "a")
+FORCES = ("shown", "hidden", "none")
 VIEWS = ("free-body", "lens", "bars")
 TOOLS = ("ruler", "stopwatch")  # that a reader works
 PACKAGES = ("numpy", "scipy")
@@ -46,7 +47,7 @@ class Fence:
     switches: tuple[Switch, ...]  # among the controls: which effects a reader may turn on and off
     presets: Mapping[str, Mapping[str, Any]]  # changes to the scene, by the name on the button
     predict: Predict | None
-    forces: str  # shown | hidden
+    forces: str  # shown | hidden: until the reader has found them | none
     slow: str  # auto | never | stops
     watch: str  # first | free: whether a run is watched before it is known; "": as the page has it
     skins: Mapping[str, str]  # by the name of the cart: what it is drawn as, if not as a cart
@@ -77,8 +78,8 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
     opened = _choices("with", table, (), (*VIEWS, *TOOLS), problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
-    forces = _choice("forces", table, ("shown", "hidden"), problems)
-    if forces == "hidden":
+    forces = _choice("forces", table, FORCES, problems)
+    if forces != "shown":
         _no_hidden_graphs(table, show, problems)
     slow = _choice("slow", table, ("auto", "never", "stops"), problems)
     watch = _choice("watch", table, ("first", "free"), problems) if "watch" in table else ""
@@ -153,14 +154,14 @@ def _identity(table: Mapping[str, Any], problems: list[Problem], *, named: bool)
 def _no_hidden_graphs(
     table: Mapping[str, Any], show: tuple[str, ...], problems: list[Problem]
 ) -> None:
-    """A graph that would tell the forces is an error where they are hidden, if it was asked for."""
+    """A graph that would tell forces that are not shown is an error, if it was asked for."""
     telling = [quantity for quantity in show if quantity in FORCE_GRAPHS]
     if "show" in table and telling:
         problems.append(
             Problem(
                 ("show",),
                 "hidden-forces",
-                f"the forces are hidden, so there can be no graph of {' or '.join(telling)}",
+                f"the forces are not shown, so there can be no graph of {' or '.join(telling)}",
                 f"leave {' and '.join(telling)} out of show, or write forces: shown",
             )
         )

@@ -25,7 +25,7 @@
  * The lesson's wishes:
  * @typedef {{set: string, label: string, short: string, unit: string, per: number, low: number, high: number, step: number, value: number}} Control
  * @typedef {{kind: "arrows" | "curve" | "choice" | "text", ask: string, talk: boolean, scale: "relative" | "newtons", quantity: "F" | "v" | "x", sure: boolean, pairs: [string, string][], cart: string | null, options: string[]}} PredictSpec
- * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden", boxes: "mass" | "alike", skins: Record<string, string>, slow: "auto" | "never" | "stops", watch: "first" | "free",
+ * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden" | "none", boxes: "mass" | "alike", skins: Record<string, string>, slow: "auto" | "never" | "stops", watch: "first" | "free",
  *   camera: number, packages: string[], controls: Control[], switches: {set: string, label: string, value: boolean}[], opened: string[], predict: PredictSpec | null,
  *   presets: Record<string, Record<string, number | string>>, presetNumbers: Record<string, Record<string, number>>}} Fence
  *

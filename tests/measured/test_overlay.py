@@ -127,3 +127,18 @@ def test_the_lesson_says_what_its_readings_say() -> None:
     assert abs(braked.parameters.e - truth_e) <= braked.factor * braked.sd("e")
     assert abs(plain.parameters.e - truth_e) > 5 * plain.factor * plain.sd("e")
     assert math.isclose(braked.parameters.friction[0], 0.058, abs_tol=0.001)
+
+
+def test_readings_that_a_program_made_are_called_evidence_of_no_law() -> None:
+    """A model that has the third law built in agrees with itself: no finding."""
+    masses = {"A": 0.5, "B": 1.0}
+    forces = (WORKSHEETS / "data" / "real-carts-forces.csv").read_text("utf-8")
+    for synthetic in (False, True):
+        told = asked("fit", masses=masses, synthetic=synthetic)["report"]["sentences"]
+        pair = asked("read", texts=[forces], synthetic=synthetic)["report"]["sentences"]
+        film_said, forces_said = " ".join(told), " ".join(pair)
+        assert ("the third law was built in" in film_said) == synthetic
+        assert ("the third law was built in" in forces_said) == synthetic
+        assert ("your carts have confirmed it" in film_said) != synthetic
+        assert ("changed the other's motion as Newton's third law says" in film_said) != synthetic
+        assert ("read off the readings alone" in forces_said) != synthetic

@@ -48,6 +48,16 @@ def test_the_carts_stand_where_they_are_at_that_instant() -> None:
     assert drawn(HITS + "at: 500 ms\n")[0] == later
 
 
+def test_a_picture_gives_no_force_away_unless_it_is_asked_to() -> None:
+    """A card on the way to a lesson on the third law stands there before the prediction."""
+    told = "on A by B"
+    assert told not in drawn(HITS + "at: 1.05 s\n")[0]
+    assert told in drawn(HITS + "at: 1.05 s\nforces: shown\n")[0]
+    assert codes(HITS + "forces: perhaps\n") == {"not-a-choice"}
+    hidden = "of: newtons-third-law.md\nscene: third-light-into-heavy\nforces: shown\n"
+    assert codes(hidden) == {"tells-the-answer"}
+
+
 def test_a_picture_calls_for_no_script_and_no_python() -> None:
     html, page = drawn(WALL)
     assert "<script" not in html

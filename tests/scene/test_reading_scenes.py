@@ -197,6 +197,7 @@ def test_a_fence_knows_how_it_is_shown():
         ({"predict": {"text": "why?", "talk": "perhaps"}}, "predict.talk"),
         ({"with": ["lense"]}, "with"),
         ({"forces": "hidden", "show": ["x", "F"]}, "show"),
+        ({"forces": "none", "show": ["x", "F"]}, "show"),
         ({"presets": {"heavy": {"A.weight": 1}}}, "presets.heavy"),
         ({"presets": {"heavy": {"A.mass": -1}}}, "presets.heavy"),
     ],

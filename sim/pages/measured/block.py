@@ -30,7 +30,7 @@ from sim.scene.presentation import ID
 from sim.scene.problem import nearest
 from sim.scene.prose import PROSE
 
-KEYS = ("id", "title", "data", "units", "law")
+KEYS = ("id", "title", "data", "units", "law", "synthetic")
 READ = {"properties": {"title": PROSE}}
 """The text that readers read, as a schema."""
 SUFFIXES = (".txt", ".csv", ".tsv")
@@ -43,6 +43,7 @@ class MeasuredBlock:
     """A block that makes sense. `text` and `measured` are those of the file, if there is one.
 
     `units`: what the lesson says of columns without units; None: the reader is asked.
+    `synthetic`: a program made them, and nothing is said of them as if they were evidence.
     """
 
     id: str
@@ -52,6 +53,7 @@ class MeasuredBlock:
     measured: Measured | None
     units: Units | None
     law: Law
+    synthetic: bool
 
 
 def read_measured_block(
@@ -63,12 +65,12 @@ def read_measured_block(
     reader.unknown_keys()
     identity = reader.identity()
     title, law = reader.word("title", USUAL_TITLE), reader.law()
-    units = reader.units()
+    units, synthetic = reader.units(), reader.synthetic()
     name, text, measured = reader.readings(units or Units())
     if reader.findings:
         raise AuthorError(reader.findings)
     ids.claim(identity, Finding(lesson.file, *source.place(("id",)), "id", ""))
-    return MeasuredBlock(identity, title, name, text, measured, units, law)
+    return MeasuredBlock(identity, title, name, text, measured, units, law, synthetic)
 
 
 class _Reader:
@@ -118,6 +120,13 @@ class _Reader:
         message = f"law: “{str(value)[:40]}” is not a law that readings are fitted with"
         self.refuse(("law",), "not-a-choice", message, f"law: {' or '.join(LAWS)}")
         return "bumper"
+
+    def synthetic(self) -> bool:
+        value = self.source.plain.get("synthetic", False)
+        if isinstance(value, bool):
+            return value
+        self.refuse(("synthetic",), "not-a-choice", "synthetic is true or false", "synthetic: true")
+        return False
 
     def units(self) -> Units | None:
         if "units" not in self.source.plain:

@@ -24,6 +24,7 @@ def render_measured(block: MeasuredBlock, *, drawn: bool = True) -> str:
         "units": _units(block),
         "offered": {kind: list(names) for kind, names in OFFERED.items()},
         "law": block.law,
+        "synthetic": block.synthetic,
         "read": _read(block.measured),
     }
     if not drawn:

@@ -6,12 +6,13 @@ scene: third-wall
 at: 0.8 s
 ```
 
-In place of `of` and `scene` a picture may name a scene file: `file: push-a-train.yml`.
+In place of `of` and `scene` a picture may name a scene file: `file: push-a-train.yml`. Forces are
+not drawn, for a card is seen before the run that it leads to, but with `forces: shown`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sim.pages.findings import AuthorError, Finding
@@ -28,7 +29,8 @@ from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.yaml_source import Source
 from sim.scene.quantity import TIME, QuantityError, read_quantity
 
-KEYS = ("of", "scene", "file", "at")
+KEYS = ("of", "scene", "file", "at", "forces")
+FORCES = ("none", "shown")
 _EXAMPLE = "of: newtons-third-law.md, and below it scene: third-wall"
 
 
@@ -77,7 +79,13 @@ def read_picture_block(block: Block, lesson: Lesson, *, first_line: int) -> Pict
     if at > 0 and scene.fence.predict is not None:
         message = "the scene asks for a prediction, and this instant would give it away"
         raise refuse("at", "tells-the-answer", message, "remove at: the picture shows the start")
-    return PictureBlock(scene, at)
+    forces = source.plain.get("forces", FORCES[0])
+    if forces not in FORCES:
+        raise refuse("forces", "not-a-choice", "forces is shown or none", "forces: shown")
+    if forces == "shown" and scene.fence.forces != "shown":
+        message = "the scene does not show its forces, and this picture would give them away"
+        raise refuse("forces", "tells-the-answer", message, "remove forces")
+    return PictureBlock(replace(scene, fence=replace(scene.fence, forces=forces)), at)
 
 
 def _lesson_folders(lesson: Lesson) -> list[Path]:

@@ -21,7 +21,7 @@
  *
  * What the generator wrote:
  * @typedef {{id: string, title: string, name: string, text: string, units: Units | null, offered: Record<keyof Units, string[]>,
- *   law: string, read: Read | null}} Facts
+ *   law: string, synthetic: boolean, read: Read | null}} Facts
  *
  * What a reader has done here, as it is kept:
  * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, run?: string, from: string, until: string,

@@ -502,6 +502,10 @@
       fitted: ""
     };
   }
+  function readings(kept, facts) {
+    if (kept.texts?.length) return { texts: kept.texts, synthetic: false };
+    return { texts: facts.text ? [facts.text] : [], synthetic: facts.synthetic };
+  }
 
   // ../view/numbers.js
   function exponent(value) {
@@ -1873,7 +1877,7 @@
       complete = Promise.resolve();
       #asking = new Asking(
         client,
-        () => ({ texts: this.#texts, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
+        () => ({ ...this.#given, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
         () => this.setAttribute("data-state", "live")
       );
       #tried = false;
@@ -1903,7 +1907,7 @@
         this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
           own: () => this.source?.take("", []),
-          save: () => this.source?.save(this.#name, this.#texts),
+          save: () => this.source?.save(this.#name, this.#given.texts),
           fit: () => void this.fit(),
           compare: () => void this.fit(true),
           tracker: () => this.#asking.ask("tracker"),
@@ -1928,7 +1932,7 @@
         if (this.strip) this.strip.given = this.#kept.segments ?? [];
         if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
         if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
-        if (!this.#texts.length) return whenLive(this, client, this.#leaving.signal);
+        if (!this.#given.texts.length) return whenLive(this, client, this.#leaving.signal);
         const { hand, fitted } = this.#kept;
         await this.#reading();
         if (fitted) await this.#fit(fitted === "compared");
@@ -1937,9 +1941,12 @@
           await this.#byHand();
         }
       }
-      get #texts() {
-        if (this.#kept.texts?.length) return this.#kept.texts;
-        return this.#facts?.text ? [this.#facts.text] : [];
+      get #given() {
+        return readings(
+          this.#kept,
+          /** @type {Facts} */
+          this.#facts
+        );
       }
       get #name() {
         return this.#kept.name || this.#facts?.name || "";
@@ -1989,7 +1996,7 @@
       }
       async #reading() {
         this.#keep();
-        if (!this.#texts.length) return;
+        if (!this.#given.texts.length) return;
         await this.#newest("read", {}, (found) => this.#show(found, found));
         this.dispatchEvent(new CustomEvent("carts-measured"));
       }

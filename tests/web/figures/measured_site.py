@@ -23,7 +23,7 @@ PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8">
 """
 BLOCKS = {
     "film": "id: film\ndata: real-carts.txt\nunits: {length: m, time: s}",
-    "forces": "id: forces\ndata: real-carts-forces.csv",
+    "forces": "id: forces\ndata: real-carts-forces.csv\nsynthetic: true",
     "empty": "id: empty\ntitle: Our own carts",
 }
 

@@ -174,7 +174,13 @@ def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
         "equal in size and opposite", timeout=STARTS
     )
     expect(page.locator(".carts-measured-model")).to_be_hidden()
-    assert saved(page, ".carts-measured-save").startswith("t (s);F_A (N);F_B (N)")
+    built_in = "the third law was built in"
+    expect(page.locator(".carts-measured-result")).to_contain_text(built_in)
+    text = saved(page, ".carts-measured-save")
+    assert text.startswith("t (s);F_A (N);F_B (N)")
+    choose(page, "ours.csv", text)  # a reader's own readings are evidence
+    expect(page.locator(".carts-measured-result")).to_contain_text("read off the readings alone")
+    expect(page.locator(".carts-measured-result")).not_to_contain_text(built_in)
 
 
 @pytest.mark.one_browser

@@ -118,9 +118,12 @@ def test_texts_of_authors_cannot_become_markup() -> None:
     assert page_data(text)["title"] == nasty
 
 
-def test_hidden_forces_appear_nowhere() -> None:
-    text = render(*baked({**MEETING, "id": "secret", "forces": "hidden"}))
+@pytest.mark.parametrize("forces", ["hidden", "none"])
+def test_hidden_forces_appear_nowhere(forces: str) -> None:
+    text = render(*baked({**MEETING, "id": "secret", "forces": forces}))
     picture = text.split('<script type="application/json"')[0]
+    assert ("carts-find" in picture) == (forces == "hidden"), "who shows none, asks for none"
+    assert ("carts-shown" in text) == (forces == "hidden"), "nor are they kept for later"
     assert 'class="carts-push' not in picture
     assert 'data-quantity="F"' not in picture
     assert 'data-quantity="a"' not in picture
@@ -187,7 +190,7 @@ def test_carts_with_velcro_stay_together_in_words() -> None:
     assert told[0].startswith("A and B hit and go on together at 0.200\u00a0m/s to the right.")
 
 
-@pytest.mark.parametrize("forces", ["shown", "hidden"])
+@pytest.mark.parametrize("forces", ["shown", "hidden", "none"])
 def test_carts_that_go_on_with_one_velocity_do_not_separate_in_words(forces: str) -> None:
     soft = {**STICKY, "contact": {"law": "bumper", "restitution": 0}, "forces": forces}
     soft |= {"show": ["x", "v"]}

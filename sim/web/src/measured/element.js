@@ -5,7 +5,7 @@ import { Asking } from "./asking.js";
 import { wireButtons } from "./buttons.js";
 import { happened, PACKAGES, whenLive } from "./early.js";
 import { Hands } from "./hands.js";
-import { empty, keeper } from "./keep.js";
+import { empty, keeper, readings } from "./keep.js";
 import { Picture } from "./picture.js";
 import { Settings } from "./settings.js";
 import { Source } from "./source.js";
@@ -30,7 +30,7 @@ export function measuredElement(client, base) {
     complete = Promise.resolve();
     #asking = new Asking(
       client,
-      () => ({ texts: this.#texts, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
+      () => ({ ...this.#given, ...this.settings?.asked, segments: this.strip?.given ?? [] }),
       () => this.setAttribute("data-state", "live"),
     );
     #tried = false; // a fit of these readings, refused or not: a boundary that is moved asks for it again
@@ -60,7 +60,7 @@ export function measuredElement(client, base) {
       this.picture.watch = (time, places) => this.source?.films.at(time, places);
       wireButtons(this, {
         own: () => this.source?.take("", []),
-        save: () => this.source?.save(this.#name, this.#texts),
+        save: () => this.source?.save(this.#name, this.#given.texts),
         fit: () => void this.fit(),
         compare: () => void this.fit(true),
         tracker: () => this.#asking.ask("tracker"),
@@ -84,7 +84,7 @@ export function measuredElement(client, base) {
       if (this.strip) this.strip.given = this.#kept.segments ?? [];
       if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
       if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
-      if (!this.#texts.length) return whenLive(this, client, this.#leaving.signal);
+      if (!this.#given.texts.length) return whenLive(this, client, this.#leaving.signal);
       const { hand, fitted } = this.#kept;
       await this.#reading();
       if (fitted) await this.#fit(fitted === "compared");
@@ -94,9 +94,8 @@ export function measuredElement(client, base) {
       }
     }
 
-    get #texts() {
-      if (this.#kept.texts?.length) return this.#kept.texts;
-      return this.#facts?.text ? [this.#facts.text] : [];
+    get #given() {
+      return readings(this.#kept, /** @type {Facts} */ (this.#facts));
     }
 
     get #name() {
@@ -153,7 +152,7 @@ export function measuredElement(client, base) {
 
     async #reading() {
       this.#keep();
-      if (!this.#texts.length) return;
+      if (!this.#given.texts.length) return;
       await this.#newest("read", {}, (found) => this.#show(found, found));
       this.dispatchEvent(new CustomEvent("carts-measured"));
     }

@@ -42,3 +42,9 @@ export function empty(facts) {
     fitted: "",
   };
 }
+
+/** The readings that count: what the reader opened, or the lesson's own, which a program may have made. @param {Kept} kept @param {import("../../../view/measured/types.js").Facts} facts */
+export function readings(kept, facts) {
+  if (kept.texts?.length) return { texts: kept.texts, synthetic: false };
+  return { texts: facts.text ? [facts.text] : [], synthetic: facts.synthetic };
+}

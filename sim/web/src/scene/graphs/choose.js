@@ -11,7 +11,7 @@ const AREAS = tr("boxes as large as the masses");
 const STILLS = tr("in stills, without motion");
 const STOPS = tr("stops at touch, greatest force and parting");
 const SOUND = tr("a click at each contact, as loud as its force");
-const FORCES = ["F", "R", "a"]; // not offered where the forces are hidden
+const FORCES = ["F", "R", "a"]; // not offered where the forces are not shown
 
 export class Choose {
   /**
