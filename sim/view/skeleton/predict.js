@@ -90,7 +90,10 @@ function arrows({ fence, view, run: { header } }, { pairs, scale }) {
   const how = tr(
     "Pull each arrow in the picture, or here, until it is as long as you think. Only which one is longer counts, not how many newtons.",
   );
-  return html`${!numbers && html`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
+  const paper = tr(
+    "On paper: draw an arrow from each dot. The stronger you think the force is, the longer.",
+  );
+  return html`${!numbers && html`<p class="carts-quiet carts-pull-how">${how}</p>`}<p class="carts-quiet carts-draw-how">${paper}</p><div class="carts-guesses">
 ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
 }
 
