@@ -25,6 +25,7 @@ from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.held_back import MARK, held_back
 from sim.pages.text.lesson_text import without_code
+from sim.pages.text.part_lengths import add_lengths
 from sim.pages.text.sections import in_sections, title_of
 
 __all__ = [
@@ -41,6 +42,7 @@ _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
 _AFTER_TEXT = 15  # when the text within has become HTML (20), before it is written out
+_AFTER_ATTRIBUTES = 5  # when {: … } of a heading has become attributes (8)
 _WORD = "cartsblock"
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
@@ -61,6 +63,7 @@ class CartsExtension(Extension):
         put_in = _PutIn(md)
         md.preprocessors.register(_TakeOut(md, put_in), "carts_blocks", _BEFORE_EVERYTHING)
         md.treeprocessors.register(_HoldBack(md, put_in), "carts_after", _AFTER_TEXT)
+        md.treeprocessors.register(_Lengths(md), "carts_lengths", _AFTER_ATTRIBUTES)
         md.postprocessors.register(put_in, "carts_blocks", _AFTER_EVERYTHING)
 
 
@@ -147,6 +150,15 @@ class _HoldBack(Treeprocessor):
             line = Element("p")
             line.text = word
             note.insert(0, line)
+
+
+class _Lengths(Treeprocessor):
+    """Says beside each part of a lesson how long it takes."""
+
+    def run(self, root: Element) -> None:
+        page = _page.get()
+        with speaking(words(page.language) if page else {}):
+            add_lengths(root)
 
 
 def _waits(scene: str, page: Page) -> str:

@@ -14,7 +14,8 @@ from sim.pages.text.fence_scan import Block
 
 HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
 _TITLE = re.compile(r"# +(.+?)(?: *\{:[^}]*\})? *")
-_MORE = re.compile(r"\{:?[^}]*(?<![\w-])\.more(?![\w-])[^}]*\}\s*$")
+OPTIONAL = "more"  # the class of such a heading
+_MORE = re.compile(rf"\{{:?[^}}]*(?<![\w-])\.{OPTIONAL}(?![\w-])[^}}]*\}}\s*$")
 _PARTS = 2  # the lowest level that divides a lesson into parts
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from sim.cli.site.build import build_site
 from tests.pages.given.small_site import CONFIG, MakeSite, lesson, make_site
 
@@ -46,3 +48,18 @@ def test_the_theme_s_language_is_that_of_every_page(make_site: MakeSite) -> None
         page = (site / name).read_text(encoding="utf-8")
         assert '<html lang="ms"' in page
         assert "words.ms.js" in page
+
+
+def test_the_length_of_a_part_is_told_in_the_language_of_its_page(make_site: MakeSite) -> None:
+    parts = "\n\n## First part {: data-minutes=8 }\n\n## Second part {: .more data-minutes=5 }\n"
+    root = make_site(f"{CONFIG}markdown_extensions: [attr_list]\n", first=lesson() + parts)
+    (root / "worksheets" / "zh-Hans").mkdir()
+    (root / "worksheets" / "zh-Hans" / "first.md").write_text(lesson() + parts, encoding="utf-8")
+    site = build_site(root, hosted=False, strict=False)
+    assert site is not None
+    for name, told in (
+        ("first.html", ["8 min", "optional, 5 min"]),
+        ("zh-Hans/first.html", ["8分钟", "选做，5分钟"]),
+    ):
+        page = (site / "worksheets" / name).read_text(encoding="utf-8")
+        assert re.findall(r'data-length="([^"]*)"', page) == told
