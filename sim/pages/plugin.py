@@ -11,7 +11,6 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from html import escape
 from pathlib import Path
 from typing import Any, Literal
 from urllib.parse import urlsplit
@@ -39,6 +38,7 @@ from sim.pages.joined_files import (
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, blocked, trusted_scripts
+from sim.pages.page_meta import tell_theme
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
@@ -157,9 +157,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
     ) -> str:
         """Tell the extension which page comes now, and on which line of its file it begins."""
         path = Path(page.file.abs_src_path or self.folder.parent / page.file.src_uri)
-        for key in ("title", "description", "author"):  # the theme writes them out as they are
-            if isinstance(page.meta.get(key), str):
-                page.meta[key] = escape(page.meta[key])
+        tell_theme(page.meta, lesson=page.file.src_uri.startswith(f"{self.config.lessons}/"))
         self.page = self.build.page(
             path,
             whole=page.file.content_string,
