@@ -82,8 +82,8 @@ def by_velocities(
         model = motion_report(story.measured, better, rows, masses)
         untold += [
             Untold(key, name, NOT_WHITE)
-            for key, name in (("duration", "the contact lasts"), ("w0", "√(k/μ)"),
-                              ("k", "stiffness k in N/m"))
+            for key, name in (("duration", "the contact lasts"),
+                              ("w0", "swing of the bumpers, √(k/μ)"), ("k", "stiffness k in N/m"))
         ]  # fmt: skip
     kept = {key: model[key] for key in _FROM_MODEL if key in model}
     return base | kept | {

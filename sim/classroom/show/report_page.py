@@ -158,7 +158,7 @@ def _waiting(form: Row) -> str:
     """Answers in words that nobody has marked yet."""
     labels = {item["id"]: item["label"] for item in form["items"]}
     waiting = commas([label for name, label in labels.items() if name in form["unread"]])
-    return said("Form {form}: {questions} wait to be read by you and are in no total yet.",
+    return said("Form {form}, to be read by you and in no total yet: {questions}.",
                 form=form["form"], questions=waiting)  # fmt: skip
 
 

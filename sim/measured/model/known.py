@@ -64,7 +64,7 @@ def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
     stiff = {"ln_w0": 1.0}
     duration = {"ln_w0": -1.0, "e": _duration_by_e(fit)}
     _add(found, untold, _log(fit, "duration", "the contact lasts", fit.duration, duration, "s"))
-    _add(found, untold, _log(fit, "w0", "√(k/μ)", p.w0, stiff, "1/s"))
+    _add(found, untold, _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s"))
     for k, name in enumerate(names) if fit.asked.effect == "friction" else ():
         slopes = {f"friction{k + 1}": 1.0}
         what = f"deceleration of {name} by friction"

@@ -608,10 +608,6 @@
       await writeStudent(this.all, "");
       this.#known.clear();
     }
-    get untouched() {
-      const kept = (outline()?.items ?? []).map(({ id, form: form2 }) => this.get(form2, id));
-      return !kept.some((entry) => entry && !isEmpty(entry.value));
-    }
     progress(forms = []) {
       const items2 = (outline()?.items ?? []).filter(
         ({ id, form: form2, level, type }) => (form2 === "worksheet" || forms.includes(form2)) && level !== "stretch" && type !== "drawn" && !isOptional(id)
@@ -1220,7 +1216,10 @@
         tr("Open all questions"),
         tr("For teachers: some questions of this page open when their run was watched."),
         tr("Open them now"),
-        openAll2,
+        () => {
+          openAll2();
+          key.replaceChildren(tr("All questions of this page are open now."));
+        },
         "carts-answers-open-all"
       );
       root.append(key);
@@ -1538,20 +1537,12 @@
   }
 
   // src/answers/print.js
-  var EMPTY = "carts-print-empty";
-  var CORE = "carts-print-core";
   function print(empty) {
     const { classList } = document.documentElement;
-    for (const name of [EMPTY, CORE]) classList.toggle(name, empty);
+    classList.toggle("carts-print-empty", empty);
+    addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
     for (const dialog of document.querySelectorAll("dialog")) dialog.close();
     window.print();
-  }
-  function printUntouchedEmpty(book2) {
-    const { classList } = document.documentElement;
-    addEventListener("beforeprint", () => {
-      if (book2.untouched) classList.add(EMPTY);
-    });
-    addEventListener("afterprint", () => classList.remove(EMPTY, CORE));
   }
 
   // src/answers/panel-list.js
@@ -3122,7 +3113,6 @@
   customElements.define("carts-quiz", quizElement(book));
   var panel = new Panel(book);
   new Bar(book, () => void panel.open());
-  printUntouchedEmpty(book);
   void book.ready.then(() => performance.mark("carts:answers"));
   teacherDoor();
   document.documentElement.dataset.cartsAnswers = "";

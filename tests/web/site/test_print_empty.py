@@ -42,27 +42,6 @@ def test_a_core_sheet_leaves_out_what_is_optional_and_what_a_run_shows(printed: 
     assert printed.locator(".carts-q-waits").locator("visible=true").count() == 0
 
 
-def test_a_page_on_which_nothing_was_done_is_printed_to_be_filled_in(
-    site: Path, open_page: OpenPage
-) -> None:
-    """The browser's own command too; one answer, and it prints what there is."""
-    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site)
-    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
-    before, after = (
-        f"() => void dispatchEvent(new Event('{name}'))" for name in ("beforeprint", "afterprint")
-    )
-    page.emulate_media(media="print")
-    page.evaluate(before)
-    for asked in ("#third-pushed-when", "#third-sure"):
-        expect(page.locator(asked).locator(".carts-q-ask")).to_be_visible()
-    page.evaluate(after)
-    page.emulate_media(media="screen")
-    page.locator("#third-first-idea input").first.check()
-    expect(page.locator("#third-first-idea .carts-q-saved")).to_contain_text("Saved")
-    page.evaluate(before)
-    expect(page.locator("html")).not_to_have_class(re.compile("carts-print-empty"))
-
-
 def test_arrows_that_are_pulled_on_the_screen_have_room_to_be_drawn_on_paper(
     printed: Page,
 ) -> None:

@@ -128,12 +128,6 @@ export class Book extends EventTarget {
     this.#known.clear();
   }
 
-  /** Whether nothing on this page was answered or predicted. */
-  get untouched() {
-    const kept = (outline()?.items ?? []).map(({ id, form }) => this.get(form, id));
-    return !kept.some((entry) => entry && !isEmpty(entry.value));
-  }
-
   /** How much of this page is answered. @param {string[]} forms beside the worksheet */
   progress(forms = []) {
     const items = (outline()?.items ?? []).filter(

@@ -36,7 +36,10 @@ export function leavePart(book) {
       tr("Open all questions"),
       tr("For teachers: some questions of this page open when their run was watched."),
       tr("Open them now"),
-      openAll,
+      () => {
+        openAll();
+        key.replaceChildren(tr("All questions of this page are open now."));
+      },
       "carts-answers-open-all",
     );
     root.append(key);
