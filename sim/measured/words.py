@@ -35,8 +35,8 @@ PROGRAM = (
 )
 
 SYNTHETIC = (
-    "A program made these readings, and the third law was built in: they are for practice in "
-    "reading such results, and no evidence for the law."
+    "A program made these readings, and the third law was built in: they are practice, and no "
+    "evidence for the law."
 )
 
 
@@ -186,7 +186,7 @@ def of_balance(
     )
     if ratio.low <= weighed <= ratio.high:
         if synthetic:
-            return text + "They agree, as they must: the program that made the readings took care."
+            return text + "They agree, as they must: a program made these readings."
         return text + (
             "They agree: each cart changed the other's motion as Newton's third law says, within "
             "this uncertainty."
