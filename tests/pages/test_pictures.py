@@ -58,6 +58,11 @@ def test_a_picture_gives_no_force_away_unless_it_is_asked_to() -> None:
     assert codes(hidden) == {"tells-the-answer"}
 
 
+def test_a_picture_shows_no_tool_that_nobody_can_work() -> None:
+    ruled = "of: newtons-first-law.md\nscene: after-the-hand\n"
+    assert "carts-tape" not in drawn(ruled)[0]
+
+
 def test_a_picture_calls_for_no_script_and_no_python() -> None:
     html, page = drawn(WALL)
     assert "<script" not in html

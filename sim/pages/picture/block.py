@@ -85,7 +85,9 @@ def read_picture_block(block: Block, lesson: Lesson, *, first_line: int) -> Pict
     if forces == "shown" and scene.fence.forces != "shown":
         message = "the scene does not show its forces, and this picture would give them away"
         raise refuse("forces", "tells-the-answer", message, "remove forces")
-    return PictureBlock(replace(scene, fence=replace(scene.fence, forces=forces)), at)
+    # What readers work is not there: neither its tools, nor the room that its sliders would need.
+    fence = replace(scene.fence, forces=forces, opened=(), controls=())
+    return PictureBlock(replace(scene, fence=fence), at)
 
 
 def _lesson_folders(lesson: Lesson) -> list[Path]:

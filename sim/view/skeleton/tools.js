@@ -48,7 +48,7 @@ export function tape(layout) {
   const [from, to] = ends(layout);
   const y = px(layout.tape);
   const numbers = layout.track + layout.beam; // the line leaves them free, where they stand
-  const line = `M0 ${px(layout.track - 60)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
+  const line = `M0 ${px(layout.track - 36)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
   const end = (/** @type {string} */ key, /** @type {number} */ x) =>
     html`<g class="carts-tape-end" data-end=${key} transform="translate(${at(x)} 0)"><path d=${line}/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
   const middle = at((from + to) / 2);

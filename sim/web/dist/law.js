@@ -1017,7 +1017,7 @@
     const [from, to] = ends2(layout);
     const y = px(layout.tape);
     const numbers = layout.track + layout.beam;
-    const line = `M0 ${px(layout.track - 60)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
+    const line = `M0 ${px(layout.track - 36)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
     const end2 = (key, x) => html2`<g class="carts-tape-end" data-end=${key} transform="translate(${at2(x)} 0)"><path d=${line}/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
     const middle = at2((from + to) / 2);
     return html2`<g class="carts-tape" data-origin=${px(layout.origin, 4)} data-scale=${px(layout.scale, 4)} data-y=${y}><path data-part="tape" d="M${at2(from)} ${y}H${at2(to)}"/>${end2("from", from)}${end2("to", to)}<text data-part="length" x=${middle} y=${px(layout.tape + 5)} text-anchor="middle">${fixed(to - from, decimalsOf(stepOf(layout)))} m</text></g>`;
