@@ -24,6 +24,10 @@ GUESS = "carts-scene .carts-predict input[type=radio][name$=-predict]"
 FIELD = "carts-question :is(textarea, input[type=text], input[type=radio][name$=-answer])"
 NODE = "carts-question .carts-q-node:not([data-tried])"
 MOVES = """return document.querySelector("[data-tried=play]").closest("carts-scene").time > 0"""
+RUNS = "return document.querySelector('[data-tried=lock]').closest('carts-scene').time > 0"
+# What a lock does: the run plays, or the reader is asked to talk about it first.
+GOES_ON = f"""return (() => {{ {RUNS} }})() || document.querySelector('[data-tried=lock]')
+  .closest('carts-scene').querySelector('.carts-talk:not([hidden])') !== null"""
 LOCKED = "return document.querySelectorAll('.carts-predict input:checked:disabled').length"
 SAVED = """const its = document.querySelector("[data-tried=answer]").closest("carts-question");
   return its.querySelector(".carts-q-saved").textContent === "Saved\""""
@@ -60,6 +64,9 @@ def visit(window: Session, address: str) -> Seen:
     if _mark(window, "guess", GUESS):
         _lock(window)
         done.add("lock")
+        window.wait(GOES_ON, SOON)
+        if window.run(RUNS):
+            done.add("play")
     answers, locks = _answer(window), window.run(LOCKED)
     file = _take_home(window)
     window.reload()

@@ -16,9 +16,8 @@ from .table import SEEN, table
 
 def main() -> None:
     """Look, keep what was seen and print the table."""
-    lesson, free = (
-        ROOT / "site" / "worksheets" / f"newtons-{law}-law.html" for law in ("third", "first")
-    )
+    site = ROOT / "site"
+    lesson, free = site / "worksheets" / "newtons-third-law.html", site / "index.html"
     seen: dict[str, dict[str, bool]] = {}
     for version in PACKAGES:
         try:

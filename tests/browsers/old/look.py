@@ -42,7 +42,7 @@ THERE = f"""[...document.querySelectorAll("carts-question textarea")].some((box)
 def look(program: Path, lesson: Path, free: Path) -> dict[str, bool]:
     """What works: readable, told (if Python is not live), live, plays, kept.
 
-    `free`: a lesson with a scene that plays at once, without a prediction before it.
+    `free`: a page with a scene that plays at once, without a prediction before it.
     """
     with tempfile.TemporaryDirectory() as profile, browser(program, Path(profile)) as page:
         page.ask("Page.navigate", url=lesson.as_uri())
