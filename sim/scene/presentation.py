@@ -79,7 +79,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     opened = _choices("with", table, (), (*VIEWS, *TOOLS), problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
     forces = _choice("forces", table, FORCES, problems)
-    if forces != "shown":
+    if forces in FORCES[1:]:
         _no_hidden_graphs(table, show, problems)
     slow = _choice("slow", table, ("auto", "never", "stops"), problems)
     watch = _choice("watch", table, ("first", "free"), problems) if "watch" in table else ""
