@@ -46,7 +46,7 @@ export class Predict {
       draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
       locked(now);
     };
-    this.#keeping = new Keeping(root);
+    this.#keeping = new Keeping(root, baked.fence.id);
     this.error = need(root, ".carts-predict-error");
     this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));
     this.#entry = {
@@ -96,7 +96,7 @@ export class Predict {
 
   /** Brings back what the reader left here before. */
   async restore() {
-    const found = await this.#keeping.open(this.#entry, (found) => this.#elsewhere(found));
+    const found = await this.#keeping.open(this.spec.kind, (found) => this.#elsewhere(found));
     this.#back(found ?? this.#entry);
     if (found) say(this.#keeping.saved, tr("Saved."));
   }
