@@ -19,13 +19,13 @@ export class Keeping {
 
   /**
    * Resolves with what the reader left here before, where it answers what is asked today; else null.
-   * @param {string} type of prediction @param {(found: Entry) => void} elsewhere what to do with what another tab keeps
+   * @param {string} type of prediction @param {(found: Entry | null) => void} elsewhere what to do with what another tab keeps; null: it has forgotten it
    * @returns {Promise<Entry | null>}
    */
   async open(type, elsewhere) {
     const current = (/** @type {any} */ found) => found?.type === type && isCurrent(found);
     void this.#kept.hear((found) => {
-      if (this.root.isConnected && current(found)) elsewhere(found);
+      if (this.root.isConnected && (!found || current(found))) elsewhere(found);
     });
     if (!(await this.#kept.lasts())) {
       say(

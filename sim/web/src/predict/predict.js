@@ -36,12 +36,13 @@ export class Predict {
    * @param {HTMLElement} root of the prediction @param {Baked} baked
    * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
    * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
-   * @param {() => void} forgotten what to do once the prediction is forgotten
+   * @param {(now: boolean) => void} forgotten what to do once the prediction is forgotten; `now`: by the reader, in this tab
    */
   constructor(root, baked, draw, locked, forgotten) {
     const spec = /** @type {import("../../../view/types.js").PredictSpec} */ (baked.fence.predict);
     this.root = root;
     this.spec = spec;
+    this.forgotten = forgotten;
     this.locked = (/** @type {boolean} */ now) => {
       draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
       locked(now);
@@ -80,7 +81,7 @@ export class Predict {
       void this.#keep();
     });
     this.again = new Again(root, async () => {
-      if (await this.#forget()) forgotten();
+      if (await this.#forget()) forgotten(true);
     });
   }
 
@@ -101,8 +102,9 @@ export class Predict {
     if (found) say(this.#keeping.saved, tr("Saved."));
   }
 
-  /** Another tab has kept this prediction. What is locked here stays so. @param {Entry} found */
+  /** Another tab has kept this prediction, or forgotten it (null). What is locked here else stays so. @param {Entry | null} found */
   #elsewhere(found) {
+    if (!found) return this.forgotten(false);
     if (!this.isLocked) return this.#back(found);
     if (!found.locked) return;
     this.#entry = found;

@@ -36,13 +36,15 @@ export class Kept {
 
   async forget() {
     await (await this.#store).remove(this.#key);
+    document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
   }
 
-  /** From now on. @param {(found: any) => void} act what to do with what another tab has kept here */
+  /** From now on. @param {(found: any) => void} act what to do with what another tab has kept here; null: it has forgotten it */
   async hear(act) {
-    (await this.#store).hear(async (key) => {
-      const found = key === this.#key ? await this.get() : null;
-      if (found) act(found);
+    (await this.#store).hear(async (key, gone) => {
+      if (key !== this.#key) return;
+      const found = await this.get();
+      if (found || gone) act(found); // kept, but not to be read yet: that is not forgotten
     });
   }
 }
