@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import click
-import yaml
 
 from sim.cli.check import report
 from sim.cli.site import site_folder
@@ -38,14 +37,16 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     carts key worksheets/test-forces-and-motion.md
     """
     root = Path.cwd()
-    _not_to_students(out, root)
+    site = site_folder.read(root) if (root / site_folder.SETTINGS).is_file() else None
+    if site:
+        _not_to_students(out, site)
     for path in paths:
         if path.suffix in (".yml", ".yaml"):
             raise click.UsageError(_no_lesson(path))
     written = 0
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
         try:
-            for name, key in _keys(path, root):
+            for name, key in _keys(path, root, site.site_id if site else ""):
                 text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
                 write_out(out / f"{name}.key.json", f"{text}\n", "--out DIR")
                 write_out(out / f"{name}.key.html", key.page, "--out DIR")
@@ -58,11 +59,9 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
         click.echo("There is no question in these lessons.")
 
 
-def _not_to_students(out: Path, root: Path) -> None:
+def _not_to_students(out: Path, site: site_folder.SiteFolder) -> None:
     """A sentence and the end where the keys would lie in the site, or be copied into it."""
-    if not (root / site_folder.SETTINGS).is_file():
-        return
-    for folder in site_folder.read(root).handed_out:
+    for folder in site.handed_out:
         if out.resolve().is_relative_to(folder):
             raise click.UsageError(
                 f"{out} is in the folder “{folder.name}”, which students get, and a key holds the"
@@ -80,21 +79,9 @@ def _no_lesson(path: Path) -> str:
     )
 
 
-def _keys(path: Path, root: Path) -> Iterator[tuple[str, Key]]:
+def _keys(path: Path, root: Path, site_id: str) -> Iterator[tuple[str, Key]]:
     """The keys of a lesson by the names of their files: its own first, then its translations."""
-    name, site = path.stem, _site_id(root)
+    name = path.stem
     for language, (text, lesson) in in_languages(path, root).items():
-        if key := lesson_key(text, lesson, name, site):
+        if key := lesson_key(text, lesson, name, site_id):
             yield f"{name}.{language}" if language else name, key
-
-
-def _site_id(root: Path) -> str:
-    """extra.carts.site_id of mkdocs.yml, read without running anything in it."""
-    settings = root / "mkdocs.yml"
-    if not settings.is_file():
-        return ""
-    for line in settings.read_text(encoding="utf-8").splitlines():
-        name, _, value = line.strip().partition(":")
-        if name == "site_id":
-            return str(yaml.safe_load(value) or "")
-    return ""

@@ -132,10 +132,15 @@ class Acting:
 
 def acting(scene: Scene) -> tuple[Acting, ...]:
     """The listed effects at work, in the order listed."""
-    found = tuple(
+    return tuple(
         import_module(f"sim.effects.{effect.kind}.force").act(effect, scene)
         for effect in scene.effects
     )
+
+
+def checked(scene: Scene) -> tuple[Acting, ...]:
+    """The same as a run begins: each is looked at once, by who counts on what `Acting` promises."""
+    found = acting(scene)
     for one in found:
         _refuse_drift(one, scene)
     return found

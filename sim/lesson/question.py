@@ -106,13 +106,12 @@ class Question(ABC):
         """The question in `table`; problems are collected, and then the result is not used."""
 
     @classmethod
+    @abstractmethod
     def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
         """The question again, from its row of a key file: what `asked` and `key` have written.
 
-        Raises KeyError, TypeError or ValueError where the row is damaged. Kinds that do not say
-        how are read by `sim/classroom/files/key_questions.py`.
+        Raises KeyError, TypeError or ValueError where the row is damaged.
         """
-        raise ValueError(row["type"])
 
     @abstractmethod
     def asked(self) -> dict[str, Any]:

@@ -105,6 +105,15 @@ def test_whatever_a_page_keeps_can_be_read_again_by_both(kind: str) -> None:
     assert (entry["type"], entry["found"]) == (kind, found)
 
 
+def test_the_longest_text_that_the_editor_of_laws_takes_is_read_again_by_both() -> None:
+    longest = in_node('give((await import(source + "/law/editor.js")).LONGEST);', None)
+    text = json.dumps({**GOOD, "items": [{**ITEM, "value": "x" * longest}]})
+    assert len(str(read_answer_file(text).latest()["why"].value)) == longest
+    script = """const { readFile } = await import(source + "/answers/file.js");
+    give(readFile(data, "tests").entries[0][1].value.length);"""
+    assert in_node(script, text) == longest
+
+
 @pytest.mark.parametrize(
     ("extra", "taken"),
     [

@@ -16,9 +16,9 @@ from sim.lesson.beliefs import BELIEFS
 from sim.lesson.form import DRAW_KEYS, FORM_KEYS
 from sim.lesson.key_file import KIND
 from sim.lesson.kinds.arrange import PAIR_KEYS
-from sim.lesson.kinds.choice import OPTION_KEYS
 from sim.lesson.kinds.links import INVENTED_KEYS, MISSING_KEYS
 from sim.lesson.kinds.number import WRONG_KEYS
+from sim.lesson.kinds.options import OPTION_KEYS
 from sim.lesson.opening import RULES
 from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS

@@ -7,11 +7,12 @@ from random import Random
 
 import pytest
 
-from sim.measured.cells import decoded
+from sim.measured.cells import MOST_BYTES, decoded
 from sim.measured.model.fit import fit
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.tracks import Measured, read_measured
 from tests.measured.written_films import PLAIN, VARIANTS, A, T, rows, with_y
+from tests.web.scene.given.widget_site import in_node
 
 HEAD = "t\tx_A\tx_B\n"
 
@@ -139,3 +140,8 @@ def fits_or_is_refused(found: Measured) -> bool:
     except FitError as error:
         assert error.reason
         return False
+
+
+def test_a_file_is_too_large_for_the_page_where_it_is_for_python() -> None:
+    script = 'give((await import(source + "/measured/source.js")).MOST_BYTES);'
+    assert in_node(script, None) == MOST_BYTES

@@ -11,10 +11,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sim.classroom.files.key_questions import question_of
 from sim.lesson.key_file import FORMAT, KIND
 from sim.lesson.mark import Mark
 from sim.lesson.question import Common, Question
+from sim.lesson.read import KINDS
 
 MOST_CHARACTERS = 5_000_000
 MOST_ITEMS = 500
@@ -121,7 +121,7 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
         idea=str(row.get("idea", "")),
     )
     return KeyedItem(
-        question=question_of(row, common),
+        question=KINDS[str(row["type"])].from_key(row, common),
         hash=str(row["hash"]),
         ask=common.ask,
         texts={str(k): str(v) for k, v in row.get("texts", {}).items()},

@@ -10,7 +10,7 @@ import math
 from collections import defaultdict
 from dataclasses import dataclass
 
-from sim.effects.forces import FRICTION, BodyForce, EnergyRelease, PairForce, acting
+from sim.effects.forces import FRICTION, BodyForce, EnergyRelease, PairForce, checked
 from sim.scene.model import Scene
 
 
@@ -34,7 +34,7 @@ class Forces:
     """The effects of one scene at work, at a present time that moves on."""
 
     def __init__(self, scene: Scene) -> None:
-        self._acting = acting(scene)
+        self._acting = checked(scene)
         self.time = 0.0
         self.used: defaultdict[str, int] = defaultdict(int)
         self._loads: dict[tuple[int, ...], Load] = {}

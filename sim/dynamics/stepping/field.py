@@ -20,7 +20,7 @@ from typing import Any
 
 from sim.dynamics.stepping.joint_forces import told
 from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
-from sim.effects.forces import FRICTION, BodyForce, acting
+from sim.effects.forces import FRICTION, BodyForce, checked
 from sim.laws.stepping import Mode
 from sim.scene.model import Scene
 
@@ -33,7 +33,7 @@ class Field:
         self.count = len(scene.carts)
         self.mass = [cart.mass for cart in scene.carts]
         self.inverse = [1.0 / mass for mass in self.mass]
-        self._acting = acting(scene)
+        self._acting = checked(scene)
         self.pairs = [
             pair
             for k in range(self.count + 1)

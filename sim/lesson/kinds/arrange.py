@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
 from sim.lesson.keys import PROSE, PROSES, Key
-from sim.lesson.kinds.choice import LETTERS
+from sim.lesson.kinds.options import LETTERS
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -62,6 +62,13 @@ class Ordering(Question):
             hint = "order: [first, second, third]"
             problems.append(Problem(where, "not-a-list", message, hint))
         return cls(common=common, order=lines)
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The lines of the page, in the order of the key."""
+        texts = row["texts"]
+        order = tuple(str(texts[f"line-{letter}"]) for letter in row["key"]["order"])
+        return cls(common=common, order=order)
 
     @property
     def shown(self) -> tuple[int, ...]:
@@ -142,6 +149,21 @@ class Matching(Question):
             message = f"on the right stand at most {len(LETTERS)} different texts"
             problems.append(Problem(here, "twice", message, hint))
         return cls(common=common, left=tuple(left), right=tuple(right))
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The pairs in their order, then what belongs to nothing."""
+        pairs, texts = row["key"]["pairs"], row["texts"]
+        letters = [pairs[number] for number in row["left"]]
+        others = [letter for letter in row["right"] if letter not in letters]
+        question = cls(
+            common=common,
+            left=tuple(str(texts[f"left-{number}"]) for number in row["left"]),
+            right=tuple(str(texts[f"right-{letter}"]) for letter in (*letters, *others)),
+        )
+        if question.key()["pairs"] != pairs:
+            raise ValueError("the letters of this item are not those of the page")
+        return question
 
     @property
     def shown(self) -> tuple[int, ...]:

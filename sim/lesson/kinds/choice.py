@@ -2,63 +2,22 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
-from sim.lesson import keys
-from sim.lesson.beliefs import BELIEFS
-from sim.lesson.keys import PROSE, Key
+from sim.lesson.keys import Key
+from sim.lesson.kinds.options import (
+    OPTIONS,
+    Option,
+    beliefs_of,
+    options_of_key,
+    read_options,
+    texts_of,
+)
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
-from sim.scene.problem import Path, Problem, nearest
-from sim.scene.tables import unknown_keys
-
-LETTERS = "abcdefghijkl"
-_ID = re.compile(r"[a-z0-9][a-z0-9-]{0,31}", re.ASCII)
-OPTION_KEYS = (
-    Key("text", "the answer, in Markdown", "They are equal.", PROSE, True),
-    Key("correct", "this answer is right", "true", {"type": "boolean"}),
-    Key("belief", "tag of the belief behind a wrong answer", "bigger-pushes-more",
-        {"enum": sorted(BELIEFS)}),
-    Key("feedback", "shown to who chose it", "Compare the two arrows.", PROSE),
-    Key("id", "name of the answer; default: its letter", "b"),
-)  # fmt: skip
-_HINT = "options:\n    - {text: They are equal., correct: true}\n    - {text: A pushes harder.}"
-OPTIONS = Key(
-    "options",
-    "the answers, in the order in which they stand there: A, B, C …",
-    "[{text: They are equal., correct: true}, {text: A pushes harder.}]",
-    {
-        "type": "array",
-        "minItems": 2,
-        "maxItems": len(LETTERS),
-        "items": {
-            "anyOf": [
-                PROSE,
-                {
-                    "type": "object",
-                    "properties": {key.name: key.schema for key in OPTION_KEYS},
-                    "required": ["text"],
-                    "additionalProperties": False,
-                },
-            ]
-        },
-    },
-    True,
-)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Option:
-    """One answer to choose."""
-
-    id: str
-    text: str
-    correct: bool = False
-    belief: str = ""
-    feedback: str = ""
+from sim.scene.problem import Path, Problem
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,6 +49,11 @@ class Single(Question):
                 )
             )
         return cls(common=common, options=options)
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The options, in the order shown."""
+        return cls(common=common, options=options_of_key(row))
 
     def asked(self) -> dict[str, Any]:
         """The ids in the order shown."""
@@ -175,74 +139,3 @@ class Multiple(Single):
         right = {option.id for option in self.options if option.correct}
         exact = {option.id for option in chosen} == right
         return self._marked(chosen, exact, some=any(option.correct for option in chosen))
-
-
-def texts_of(options: Iterable[Option]) -> dict[str, str]:
-    """The text of each option, by the name of its place in the page."""
-    return {f"option-{option.id}": option.text for option in options}
-
-
-def beliefs_of(options: Iterable[Option]) -> dict[str, str]:
-    """The belief behind each option that has one, by its id."""
-    return {option.id: option.belief for option in options if option.belief}
-
-
-def read_options(
-    table: Mapping[str, Any], path: Path, problems: list[Problem]
-) -> tuple[Option, ...]:
-    """The options of a question; empty with a problem if they cannot be used."""
-    here = (*path, "options")
-    listed = table.get("options")
-    if not isinstance(listed, (list, tuple)) or not 2 <= len(listed) <= len(LETTERS):
-        where = here if "options" in table else path
-        message = f"options lists 2 to {len(LETTERS)} answers"
-        problems.append(Problem(where, "not-a-list", message, _HINT))
-        return ()
-    options: list[Option] = []
-    for k, entry in enumerate(listed):
-        option = _option(entry, LETTERS[k], (*here, k), problems)
-        if option is None:
-            return ()
-        if any(option.id == other.id for other in options):
-            message = f"two options have the id “{option.id}”"
-            problems.append(Problem((*here, k), "id-taken", message, "each needs its own"))
-        same = " ".join(option.text.split())
-        if any(same == " ".join(other.text.split()) for other in options):
-            problems.append(Problem((*here, k), "twice", "this answer stands there twice", _HINT))
-        options.append(option)
-    return tuple(options)
-
-
-def _option(entry: object, letter: str, path: Path, problems: list[Problem]) -> Option | None:
-    table = {"text": entry} if isinstance(entry, (str, int)) else entry
-    if not isinstance(table, Mapping):
-        problems.append(Problem(path, "not-a-table", "an option is a text or a table", _HINT))
-        return None
-    unknown_keys(table, keys.names(OPTION_KEYS), path, problems)
-    belief = read_belief(table, path, problems)
-    correct = keys.flag(table, "correct", path, problems, default=False)
-    if correct and belief:
-        message = "a right answer has no belief behind it"
-        problems.append(Problem((*path, "belief"), "twice", message, "remove one of the two"))
-    identity = keys.text(table, "id", path, problems) or letter
-    if not _ID.fullmatch(identity):
-        message = f"“{identity[:40]}” cannot be an id"
-        problems.append(Problem((*path, "id"), "bad-name", message, "id: equal"))
-    return Option(
-        id=identity,
-        text=keys.needed(table, "text", path, problems, "text: They are equal."),
-        correct=correct,
-        belief=belief,
-        feedback=keys.text(table, "feedback", path, problems) or "",
-    )
-
-
-def read_belief(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> str:
-    """The belief tag of a wrong answer, one of `BELIEFS`; empty where there is none."""
-    belief = keys.text(table, "belief", path, problems) or ""
-    if belief and belief not in BELIEFS:
-        near = nearest(belief, BELIEFS)
-        hint = f"did you mean “{near}”?" if near else f"one of: {', '.join(sorted(BELIEFS))}"
-        message = f"there is no belief “{belief[:40]}”"
-        problems.append(Problem((*path, "belief"), "unknown-belief", message, hint))
-    return belief

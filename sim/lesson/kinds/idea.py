@@ -7,7 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Self
 
 from sim.lesson.keys import Key
-from sim.lesson.kinds.choice import OPTIONS, Option, beliefs_of, read_options, texts_of
+from sim.lesson.kinds.options import (
+    OPTIONS,
+    Option,
+    beliefs_of,
+    options_of_key,
+    read_options,
+    texts_of,
+)
 from sim.lesson.mark import Mark, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -40,6 +47,11 @@ class Idea(Question):
                     )
                 )
         return cls(common=common, options=options)
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The options, in the order shown."""
+        return cls(common=common, options=options_of_key(row))
 
     def asked(self) -> dict[str, Any]:
         """The ids in the order shown."""

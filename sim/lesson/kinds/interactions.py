@@ -97,6 +97,26 @@ class Interactions(Question):
             wrong=tuple(wrong), focus=tuple(objects.index(name) for name in focus),
         )  # fmt: skip
 
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The boxes, the right links, and the beliefs behind invented ones."""
+        objects, key = tuple(map(str, row["objects"])), row["key"]
+
+        def ends(told: Mapping[str, Any]) -> tuple[int, int]:
+            a, b = told["between"]
+            return objects.index(a), objects.index(b)
+
+        return cls(
+            common=common,
+            objects=objects,
+            links=tuple(Link(*ends(link), link["by"]) for link in key["links"]),
+            focus=tuple(objects.index(name) for name in row["focus"]),
+            wrong=tuple(
+                Known(*ends(told), tuple(told["by"]), "", str(told["belief"]))
+                for told in key["wrong"]
+            ),
+        )
+
     def asked(self) -> dict[str, Any]:
         """The boxes, and those whose forces are listed."""
         return {"objects": list(self.objects), "focus": [self.objects[k] for k in self.focus]}

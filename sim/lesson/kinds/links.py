@@ -8,7 +8,7 @@ from typing import Any, Literal, cast
 
 from sim.lesson import keys
 from sim.lesson.keys import PROSE, Key, one_of
-from sim.lesson.kinds.choice import read_belief
+from sim.lesson.kinds.options import read_belief
 from sim.scene.problem import Path, Problem
 
 By = Literal["contact", "distance"]

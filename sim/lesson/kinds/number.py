@@ -11,7 +11,6 @@ from typing import Any, ClassVar, Self
 from sim.lesson import keys, units
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
-from sim.lesson.kinds.choice import read_belief
 from sim.lesson.kinds.measured_number import (
     FIGURES,
     TOLERANCE,
@@ -20,6 +19,7 @@ from sim.lesson.kinds.measured_number import (
     read_tolerance,
     read_unit,
 )
+from sim.lesson.kinds.options import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -102,6 +102,25 @@ class Number(Question):
             units=units.factors(unit, dimension),
             wrong=wrong,
         )
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The interval, and the wrong answers that are known."""
+        key, said = row["key"], row.get("feedback", {})
+        wrong = tuple(
+            Wrong(
+                value=float(w["value"]),
+                tolerance=float(w["tolerance"]),
+                belief=str(w["belief"]),
+                feedback=str(said.get(f"wrong-{k}", "")),
+            )
+            for k, w in enumerate(key["wrong"])
+        )
+        units = {str(name): float(factor) for name, factor in row["units"].items()}
+        return cls(
+            common=common, answer=float(key["answer"]), tolerance=float(key["tolerance"]),
+            unit=str(row["unit"]), units=units, wrong=wrong,
+        )  # fmt: skip
 
     def asked(self) -> dict[str, Any]:
         """The unit beside the box, and all that may be typed instead."""

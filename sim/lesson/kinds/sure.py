@@ -26,6 +26,12 @@ class Confidence(Question):
         del table, path, problems
         return cls(common=common)
 
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """It needs nothing of its own."""
+        del row
+        return cls(common=common)
+
     def asked(self) -> dict[str, Any]:
         """The three words."""
         return {"options": list(CERTAINTY), "marks": 0}

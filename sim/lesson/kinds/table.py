@@ -97,6 +97,25 @@ class Table(Question):
         plot = _plot(table, columns, rows, path, problems)
         return cls(common=common, columns=columns, rows=tuple(rows), plot=plot)
 
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """Heads, given cells, and the interval of each other one; the page knows the units."""
+        cells, asked = row["key"]["cells"], row["cells"]
+
+        def cell(name: str, given: str | None) -> Cell:
+            if given is not None:
+                return given
+            right = cells[name]
+            unit = str(asked[name]["unit"])
+            return Open(float(right["answer"]), float(right["tolerance"]), unit, {})
+
+        rows = tuple(
+            tuple(cell(f"{r}-{c}", given) for c, given in enumerate(line, start=1))
+            for r, line in enumerate(row["rows"], start=1)
+        )
+        plot = (int(row["plot"][0]) - 1, int(row["plot"][1]) - 1) if row["plot"] else None
+        return cls(common=common, columns=tuple(row["columns"]), rows=rows, plot=plot)
+
     @property
     def open(self) -> dict[str, Open]:
         """The cells to fill in, by `row-column`."""

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 from sim.lesson import keys
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import PROSE, PROSES, Key
-from sim.lesson.kinds.choice import read_belief
+from sim.lesson.kinds.options import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -58,6 +58,11 @@ class Long(Question):
             start=keys.text(table, "start", path, problems) or "",
             words=keys.texts(table, "words", path, problems, "words: [equal, pair]"),
         )
+
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """The rubric; what helps with writing is the page's matter."""
+        return cls(common=common, rubric=_rubric_of_key(row, common))
 
     @property
     def free(self) -> bool:
@@ -125,6 +130,20 @@ class Short(Long):
             wrong=_wrong(table, path, problems),
         )
 
+    @classmethod
+    def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
+        """What is accepted and what is known to be wrong, in plain forms, beside the rubric."""
+        key, said = row["key"], row.get("feedback", {})
+        return cls(
+            common=common,
+            rubric=_rubric_of_key(row, common),
+            accept=tuple(key["accept"]),
+            wrong=tuple(
+                (tuple(w["texts"]), str(w["belief"]), str(said.get(f"wrong-{k}", "")))
+                for k, w in enumerate(key["wrong"])
+            ),
+        )
+
     @property
     def free(self) -> bool:
         """Without accepted texts a person has to read it."""
@@ -165,6 +184,11 @@ class Short(Long):
 def plain(text: str) -> str:
     """A text as it is compared: small letters, one minus, no punctuation, single spaces."""
     return _PUNCTUATION.sub(" ", text.lower().replace("−", "-").replace("–", "-")).strip()
+
+
+def _rubric_of_key(row: Mapping[str, Any], common: Common) -> Mapping[int, str]:
+    found = {int(marks): str(text) for marks, text in row.get("rubric", {}).items()}
+    return found or {common.marks: ""}
 
 
 def _rubric(

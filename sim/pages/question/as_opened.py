@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
+from collections.abc import Mapping
+from math import isfinite
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import trajectory
@@ -20,11 +22,18 @@ SLOPES = {"x": "v", "v": "a", "F": "dF"}
 
 def as_opened(reading: Reading, scene: Scene) -> float | None:
     """The quantity in the reading's unit; None where the run has none of it (no such force)."""
+    columns = trajectory(run(scene)).columns
+    found = read_off(reading, columns, {cart.name: cart.mass for cart in scene.carts})
+    return None if found is None else found / reading.per
+
+
+def read_off(
+    reading: Reading, columns: Mapping[tuple[str, ...], array[float]], mass: Mapping[str, float]
+) -> float | None:
+    """The quantity in SI, as the page reads it off: sim/web/src/question/marking/own-run.js."""
     what, _, whose = reading.quantity.partition(".")
-    mass = {cart.name: cart.mass for cart in scene.carts}
     factor = mass[whose] if what == "p" else 1.0
     what = "v" if what == "p" else what
-    columns = trajectory(run(scene)).columns
     values = columns.get((what, whose))
     if values is None:
         return None
@@ -37,7 +46,7 @@ def as_opened(reading: Reading, scene: Scene) -> float | None:
     else:
         slopes = columns.get((SLOPES.get(what, ""), whose))
         found = _between(columns[("t",)], values, slopes, float(reading.at))
-    return factor * found / reading.per
+    return factor * found
 
 
 def _between(
@@ -54,4 +63,5 @@ def _between(
         return straight
     secant = (values[k + 1] - values[k]) / span
     bend = (1.0 - s) * (slopes[k] - secant) - s * (slopes[k + 1] - secant)
-    return straight + s * (1.0 - s) * span * bend
+    found = straight + s * (1.0 - s) * span * bend
+    return found if isfinite(found) else values[k]  # slopes beyond all numbers: a step

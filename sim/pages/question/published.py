@@ -15,9 +15,9 @@ from sim.lesson.beliefs import FIRST_LAW, MOMENTUM, SECOND_LAW, THIRD_LAW
 from sim.lesson.form import DRAW_KEYS, FORM_KEYS
 from sim.lesson.keys import Key
 from sim.lesson.kinds.arrange import PAIR_KEYS
-from sim.lesson.kinds.choice import OPTION_KEYS
 from sim.lesson.kinds.links import INVENTED_KEYS
 from sim.lesson.kinds.number import WRONG_KEYS
+from sim.lesson.kinds.options import OPTION_KEYS
 from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS
 from sim.scene.schema import scene_schema

@@ -93,6 +93,25 @@ def test_a_law_that_is_changed_in_one_tab_is_changed_in_the_other(
     assert [item["value"] for item in saved_file(other)["items"]] == [HEAVY]
 
 
+def test_a_law_that_is_cleared_in_one_tab_is_not_brought_back_by_the_other(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    start = text_box(page).input_value()
+    other = page.context.new_page()
+    other.goto(page.url)
+    other.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
+    kept(page, HEAVY)
+    expect(text_box(other)).to_have_value(HEAVY)
+    page.locator(".carts-bar-open").click()
+    page.get_by_role("button", name="Clear this laptop").click()
+    page.get_by_role("button", name="Clear my answers").click()
+    expect(text_box(other)).to_have_value(start)
+    other.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
+    kept(other, SPRING)
+    assert [item["value"] for item in saved_file(other)["items"]] == [SPRING]
+
+
 def test_one_press_on_judge_is_one_try(open_page: OpenPage, bench: Path) -> None:
     page = opened(open_page, bench)
     write(page, SPRING)

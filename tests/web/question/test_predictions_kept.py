@@ -109,6 +109,27 @@ def test_a_prediction_that_is_locked_in_one_tab_is_locked_in_the_other(
 
 
 @pytest.mark.one_browser
+def test_a_prediction_that_is_forgotten_in_one_tab_is_forgotten_in_the_other(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page, other = two_tabs(open_page, question_site, "forgotten")
+    back(page).check()
+    page.locator("#bump .carts-lock").click()
+    expect(back(other)).to_be_disabled()
+    other.locator("#bump .carts-again").click()
+    other.get_by_role("button", name="Forget it").click()
+    for tab in (page, other):
+        expect(back(tab)).to_be_enabled()
+        expect(back(tab)).not_to_be_checked()
+        expect(tab.locator(".carts-bar-count")).to_have_text("0 of 1")
+        expect(tab.locator("#bump-drawn .carts-q-done")).to_have_text("")
+    page.get_by_role("radio", name="It stops").check()
+    expect(other.get_by_role("radio", name="It stops")).to_be_checked()
+    for tab in (page, other):
+        assert [item["said"] for item in saved_file(tab)["items"]] == ["It stops"]
+
+
+@pytest.mark.one_browser
 def test_a_tab_that_hears_nothing_loses_no_locked_prediction(
     open_page: OpenPage, question_site: Path
 ) -> None:

@@ -43,6 +43,26 @@ def test_two_tabs_show_the_same_answers_and_lose_none(
     expect(page.locator("#resultant input")).to_have_value("right 4")
 
 
+def test_answers_that_are_cleared_in_one_tab_are_gone_in_the_other(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    other = page.context.new_page()
+    other.goto(page.url)
+    ready(other)
+    page.locator("#why textarea").fill("of whom sat here before")
+    expect(other.locator("#why textarea")).to_have_value("of whom sat here before")
+    other.evaluate("sessionStorage.setItem('carts-watched', '[\"a run\"]')")
+    page.locator(".carts-bar-open").click()
+    page.get_by_role("button", name="Clear this laptop").click()
+    page.get_by_role("button", name="Clear my answers").click()
+    expect(other.locator("#why textarea")).to_have_value("")
+    assert other.evaluate("sessionStorage.getItem('carts-watched')") is None
+    ready(other).locator("#resultant input").fill("mine")
+    saved(other, "resultant")
+    assert [item["value"] for item in saved_file(other)["items"]] == ["mine"]
+
+
 def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
     open_page: OpenPage, question_site: Path
 ) -> None:

@@ -9,6 +9,7 @@ import {
   readStudent,
   writeStudent,
 } from "../shared/storage.js";
+import { forgetTab } from "../shared/tab.js";
 import { isEmpty, keepEarlier, merged } from "./entry.js";
 import { isOptional, markOptional } from "./optional.js";
 import { isCurrent, outline } from "./outline.js";
@@ -151,9 +152,12 @@ export class Book extends EventTarget {
     this.student = await readStudent(this.all);
     this.store = forStudent(this.all, this.student);
     await this.#read();
-    this.store.hear((key) => void this.#hear(key));
-    hearStudent(this.all, (code) => code !== this.student && location.reload());
+    this.store.hear((key, gone) => void this.#hear(key, gone));
+    hearStudent(this.all, () => this.#leave());
     document.addEventListener("carts-kept", () => void this.refresh());
+    document.addEventListener("carts-forgotten", (event) => {
+      void this.#hear(/** @type {CustomEvent} */ (event).detail, true);
+    });
   }
 
   /** What is kept under a key that this page does not know. @param {string} key */
@@ -194,12 +198,19 @@ export class Book extends EventTarget {
     }
   }
 
-  /** Another tab wrote something. @param {string} key */
-  async #hear(key) {
+  /** In another tab somebody else works now, or all was cleared: what this tab holds is not to be shown or kept again. */
+  #leave() {
+    forgetTab();
+    location.reload();
+  }
+
+  /** Another tab, or another script, has kept something or forgotten it. @param {string} key @param {boolean} gone */
+  async #hear(key, gone) {
     this.#own.delete(key);
     const entry = await this.store?.get(key).catch(() => null);
-    if (!entry) return;
-    this.#known.set(key, entry);
+    if (entry) this.#known.set(key, entry);
+    else if (gone) this.#known.delete(key);
+    else return;
     this.dispatchEvent(new CustomEvent("change", { detail: key }));
     this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
   }

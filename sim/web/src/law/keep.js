@@ -2,30 +2,26 @@
 
 import { setAside } from "../answers/entry.js";
 import { isCurrent } from "../answers/outline.js";
-import { openStore, place } from "../shared/storage.js";
+import { Kept } from "../shared/kept.js";
 
 /** @param {{id: string, hash: string, ask: string}} facts @param {(text: string) => void} elsewhere what to do with a text that another tab keeps */
 export function lawKeeper({ id, hash, ask }, elsewhere) {
-  const { site, page } = place();
-  const key = `${page}#${id}`;
-  const opened = openStore(site);
+  const kept = new Kept(id);
   /** @type {any} */
   let entry = { id, hash, type: "law", value: null, first: null, last: null, tries: 0 };
-  const get = async () => {
-    const found = await (await opened).get(key).catch(() => null);
+  /** Goes on from what is kept. @param {any} found @returns {string | null} its text */
+  const taken = (found) => {
     if (found?.type !== "law" || typeof found.value !== "string") return null;
     if (isCurrent(found)) entry = found;
     return found.value;
   };
-  void opened.then((store) =>
-    store.hear(async (told) => {
-      const text = told === key ? await get() : null;
-      if (text !== null) elsewhere(text);
-    }),
-  );
+  void kept.hear((found) => {
+    const text = taken(found);
+    if (text !== null) elsewhere(text);
+  });
   return {
     /** @returns {Promise<string | null>} what was written here before */
-    get,
+    get: async () => taken(await kept.get()),
     /** The text goes to the earlier ones: another is about to take its place. */
     setAside() {
       entry = setAside(entry);
@@ -37,10 +33,8 @@ export function lawKeeper({ id, hash, ask }, elsewhere) {
       entry = { ...entry, hash, value: text, said: text, asked: ask.slice(0, 300), tries };
       entry = { ...entry, first: entry.first ?? now, last: now };
       try {
-        const store = await opened;
-        await store.put(key, entry);
-        document.dispatchEvent(new Event("carts-kept"));
-        return store.kind === "kept";
+        await kept.put(entry);
+        return await kept.lasts();
       } catch {
         return false;
       }

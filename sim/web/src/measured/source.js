@@ -5,7 +5,7 @@ import { download } from "../shared/download.js";
 import { Films, isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
-const MOST = 4_000_000; // bytes of one file; Python says so too
+export const MOST_BYTES = 4_000_000; // of one file, as in sim/measured/cells.py; a test holds the two together
 const ZIP = 0x504b0304; // the first four bytes
 const TYPED = "typed readings";
 
@@ -64,7 +64,7 @@ export class Source {
     const film = files.find(isFilm);
     if (film) return this.films.open(film);
     if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
-    if (files.some((file) => file.size > MOST)) {
+    if (files.some((file) => file.size > MOST_BYTES)) {
       return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
     }
     const texts = [];

@@ -11,7 +11,7 @@ import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
-import { keepOnPage, keptOnPage } from "../shared/kept.js";
+import { Kept } from "../shared/kept.js";
 import { readTyped } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
@@ -33,6 +33,7 @@ export class FindForces {
   /** @param {HTMLElement} root @param {string} id of the scene @param {(said: string[]) => void} found what to do then, with the sentences on what was found */
   constructor(root, id, found) {
     this.id = `${id}-forces`;
+    this.kept = new Kept(this.id);
     this.found = found;
     this.which = /** @type {HTMLSelectElement} */ (need(root, ".carts-find-which"));
     this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-find-value input"));
@@ -63,7 +64,7 @@ export class FindForces {
 
   /** The forces are shown at once where one was found before. */
   async restore() {
-    const kept = await keptOnPage(this.id);
+    const kept = await this.kept.get();
     if (kept?.type !== TYPE) return;
     if (!Array.isArray(kept.found)) return this.found([]); // kept when one force was enough
     this.#found = new Map(kept.found);
@@ -145,10 +146,10 @@ export class FindForces {
   /** @param {string} typed */
   async #keep(typed) {
     const now = new Date().toISOString();
-    const before = await keptOnPage(this.id);
+    const before = await this.kept.get();
     const elsewhere = Array.isArray(before?.found) ? before.found : []; // in another tab
     this.#found = new Map([...elsewhere, ...this.#found]);
-    await keepOnPage({
+    const entry = {
       id: this.id,
       type: TYPE,
       value: typed,
@@ -158,7 +159,8 @@ export class FindForces {
       found: [...this.#found],
       tries: this.#tries,
       asked: tr("Find a force of this scene"),
-    });
+    };
+    await this.kept.put(entry).catch(() => {}); // refused: at the next visit it is found again
   }
 }
 

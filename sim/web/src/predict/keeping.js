@@ -1,66 +1,55 @@
-/** Where a prediction is kept, and what the page says of it. */
+/** A prediction is kept, and the page says so. */
 
 import { tr } from "../../../view/language.js";
 import { isCurrent } from "../answers/outline.js";
 import { need, say } from "../shared/dom.js";
-import { openStore, place } from "../shared/storage.js";
+import { Kept } from "../shared/kept.js";
 
 /** @typedef {import("./predict.js").Entry} Entry */
 
 export class Keeping {
-  /** @type {import("../shared/storage.js").Store | null} */
-  #store = null;
-  #key = "";
+  #kept;
 
-  /** @param {HTMLElement} root of the prediction */
-  constructor(root) {
+  /** @param {HTMLElement} root of the prediction @param {string} id */
+  constructor(root, id) {
     this.root = root;
     this.saved = need(root, ".carts-saved");
+    this.#kept = new Kept(id);
   }
 
   /**
    * Resolves with what the reader left here before, where it answers what is asked today; else null.
-   * @param {Entry} entry as it is before @param {(found: Entry) => void} elsewhere what to do with what another tab keeps
+   * @param {string} type of prediction @param {(found: Entry | null) => void} elsewhere what to do with what another tab keeps; null: it has forgotten it
    * @returns {Promise<Entry | null>}
    */
-  async open({ id, type }, elsewhere) {
-    const { site, page } = place();
-    const key = `${page}#${id}`;
-    const store = await openStore(site);
-    this.#store = store;
-    this.#key = key;
-    if (store.kind === "memory") {
+  async open(type, elsewhere) {
+    const current = (/** @type {any} */ found) => found?.type === type && isCurrent(found);
+    void this.#kept.hear((found) => {
+      if (this.root.isConnected && (!found || current(found))) elsewhere(found);
+    });
+    if (!(await this.#kept.lasts())) {
       say(
         this.saved,
         tr("This browser keeps nothing: your prediction is lost when you close the page."),
       );
     }
-    const get = async () => {
-      const found = await store.get(key).catch(() => null);
-      return found?.type === type && isCurrent(found) ? found : null;
-    };
-    store.hear(async (told) => {
-      const found = told === key ? await get() : null;
-      if (found && this.root.isConnected) elsewhere(found);
-    });
-    return get();
+    const found = await this.#kept.get();
+    return current(found) ? found : null;
   }
 
   /** @param {Entry} entry */
   async put(entry) {
-    if (!this.#store) return;
-    const { kind } = this.#store;
-    if (kind === "kept") say(this.saved, tr("Saving…"));
+    const lasts = await this.#kept.lasts();
+    if (lasts) say(this.saved, tr("Saving…"));
     try {
-      await this.#store.put(this.#key, entry);
-      document.dispatchEvent(new Event("carts-kept"));
-      if (kind === "kept") say(this.saved, tr("Saved."));
+      await this.#kept.put(entry);
+      if (lasts) say(this.saved, tr("Saved."));
     } catch {
       say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
     }
   }
 
   async forget() {
-    await this.#store?.remove(this.#key);
+    await this.#kept.forget();
   }
 }

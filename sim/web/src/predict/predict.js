@@ -36,17 +36,18 @@ export class Predict {
    * @param {HTMLElement} root of the prediction @param {Baked} baked
    * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
    * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
-   * @param {() => void} forgotten what to do once the prediction is forgotten
+   * @param {(now: boolean) => void} forgotten what to do once the prediction is forgotten; `now`: by the reader, in this tab
    */
   constructor(root, baked, draw, locked, forgotten) {
     const spec = /** @type {import("../../../view/types.js").PredictSpec} */ (baked.fence.predict);
     this.root = root;
     this.spec = spec;
+    this.forgotten = forgotten;
     this.locked = (/** @type {boolean} */ now) => {
       draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
       locked(now);
     };
-    this.#keeping = new Keeping(root);
+    this.#keeping = new Keeping(root, baked.fence.id);
     this.error = need(root, ".carts-predict-error");
     this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));
     this.#entry = {
@@ -80,7 +81,7 @@ export class Predict {
       void this.#keep();
     });
     this.again = new Again(root, async () => {
-      if (await this.#forget()) forgotten();
+      if (await this.#forget()) forgotten(true);
     });
   }
 
@@ -96,13 +97,14 @@ export class Predict {
 
   /** Brings back what the reader left here before. */
   async restore() {
-    const found = await this.#keeping.open(this.#entry, (found) => this.#elsewhere(found));
+    const found = await this.#keeping.open(this.spec.kind, (found) => this.#elsewhere(found));
     this.#back(found ?? this.#entry);
     if (found) say(this.#keeping.saved, tr("Saved."));
   }
 
-  /** Another tab has kept this prediction. What is locked here stays so. @param {Entry} found */
+  /** Another tab has kept this prediction, or forgotten it (null). What is locked here else stays so. @param {Entry | null} found */
   #elsewhere(found) {
+    if (!found) return this.forgotten(false);
     if (!this.isLocked) return this.#back(found);
     if (!found.locked) return;
     this.#entry = found;

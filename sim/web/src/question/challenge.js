@@ -7,9 +7,8 @@ import { listed } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
-import { hearOnPage } from "../shared/kept.js";
 import { recall, retain } from "../shared/tab.js";
-import { keepTried, triedBefore } from "./challenge-kept.js";
+import { triedKeeper } from "./challenge-kept.js";
 import { masses, setBy } from "./forms/run.js";
 import { isMet } from "./marking/goal.js";
 import { plainText } from "./plain-text.js";
@@ -24,6 +23,8 @@ export class ChallengeElement extends HTMLElement {
   #facts = JSON.parse("{}");
   /** @type {Tries} */
   #tries = { before: 0, tried: [], found: null };
+  /** @type {ReturnType<typeof triedKeeper> | null} */
+  #keeper = null;
   #leaving = new AbortController();
   #timer = 0;
   #restored = Promise.resolve(); // when what was tried at earlier visits is known
@@ -37,8 +38,8 @@ export class ChallengeElement extends HTMLElement {
       document.addEventListener(kind, (event) => this.#heard(event), { signal });
     }
     this.#show();
+    this.#keeper ??= triedKeeper(this.id, () => void this.#restore());
     this.#restored = this.#restore();
-    void hearOnPage(this.id, () => void this.#restore());
   }
 
   disconnectedCallback() {
@@ -48,7 +49,7 @@ export class ChallengeElement extends HTMLElement {
 
   /** What was tried in another tab, or on another day. */
   async #restore() {
-    const earlier = await triedBefore(this.id);
+    const earlier = await this.#keeper?.get();
     if (!earlier || earlier.runs <= this.#runs) return;
     this.#tries.before = earlier.runs - this.#tries.tried.length;
     if (earlier.found) this.#tries.found ??= { run: earlier.found, values: earlier.values };
@@ -88,7 +89,7 @@ export class ChallengeElement extends HTMLElement {
     const said = this.#show();
     const { found } = this.#tries;
     const told = { runs: this.#runs, found: found?.run ?? 0, values: found?.values ?? "" };
-    void keepTried(this.id, plainText(need(this, ".carts-q-ask")), told, said);
+    void this.#keeper?.put(plainText(need(this, ".carts-q-ask")), told, said);
   }
 
   /** What was set, in words. @param {Record<string, unknown>} set */

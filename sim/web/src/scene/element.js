@@ -88,7 +88,7 @@ export function sceneElement(client, folder) {
       this.#inside = inside;
       this.#predict = askFirst(this, baked, view, {
         locked: (now) => void this.#reveal(now),
-        forgotten: () => void this.#startAgain(),
+        forgotten: (now) => void this.#startAgain(now),
       });
       this.#watch = new Watch(this, baked, view.player, inside.presets, {
         first: () => this.#told && inside.controls.enable(true),
@@ -106,7 +106,7 @@ export function sceneElement(client, folder) {
     }
 
     /** The start state and an empty prediction, as on the first visit. @param {boolean} lead whether the focus goes there */
-    async #startAgain(lead = true) {
+    async #startAgain(lead) {
       this.#reset();
       this.#values.forget();
       this.#lesson = null;

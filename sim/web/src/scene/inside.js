@@ -82,7 +82,7 @@ export function wireInside(element, baked, view, client, acts) {
  * The prediction that the lesson asks for before the run; null where it asks for none.
  * @param {HTMLElement} element @param {import("../../../view/types.js").Baked} baked
  * @param {import("./scene-view.js").SceneView} view
- * @param {{locked: (now: boolean) => void, forgotten: () => void}} acts
+ * @param {{locked: (now: boolean) => void, forgotten: (now: boolean) => void}} acts
  */
 export function askFirst(element, baked, view, { locked, forgotten }) {
   const ask = element.querySelector(".carts-predict");

@@ -1,28 +1,50 @@
-/** What a reader did on a page that is no answer to a question: kept with the answers all the same. */
+/**
+ * What a reader did in one place of a page, kept under its id with the answers: a prediction, a law, what
+ * was tried or found. Questions, of which a page has many, have a book of their own (answers/book.js).
+ */
 
 import { openStore, place } from "./storage.js";
 
-/** What is kept of it, or null. @param {string} id @returns {Promise<any>} */
-export async function keptOnPage(id) {
-  const { site, page } = place();
-  const store = await openStore(site);
-  return store.get(`${page}#${id}`).catch(() => null);
-}
+export class Kept {
+  #key = "";
+  /** @type {Promise<import("./storage.js").Store>} */
+  #store;
 
-/** Calls when another tab has kept it. @param {string} id @param {() => void} act */
-export async function hearOnPage(id, act) {
-  const { site, page } = place();
-  (await openStore(site)).hear((key) => key === `${page}#${id}` && act());
-}
+  /** @param {string} id */
+  constructor(id) {
+    const { site, page } = place();
+    this.#key = `${page}#${id}`;
+    this.#store = openStore(site);
+  }
 
-/** Where the browser refuses it the page goes on; at the next visit it has to be done again. @param {{id: string} & Record<string, unknown>} entry */
-export async function keepOnPage(entry) {
-  const { site, page } = place();
-  try {
-    const store = await openStore(site);
-    await store.put(`${page}#${entry.id}`, { locked: null, ...entry });
+  /** Whether the browser keeps it beyond this visit. */
+  async lasts() {
+    return (await this.#store).kind === "kept";
+  }
+
+  /** What is kept; null: nothing, or it cannot be read. @returns {Promise<any>} */
+  async get() {
+    const store = await this.#store;
+    return (await store.get(this.#key).catch(() => null)) ?? null;
+  }
+
+  /** Resolves when the browser says that it is kept, rejects when it refuses. @param {object} entry */
+  async put(entry) {
+    await (await this.#store).put(this.#key, entry);
     document.dispatchEvent(new Event("carts-kept"));
-  } catch {
-    // as above
+  }
+
+  async forget() {
+    await (await this.#store).remove(this.#key);
+    document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
+  }
+
+  /** From now on. @param {(found: any) => void} act what to do with what another tab has kept here; null: it has forgotten it */
+  async hear(act) {
+    (await this.#store).hear(async (key, gone) => {
+      if (key !== this.#key) return;
+      const found = await this.get();
+      if (found || gone) act(found); // kept, but not to be read yet: that is not forgotten
+    });
   }
 }

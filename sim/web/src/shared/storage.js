@@ -22,8 +22,8 @@ const STUDENT = "student"; // the key under which the code word of who works her
  * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory",
  *   get: (key: string) => Promise<any>, put: (key: string, value: unknown, alone?: boolean) => Promise<void>,
  *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Opened
- * `hear`: what to do when another tab, or another script of this page, has kept something under a key.
- * @typedef {Opened & {hear: (act: (key: string) => void) => void}} Store
+ * `hear`: what to do when another tab, or another script of this page, has kept something under a key, or forgotten it.
+ * @typedef {Opened & {hear: (act: (key: string, gone: boolean) => void) => void}} Store
  */
 
 /** @type {Map<string, Promise<Store>>} */
@@ -53,9 +53,9 @@ export function writeStudent(all, code) {
   return all.put(STUDENT, { code, last: new Date().toISOString() });
 }
 
-/** Calls when another tab has said who works here. @param {Store} all @param {(code: string) => void} act */
+/** Calls when another tab has said who works here: the last that is kept when all is cleared. @param {Store} all @param {() => void} act */
 export function hearStudent(all, act) {
-  all.hear(async (key) => key === STUDENT && act(await readStudent(all)));
+  all.hear((key, gone) => key === STUDENT && !gone && act());
 }
 
 /** The same store with one student's keys only. @param {Store} all @param {string} code @returns {Store} */
@@ -69,7 +69,7 @@ export function forStudent(all, code) {
     get: (key) => all.get(before + key),
     put: (key, value, alone) => all.put(before + key, stamped(value), alone),
     remove: (key) => all.remove(before + key),
-    hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
+    hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
     entries: async () =>
       (await all.entries())
         .filter(([key]) => mine(key))
