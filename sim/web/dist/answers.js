@@ -428,9 +428,15 @@
       ...store,
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
-        channel?.postMessage(key);
+        channel?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 
@@ -477,7 +483,7 @@
     return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
   }
   function hearStudent(all, act) {
-    all.hear(async (key) => key === STUDENT && act(await readStudent(all)));
+    all.hear((key, gone) => key === STUDENT && !gone && act());
   }
   function forStudent(all, code) {
     const before = code ? `@${code}/` : "";
@@ -488,7 +494,7 @@
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
+      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
@@ -508,6 +514,29 @@
       site: cartsSite ?? meta("carts-site") ?? "site",
       page: cartsPage ?? meta("carts-page") ?? path2
     };
+  }
+
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var OURS = "carts";
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function forgetTab() {
+    try {
+      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
+    } catch {
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
   }
 
   // src/answers/optional.js
@@ -625,9 +654,16 @@
       this.student = await readStudent(this.all);
       this.store = forStudent(this.all, this.student);
       await this.#read();
-      this.store.hear((key) => void this.#hear(key));
-      hearStudent(this.all, (code) => code !== this.student && location.reload());
+      this.store.hear((key, gone) => void this.#hear(key, gone));
+      hearStudent(this.all, () => this.#leave());
       document.addEventListener("carts-kept", () => void this.refresh());
+      document.addEventListener("carts-forgotten", (event) => {
+        void this.#hear(
+          /** @type {CustomEvent} */
+          event.detail,
+          true
+        );
+      });
     }
     async #before(key) {
       try {
@@ -660,11 +696,16 @@
         throw error;
       }
     }
-    async #hear(key) {
+    #leave() {
+      forgetTab();
+      location.reload();
+    }
+    async #hear(key, gone) {
       this.#own.delete(key);
       const entry = await this.store?.get(key).catch(() => null);
-      if (!entry) return;
-      this.#known.set(key, entry);
+      if (entry) this.#known.set(key, entry);
+      else if (gone) this.#known.delete(key);
+      else return;
       this.dispatchEvent(new CustomEvent("change", { detail: key }));
       this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
     }
@@ -1161,29 +1202,6 @@
   }
   function openAll2() {
     document.dispatchEvent(new Event(OPEN_ALL));
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  var OURS = "carts";
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function forgetTab() {
-    try {
-      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
-    } catch {
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
   }
 
   // src/answers/panel-leave.js

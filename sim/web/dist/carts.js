@@ -3907,9 +3907,15 @@
       ...store,
       put: async (key, value, alone3) => {
         await store.put(key, value, alone3);
-        channel2?.postMessage(key);
+        channel2?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel2?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel2?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel2?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 
@@ -3964,7 +3970,7 @@
       get: (key) => all.get(before + key),
       put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
+      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
@@ -3987,20 +3993,37 @@
   }
 
   // src/shared/kept.js
-  async function keptOnPage(id) {
-    const { site, page: page2 } = place2();
-    const store = await openStore(site);
-    return store.get(`${page2}#${id}`).catch(() => null);
-  }
-  async function keepOnPage(entry2) {
-    const { site, page: page2 } = place2();
-    try {
-      const store = await openStore(site);
-      await store.put(`${page2}#${entry2.id}`, { locked: null, ...entry2 });
-      document.dispatchEvent(new Event("carts-kept"));
-    } catch {
+  var Kept = class {
+    #key = "";
+    #store;
+    constructor(id) {
+      const { site, page: page2 } = place2();
+      this.#key = `${page2}#${id}`;
+      this.#store = openStore(site);
     }
-  }
+    async lasts() {
+      return (await this.#store).kind === "kept";
+    }
+    async get() {
+      const store = await this.#store;
+      return await store.get(this.#key).catch(() => null) ?? null;
+    }
+    async put(entry2) {
+      await (await this.#store).put(this.#key, entry2);
+      document.dispatchEvent(new Event("carts-kept"));
+    }
+    async forget() {
+      await (await this.#store).remove(this.#key);
+      document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
+    }
+    async hear(act) {
+      (await this.#store).hear(async (key, gone) => {
+        if (key !== this.#key) return;
+        const found3 = await this.get();
+        if (found3 || gone) act(found3);
+      });
+    }
+  };
 
   // src/predict/find-forces.js
   var NEAR = 0.05;
@@ -4013,6 +4036,7 @@
     #found = /* @__PURE__ */ new Map();
     constructor(root, id, found3) {
       this.id = `${id}-forces`;
+      this.kept = new Kept(this.id);
       this.found = found3;
       this.which = /** @type {HTMLSelectElement} */
       need(root, ".carts-find-which");
@@ -4042,7 +4066,7 @@
       );
     }
     async restore() {
-      const kept = await keptOnPage(this.id);
+      const kept = await this.kept.get();
       if (kept?.type !== TYPE) return;
       if (!Array.isArray(kept.found)) return this.found([]);
       this.#found = new Map(kept.found);
@@ -4133,10 +4157,10 @@
     }
     async #keep(typed) {
       const now = (/* @__PURE__ */ new Date()).toISOString();
-      const before = await keptOnPage(this.id);
+      const before = await this.kept.get();
       const elsewhere = Array.isArray(before?.found) ? before.found : [];
       this.#found = new Map([...elsewhere, ...this.#found]);
-      await keepOnPage({
+      const entry2 = {
         id: this.id,
         type: TYPE,
         value: typed,
@@ -4146,6 +4170,8 @@
         found: [...this.#found],
         tries: this.#tries,
         asked: tr("Find a force of this scene")
+      };
+      await this.kept.put(entry2).catch(() => {
       });
     }
   };
@@ -4970,48 +4996,38 @@
 
   // src/predict/keeping.js
   var Keeping = class {
-    #store = null;
-    #key = "";
-    constructor(root) {
+    #kept;
+    constructor(root, id) {
       this.root = root;
       this.saved = need(root, ".carts-saved");
+      this.#kept = new Kept(id);
     }
-    async open({ id, type }, elsewhere) {
-      const { site, page: page2 } = place2();
-      const key = `${page2}#${id}`;
-      const store = await openStore(site);
-      this.#store = store;
-      this.#key = key;
-      if (store.kind === "memory") {
+    async open(type, elsewhere) {
+      const current = (found4) => found4?.type === type && isCurrent(found4);
+      void this.#kept.hear((found4) => {
+        if (this.root.isConnected && (!found4 || current(found4))) elsewhere(found4);
+      });
+      if (!await this.#kept.lasts()) {
         say(
           this.saved,
           tr("This browser keeps nothing: your prediction is lost when you close the page.")
         );
       }
-      const get = async () => {
-        const found3 = await store.get(key).catch(() => null);
-        return found3?.type === type && isCurrent(found3) ? found3 : null;
-      };
-      store.hear(async (told3) => {
-        const found3 = told3 === key ? await get() : null;
-        if (found3 && this.root.isConnected) elsewhere(found3);
-      });
-      return get();
+      const found3 = await this.#kept.get();
+      return current(found3) ? found3 : null;
     }
     async put(entry2) {
-      if (!this.#store) return;
-      const { kind } = this.#store;
-      if (kind === "kept") say(this.saved, tr("Saving…"));
+      const lasts = await this.#kept.lasts();
+      if (lasts) say(this.saved, tr("Saving…"));
       try {
-        await this.#store.put(this.#key, entry2);
-        document.dispatchEvent(new Event("carts-kept"));
-        if (kind === "kept") say(this.saved, tr("Saved."));
+        await this.#kept.put(entry2);
+        if (lasts) say(this.saved, tr("Saved."));
       } catch {
         say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
       }
     }
     async forget() {
-      await this.#store?.remove(this.#key);
+      await this.#kept.forget();
     }
   };
 
@@ -5273,11 +5289,12 @@
       );
       this.root = root;
       this.spec = spec;
+      this.forgotten = forgotten;
       this.locked = (now) => {
         draw([]);
         locked(now);
       };
-      this.#keeping = new Keeping(root);
+      this.#keeping = new Keeping(root, baked.fence.id);
       this.error = need(root, ".carts-predict-error");
       this.button = /** @type {HTMLButtonElement} */
       need(root, ".carts-lock");
@@ -5310,7 +5327,7 @@
         void this.#keep();
       });
       this.again = new Again(root, async () => {
-        if (await this.#forget()) forgotten();
+        if (await this.#forget()) forgotten(true);
       });
     }
     get isLocked() {
@@ -5320,11 +5337,12 @@
       return Boolean(this.#entry.watched);
     }
     async restore() {
-      const found3 = await this.#keeping.open(this.#entry, (found4) => this.#elsewhere(found4));
+      const found3 = await this.#keeping.open(this.spec.kind, (found4) => this.#elsewhere(found4));
       this.#back(found3 ?? this.#entry);
       if (found3) say(this.#keeping.saved, tr("Saved."));
     }
     #elsewhere(found3) {
+      if (!found3) return this.forgotten(false);
       if (!this.isLocked) return this.#back(found3);
       if (!found3.locked) return;
       this.#entry = found3;
@@ -10031,7 +10049,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#inside = inside;
         this.#predict = askFirst(this, baked, view, {
           locked: (now) => void this.#reveal(now),
-          forgotten: () => void this.#startAgain()
+          forgotten: (now) => void this.#startAgain(now)
         });
         this.#watch = new Watch(this, baked, view.player, inside.presets, {
           first: () => this.#told && inside.controls.enable(true),
@@ -10047,7 +10065,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#live.follow();
       }
-      async #startAgain(lead = true) {
+      async #startAgain(lead) {
         this.#reset();
         this.#values.forget();
         this.#lesson = null;

@@ -63,6 +63,22 @@
     );
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value2, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value2));
+    } catch {
+    }
+  }
+
   // src/answers/outline.js
   var found = null;
   function outline() {
@@ -287,9 +303,15 @@
       ...store,
       put: async (key, value2, alone2) => {
         await store.put(key, value2, alone2);
-        channel?.postMessage(key);
+        channel?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 
@@ -344,7 +366,7 @@
       get: (key) => all.get(before + key),
       put: (key, value2, alone2) => all.put(before + key, stamped(value2), alone2),
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
+      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value2]) => [key.slice(before.length), value2])
     };
   }
@@ -367,64 +389,59 @@
   }
 
   // src/shared/kept.js
-  async function keptOnPage(id) {
-    const { site, page } = place();
-    const store = await openStore(site);
-    return store.get(`${page}#${id}`).catch(() => null);
-  }
-  async function hearOnPage(id, act) {
-    const { site, page } = place();
-    (await openStore(site)).hear((key) => key === `${page}#${id}` && act());
-  }
-  async function keepOnPage(entry) {
-    const { site, page } = place();
-    try {
-      const store = await openStore(site);
-      await store.put(`${page}#${entry.id}`, { locked: null, ...entry });
+  var Kept = class {
+    #key = "";
+    #store;
+    constructor(id) {
+      const { site, page } = place();
+      this.#key = `${page}#${id}`;
+      this.#store = openStore(site);
+    }
+    async lasts() {
+      return (await this.#store).kind === "kept";
+    }
+    async get() {
+      const store = await this.#store;
+      return await store.get(this.#key).catch(() => null) ?? null;
+    }
+    async put(entry) {
+      await (await this.#store).put(this.#key, entry);
       document.dispatchEvent(new Event("carts-kept"));
-    } catch {
     }
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
+    async forget() {
+      await (await this.#store).remove(this.#key);
+      document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
     }
-  }
-  function retain(key, value2, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value2));
-    } catch {
+    async hear(act) {
+      (await this.#store).hear(async (key, gone) => {
+        if (key !== this.#key) return;
+        const found2 = await this.get();
+        if (found2 || gone) act(found2);
+      });
     }
-  }
+  };
 
   // src/question/challenge-kept.js
   var TYPE = "challenge";
-  async function triedBefore(id) {
-    const entry = await keptOnPage(id);
-    const { runs, found: found2, values } = entry?.type === TYPE && entry.value || {};
-    if (!Number.isInteger(runs)) return null;
-    return { runs, found: Number.isInteger(found2) ? found2 : 0, values: String(values ?? "") };
-  }
-  async function keepTried(id, asked, tried, said) {
-    if (!outline()) return;
-    const now = (/* @__PURE__ */ new Date()).toISOString();
-    const before = await keptOnPage(id);
-    const first = before?.first ?? now;
-    await keepOnPage({
-      id,
-      type: TYPE,
-      value: tried,
-      first,
-      last: now,
-      tries: tried.runs,
-      asked,
-      said
-    });
+  function triedKeeper(id, elsewhere) {
+    const kept2 = new Kept(id);
+    void kept2.hear(elsewhere);
+    return {
+      async get() {
+        const entry = await kept2.get();
+        const { runs, found: found2, values } = entry?.type === TYPE && entry.value || {};
+        if (!Number.isInteger(runs)) return null;
+        return { runs, found: Number.isInteger(found2) ? found2 : 0, values: String(values ?? "") };
+      },
+      async put(asked, tried, said) {
+        if (!outline()) return;
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        const first = (await kept2.get())?.first ?? now;
+        const entry = { id, type: TYPE, value: tried, first, last: now, tries: tried.runs };
+        await kept2.put({ ...entry, asked, said }).catch(() => {
+        });
+      }
+    };
   }
 
   // ../view/trajectory.js
@@ -633,6 +650,7 @@
   var ChallengeElement = class extends HTMLElement {
     #facts = JSON.parse("{}");
     #tries = { before: 0, tried: [], found: null };
+    #keeper = null;
     #leaving = new AbortController();
     #timer = 0;
     #restored = Promise.resolve();
@@ -646,15 +664,15 @@
         document.addEventListener(kind, (event) => this.#heard(event), { signal });
       }
       this.#show();
+      this.#keeper ??= triedKeeper(this.id, () => void this.#restore());
       this.#restored = this.#restore();
-      void hearOnPage(this.id, () => void this.#restore());
     }
     disconnectedCallback() {
       clearTimeout(this.#timer);
       this.#leaving.abort();
     }
     async #restore() {
-      const earlier = await triedBefore(this.id);
+      const earlier = await this.#keeper?.get();
       if (!earlier || earlier.runs <= this.#runs) return;
       this.#tries.before = earlier.runs - this.#tries.tried.length;
       if (earlier.found) this.#tries.found ??= { run: earlier.found, values: earlier.values };
@@ -692,7 +710,7 @@
       const said = this.#show();
       const { found: found2 } = this.#tries;
       const told = { runs: this.#runs, found: found2?.run ?? 0, values: found2?.values ?? "" };
-      void keepTried(this.id, plainText(need(this, ".carts-q-ask")), told, said);
+      void this.#keeper?.put(plainText(need(this, ".carts-q-ask")), told, said);
     }
     #told(set) {
       const parts = Object.entries(set).map(([path, value2]) => {

@@ -2373,9 +2373,15 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       ...store,
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
-        channel?.postMessage(key);
+        channel?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 
@@ -2430,7 +2436,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
+      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
@@ -2452,26 +2458,54 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     };
   }
 
+  // src/shared/kept.js
+  var Kept = class {
+    #key = "";
+    #store;
+    constructor(id) {
+      const { site, page: page2 } = place2();
+      this.#key = `${page2}#${id}`;
+      this.#store = openStore(site);
+    }
+    async lasts() {
+      return (await this.#store).kind === "kept";
+    }
+    async get() {
+      const store = await this.#store;
+      return await store.get(this.#key).catch(() => null) ?? null;
+    }
+    async put(entry) {
+      await (await this.#store).put(this.#key, entry);
+      document.dispatchEvent(new Event("carts-kept"));
+    }
+    async forget() {
+      await (await this.#store).remove(this.#key);
+      document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
+    }
+    async hear(act) {
+      (await this.#store).hear(async (key, gone) => {
+        if (key !== this.#key) return;
+        const found2 = await this.get();
+        if (found2 || gone) act(found2);
+      });
+    }
+  };
+
   // src/law/keep.js
   function lawKeeper({ id, hash, ask }, elsewhere) {
-    const { site, page: page2 } = place2();
-    const key = `${page2}#${id}`;
-    const opened2 = openStore(site);
+    const kept = new Kept(id);
     let entry = { id, hash, type: "law", value: null, first: null, last: null, tries: 0 };
-    const get = async () => {
-      const found2 = await (await opened2).get(key).catch(() => null);
+    const taken = (found2) => {
       if (found2?.type !== "law" || typeof found2.value !== "string") return null;
       if (isCurrent(found2)) entry = found2;
       return found2.value;
     };
-    void opened2.then(
-      (store) => store.hear(async (told2) => {
-        const text = told2 === key ? await get() : null;
-        if (text !== null) elsewhere(text);
-      })
-    );
+    void kept.hear((found2) => {
+      const text = taken(found2);
+      if (text !== null) elsewhere(text);
+    });
     return {
-      get,
+      get: async () => taken(await kept.get()),
       setAside() {
         entry = setAside(entry);
       },
@@ -2481,10 +2515,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         entry = { ...entry, hash, value: text, said: text, asked: ask.slice(0, 300), tries };
         entry = { ...entry, first: entry.first ?? now, last: now };
         try {
-          const store = await opened2;
-          await store.put(key, entry);
-          document.dispatchEvent(new Event("carts-kept"));
-          return store.kind === "kept";
+          await kept.put(entry);
+          return await kept.lasts();
         } catch {
           return false;
         }

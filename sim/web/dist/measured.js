@@ -410,9 +410,15 @@
       ...store,
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
-        channel?.postMessage(key);
+        channel?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 
@@ -1078,7 +1084,7 @@
   };
 
   // src/measured/source.js
-  var MOST2 = 4e6;
+  var MOST_BYTES = 4e6;
   var ZIP = 1347093252;
   var TYPED = "typed readings";
   var Source = class _Source {
@@ -1132,7 +1138,7 @@
       const film = files.find(isFilm);
       if (film) return this.films.open(film);
       if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
-      if (files.some((file) => file.size > MOST2)) {
+      if (files.some((file) => file.size > MOST_BYTES)) {
         return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
       }
       const texts = [];

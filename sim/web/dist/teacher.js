@@ -882,9 +882,15 @@
       ...store,
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
-        channel2?.postMessage(key);
+        channel2?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel2?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel2?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel2?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 

@@ -2240,9 +2240,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       ...store,
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
-        channel?.postMessage(key);
+        channel?.postMessage({ key, gone: false });
       },
-      hear: (act) => channel?.addEventListener("message", ({ data }) => act(String(data)))
+      remove: async (key) => {
+        await store.remove(key);
+        channel?.postMessage({ key, gone: true });
+      },
+      hear: (act) => {
+        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      }
     };
   }
 
@@ -2297,7 +2303,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key) => mine(key) && act(key.slice(before.length))),
+      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
