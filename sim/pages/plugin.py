@@ -38,12 +38,12 @@ from sim.pages.joined_files import (
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, blocked, trusted_scripts
-from sim.pages.page_meta import tell_theme
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
+from sim.pages.text.page_meta import tell_theme
 from sim.pages.translate.languages import Languages
 
 log = logging.getLogger("mkdocs.plugins.carts")
