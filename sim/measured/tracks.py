@@ -61,7 +61,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         own = own or reading.own
         runs = max(runs, reading.runs, key=len)
         kinds.append(reading.kind)
-        notes += [note for note in reading.notes if note not in notes]
+        notes = list(dict.fromkeys((*notes, *reading.notes)))
     last = found[-1].lines[-1] if found and found[-1].lines else 1
     if len(set(kinds)) > 1:
         raise refuse(1, "one file holds positions and the other forces", "read them one by one")
