@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sim.classroom.report.flag import Flag
+from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.sentences import rows_doubled, rows_equal, rows_nameless
 from sim.classroom.tables.taken import Taken
 from sim.scene.said import said, template
@@ -38,6 +39,18 @@ def judged(
     if nameless:
         flags.append(Flag("no-code", rows_nameless(len(nameless)), tuple(nameless[:NAMED])))
     return counted, aside, flags, list(dict.fromkeys(refused))
+
+
+def within(taken: Sequence[Taken], most: Exact | None) -> tuple[list[Taken], list[Refused]]:
+    """Rows in which no total is above the most marks that somebody told, and the others."""
+    refused: list[Refused] = [
+        (row.place, said("{name}: {reason}", name=row.form, reason=said(
+            "“{cell}” is more than the most marks", cell=f"{float(row.total):g}")))
+        for row in taken
+        if most and row.of is None and row.total is not None and row.total > most
+    ]  # fmt: skip
+    places = {place for place, _ in refused}
+    return [row for row in taken if row.place not in places], refused
 
 
 def _once(taken: Sequence[Taken]) -> tuple[list[Taken], list[str], list[Flag]]:
