@@ -56,6 +56,8 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
     carts cost --carts 2,10,100,1000,10000
     """
     if carts is not None:
+        if scene is not None or picture is not None:
+            raise click.UsageError("--carts stands in place of a scene, and has no --svg.")
         _events(_counts(carts), as_json)
         return
     if scene is None:
