@@ -13,14 +13,9 @@ import click
 from sim.cli.measured.given import cut, readings
 from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
 from sim.cli.measured.units_said import units_said
-from sim.cli.measured.unused import (
-    OF_UNITS,
-    given,
-    only_of_positions,
-    warn_of_model,
-    warn_of_units,
-)
+from sim.cli.measured.unused import OF_UNITS, only_of_positions, warn_of_model, warn_of_units
 from sim.cli.tables import table
+from sim.cli.typed_options import typed
 from sim.cli.write_out import write_out
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.events.story import Hints
@@ -144,7 +139,7 @@ def command(
     units = Units(time=time, length=length, force=force, run=run or 0)
     measured = cut(readings(files, units), low, high)
     only_of_positions(ctx, measured.kind)
-    measured = replace(measured, notes=units_said(measured.notes, given(ctx, OF_UNITS)))
+    measured = replace(measured, notes=units_said(measured.notes, typed(ctx, OF_UNITS)))
     warn_of_units(ctx, measured.kind, measured.notes)
     hints = Hints(
         at=quantity("--contact", contact, TIME),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import click
-from click.core import ParameterSource
 
+from sim.cli.typed_options import typed
 from sim.measured.track import Content
 
 OF_POSITIONS = {
@@ -21,15 +21,9 @@ _HOLDS: dict[Content, str] = {
 }  # fmt: skip
 
 
-def given(ctx: click.Context, names: Sequence[str]) -> tuple[str, ...]:
-    """Those of these parameters that were typed: a default is nobody's word."""
-    typed = ParameterSource.COMMANDLINE
-    return tuple(name for name in names if ctx.get_parameter_source(name) == typed)
-
-
 def only_of_positions(ctx: click.Context, kind: Content) -> None:
     """Refuses what only the motion of carts has, where forces or accelerations were read."""
-    wrong = given(ctx, tuple(OF_POSITIONS))
+    wrong = typed(ctx, OF_POSITIONS)
     if wrong and kind != "length":
         options = ", ".join(OF_POSITIONS[name] for name in wrong)
         raise click.UsageError(f"{options}: for positions only; these files hold {_HOLDS[kind]}.")
@@ -37,7 +31,7 @@ def only_of_positions(ctx: click.Context, kind: Content) -> None:
 
 def warn_of_units(ctx: click.Context, kind: Content, notes: Sequence[str]) -> None:
     """One line for each unit that was given and that no column needed."""
-    for name in given(ctx, OF_UNITS):
+    for name in typed(ctx, OF_UNITS):
         if any(f"(as --{name} says)" in note for note in notes):
             continue
         absent = name not in ("time", kind)
@@ -47,7 +41,7 @@ def warn_of_units(ctx: click.Context, kind: Content, notes: Sequence[str]) -> No
 
 def warn_of_model(ctx: click.Context) -> None:
     """One line for what only the model of a bounce takes, where no such model was fitted."""
-    for name in given(ctx, OF_MODEL):
+    for name in typed(ctx, OF_MODEL):
         _warn(OF_POSITIONS[name], "it belongs to the model of a bounce, and none was fitted")
 
 
