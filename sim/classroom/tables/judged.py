@@ -17,13 +17,21 @@ NAMED = 12
 
 
 def judged(
-    taken: Sequence[Taken], group_of: Callable[[Taken], str]
+    taken: Sequence[Taken], group_of: Callable[[Taken], str], most: Exact | None
 ) -> tuple[list[Taken], list[str], list[Flag], list[Refused]]:
-    """Rows that count, places set aside, questions, and rows refused for their group."""
-    refused: list[Refused] = []
+    """Rows that count, places set aside, questions, and rows refused for their group, or for a
+    total above the most marks that somebody told."""
+    above = [row for row in taken if most and row.of is None and (row.total or 0) > most]
+    refused: list[Refused] = [
+        (row.place, said("“{cell}” is more than the most marks", cell=f"{float(row.marks):g}"))
+        for row in above
+    ]
+    wrong = {row.place for row in above}
     groups: dict[str, Taken] = {}
     good: list[Taken] = []
     for row in taken:
+        if row.place in wrong:
+            continue  # also its other tests
         placed = replace(row, group=group_of(row))
         if not placed.group:
             refused.append((row.place, template("no group is given")))
@@ -39,18 +47,6 @@ def judged(
     if nameless:
         flags.append(Flag("no-code", rows_nameless(len(nameless)), tuple(nameless[:NAMED])))
     return counted, aside, flags, list(dict.fromkeys(refused))
-
-
-def within(taken: Sequence[Taken], most: Exact | None) -> tuple[list[Taken], list[Refused]]:
-    """Rows in which no total is above the most marks that somebody told, and the others."""
-    refused: list[Refused] = [
-        (row.place, said("{name}: {reason}", name=row.form, reason=said(
-            "“{cell}” is more than the most marks", cell=f"{float(row.total):g}")))
-        for row in taken
-        if most and row.of is None and row.total is not None and row.total > most
-    ]  # fmt: skip
-    places = {place for place, _ in refused}
-    return [row for row in taken if row.place not in places], refused
 
 
 def _once(taken: Sequence[Taken]) -> tuple[list[Taken], list[str], list[Flag]]:

@@ -13,7 +13,7 @@ from sim.classroom.summary.form_rows import plain
 from sim.classroom.summary.lesson_rows import Who
 from sim.classroom.summary.sums import LessonSums
 from sim.classroom.tables import sentences as say
-from sim.classroom.tables.judged import judged, within
+from sim.classroom.tables.judged import judged
 from sim.classroom.tables.sums import lesson_of
 from sim.classroom.tables.taken import WORTH_SEEN, MarkTable, Taken
 
@@ -43,18 +43,17 @@ def judge(
 
     `elsewhere`: the group of a row where no table has a column of groups.
     """
-    unread = [bad for table in tables for bad in table.refused]
-    everything, above = within([row for table in tables for row in table.taken], most)
-    grouped = any(table.groups for table in tables)
-    group_of = (lambda row: row.group) if grouped else elsewhere
-    counted, aside, flags, refused = judged(everything, group_of)
+    everything = [row for table in tables for row in table.taken]
+    within = any(table.groups for table in tables)
+    group_of = (lambda row: row.group) if within else elsewhere
+    counted, aside, flags, refused = judged(everything, group_of, most)
     groups = tuple(dict.fromkeys(row.group for row in counted))
     keys = {item: right for table in tables for item, right in table.keyed.items()}
     letters = any(table.letters for table in tables)
     lesson = lesson_of(name, counted, groups, keys, letters=letters, most=most)
     return Judged(
         lesson, groups, tuple(counted), sum(table.rows for table in tables), tuple(aside),
-        tuple(dict.fromkeys([*unread, *above, *refused])),
+        tuple(dict.fromkeys([*(bad for table in tables for bad in table.refused), *refused])),
         tuple(flags), tuple(_notes(tables, lesson, counted)),
     )  # fmt: skip
 

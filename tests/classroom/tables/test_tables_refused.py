@@ -149,8 +149,8 @@ def test_totals_above_the_most_marks_that_the_teacher_told_count_in_no_test() ->
     text = f"student,group,pre,post\n{good}\nbad,a,3,12.5\nworse,a,11,12"
     report = reported(text.encode(), most=10)
     assert [(row["name"], row["reason"]) for row in report["files"]["refused"]] == [
-        ("marks.csv, line 9", "post: “12.5” is more than the most marks"),
-        ("marks.csv, line 10", "pre: “11” is more than the most marks"),
-        ("marks.csv, line 10", "post: “12” is more than the most marks"),
+        ("marks.csv, line 9", "“12.5” is more than the most marks"),
+        ("marks.csv, line 10", "“11” is more than the most marks"),
+        ("marks.csv, line 10", "“12” is more than the most marks"),
     ]
     assert [form["groups"][0]["n"] for form in report["lessons"][0]["forms"]] == [7, 7]
