@@ -39,6 +39,8 @@ def command(
     carts check worksheets/newtons-third-law.md
     carts check --format github
     """
+    if as_json and form == "github":
+        raise click.UsageError("--json and --format github exclude each other.")
     root = Path.cwd()
     for path in paths:
         if not path.exists():

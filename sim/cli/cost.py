@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -14,10 +15,11 @@ from sim.cli.tables import table
 from sim.cli.write_out import write_out
 from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.cost.many import event_cost
-from sim.dynamics.cost.measure import CostRow, cost, ways
+from sim.dynamics.cost.measure import CostRow, NotRun, cost, ways
 from sim.dynamics.cost.report import cost_report
 from sim.dynamics.report.document import FORMAT
 from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.stepping.methods import Way
 from sim.pages.drawing import DrawingError, draw
 from sim.pages.findings import Finding
 from sim.scene import Scene
@@ -56,18 +58,20 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
     carts cost --carts 2,10,100,1000,10000
     """
     if carts is not None:
+        if scene is not None or picture is not None:
+            raise click.UsageError("--carts stands in place of a scene, and has no --svg.")
         _events(_counts(carts), as_json)
         return
     if scene is None:
         raise click.UsageError("Name a scene file, or say --carts.")
     description = scene_file.read(scene)
     try:
-        truth, rows = _measured(description)
+        truth, rows, not_run = _measured(description)
     except UnsolvedError as error:
         place = scene_file.shown_name(scene), 1, 1
         scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
     title = description.title or scene
-    document = cost_report(title, rows, truth)
+    document = cost_report(title, rows, truth, not_run)
     if picture is not None:
         try:
             drawn = draw("cost-file", {"title": title, **{k: document[k] for k in DRAWN}})
@@ -77,7 +81,7 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
     if as_json:
         click.echo(json.dumps(document, allow_nan=False, ensure_ascii=False))
     else:
-        click.echo(table(HEADER, [_cells(row, description.until) for row in rows]))
+        click.echo(_table(rows, not_run, description.until))
         digits = document["digits"].items()
         click.echo("\nOne more digit costs: " + ", ".join(f"{m} × {by:.3g}" for m, by in digits))
         if truth.proved:
@@ -86,23 +90,29 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
             click.echo("The exact run is the reference: errors are measured against it.")
 
 
-def _measured(scene: Scene) -> tuple[Exact, list[CostRow]]:
-    """The truth and all rows, with a line on the terminal that says how far it is."""
-    truth, rows = exact(scene), []
+def _measured(scene: Scene) -> tuple[Exact, list[CostRow], list[NotRun]]:
+    """The truth, all rows and what cannot be run, with a line on the terminal that says how far it
+    is."""
+    truth, rows, not_run = exact(scene), list[CostRow](), list[NotRun]()
     certified = proved(scene, truth)
     if certified:
         truth, _ = certified
     total, shown = len(ways(scene)) + 3, sys.stderr.isatty()
     for row in cost(scene, truth):
-        rows.append(row)
+        if isinstance(row, NotRun):
+            not_run.append(row)
+        else:
+            rows.append(row)
         if shown:
-            sys.stderr.write(f"\r{len(rows)} of about {total} rows: {row.method:<16}")
+            method = row.way.method if isinstance(row, NotRun) else row.method
+            done = len(rows) + len(not_run)
+            sys.stderr.write(f"\r{done} of about {total} rows: {method:<16}")
             sys.stderr.flush()
     if shown:
         sys.stderr.write("\r" + " " * 60 + "\r")
     if certified:
         rows.insert(sum(row.method.startswith("exact") for row in rows), certified[1])
-    return truth, rows
+    return truth, rows, not_run
 
 
 def _counts(text: str) -> list[int]:
@@ -131,19 +141,30 @@ def _events(counts: list[int], as_json: bool) -> None:
     click.echo(table(("carts", "events", "µs each", "ratio"), lines))
 
 
+def _table(rows: Sequence[CostRow], not_run: Sequence[NotRun], until: float) -> str:
+    """The rows; and in one more column why a method has no numbers, where there is such a one."""
+    cells = [_cells(row, until) for row in rows]
+    if not not_run:
+        return table(HEADER, cells)
+    nothing = ("–",) * (len(HEADER) - 2)
+    left = [(one.way.method, _size(one.way, until), *nothing, one.reason) for one in not_run]
+    return table((*HEADER, "cannot run it"), [*((*row, "") for row in cells), *left])
+
+
+def _size(of: CostRow | Way, until: float) -> str:
+    if of.rtol is not None:
+        return f"rtol {of.rtol:.0e}".replace("-", "−")
+    return "–" if of.step is None else f"{until:g} s/{round(until / of.step)}"
+
+
 def _cells(row: CostRow, until: float) -> tuple[str, ...]:
-    size = "–"
-    if row.rtol is not None:
-        size = f"rtol {row.rtol:.0e}".replace("-", "−")
-    elif row.step is not None:
-        size = f"{until:g} s/{round(until / row.step)}"
     delivered = "–"
     if row.delivered is not None:
         low, high = row.delivered
         delivered = f"{low:.6g}" if high - low < 5e-7 else f"{low:.4g} to {high:.4g}"
     return (
         row.method,
-        size,
+        _size(row, until),
         "–" if row.order is None else str(row.order),
         str(row.evaluations),
         f"{row.time_ratio:.3g}" if row.time_ratio < 1000 else f"{row.time_ratio:.0f}",

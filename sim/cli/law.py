@@ -56,6 +56,8 @@ def command(
     carts law mine.py --scene my-scene.yml --budget 500000
     carts law mine.py --yaml third-law > worst.yml
     """
+    if as_json and wanted:
+        raise click.UsageError("--json and --yaml exclude each other.")
     from sim.mine.judge.document import document
     from sim.mine.judge.search import IN_A_PAGE, SEED, judge
     from sim.mine.wrong import WrongLawError

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from sim.cli import starter_files as starter
+from sim.cli.windows_names import why_not_on_windows
 from sim.pages.carried import lessons_folder
 from sim.pages.text.front_matter import LAST, lesson_order
 
@@ -39,6 +40,8 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
     here = Path.cwd()
     in_a_site = (here / "mkdocs.yml").is_file() or (here / WORKSHEETS).is_dir()
     kind = kind or ("lesson" if in_a_site else "site")
+    if reason := why_not_on_windows(Path(name).name):
+        raise click.UsageError(reason)
     if like and kind == "bank":
         raise click.UsageError("--like is for lessons.")
     if kind == "site":

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sim.cli import scene_file
-from sim.cli.progress import run_on_terminal
+from sim.cli.progress import run_on_terminal, still_computing
 from sim.cli.tables import table
 from sim.dynamics.report.document import finite, phase_object
 from sim.dynamics.report.plan import not_simulated, plan
@@ -76,7 +76,8 @@ def _relevance(name: str, description: Scene, *, as_json: bool) -> None:
     from sim.dynamics.relevance.ladder import capital, ladder, rows
 
     try:
-        rungs = ladder(description)
+        with still_computing():
+            rungs = ladder(description)
     except UnsolvedError as error:
         place = scene_file.shown_name(name), 1, 1
         scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,16 +23,42 @@ QUIET = 0.5
 AGAIN = 0.1
 """s between two lines."""
 
+PATIENCE = 3.0
+"""s. What takes longer than that says so once, also where nobody sees a line being rewritten."""
+
 BAR = 30
 """Signs."""
 
 Write = Callable[[str], None]
 
 
+@contextmanager
+def still_computing() -> Iterator[None]:
+    """While a command computes: one line on standard error once that has taken PATIENCE.
+
+    A clock of its own, since a scene of very unequal masses or stiffnesses may take a minute
+    without an event that could tell how far it is.
+    """
+    told = sys.stderr
+    over = "\r" if told.isatty() else ""  # another line of progress may stand there
+
+    def tell() -> None:
+        told.write(f"{over}Still computing after {PATIENCE:g} s. Ctrl+C ends it.\n")
+        told.flush()
+
+    timer = threading.Timer(PATIENCE, tell)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
 def run_on_terminal(name: str, scene: Scene, **options: Any) -> Run:
     """Run the scene of file `name`; what cannot be solved ends the command with 1."""
     try:
-        with _line() as write:
+        with still_computing(), _line() as write:
             return run(scene, progress=write and _of_run(write, scene.until), **options)
     except UnsolvedError as error:
         fail([Finding(shown_name(name), 1, 1, "unsolved", error.message, error.hint)])

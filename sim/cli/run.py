@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sim.cli import scene_file
-from sim.cli.progress import run_on_terminal
+from sim.cli.progress import run_on_terminal, still_computing
+from sim.cli.run_otherwise import by_method, by_own_law, in_a_world, tell_stepped
 from sim.cli.tables import certificate_as_text, columns_as_csv, run_as_text
+from sim.cli.typed_options import typed
 from sim.dynamics.loop.run import MOST_EVENTS
 from sim.dynamics.report.document import report
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES
-from sim.pages.findings import Finding
 
 if TYPE_CHECKING:
-    from sim.dynamics.stepping.recorded import SteppedRun
     from sim.scene import Scene
 
 METHODS = ("exact", *NAMES)
@@ -63,7 +63,9 @@ METHODS = ("exact", *NAMES)
     help="Run it in an impossible world that the scene names under “worlds”.",
 )
 @click.option("--no-events", is_flag=True, help="Count events per kind instead of listing them.")
+@click.pass_context
 def command(
+    ctx: click.Context,
     scene: str,
     method: str,
     step: float | None,
@@ -97,17 +99,20 @@ def command(
     if world is not None:
         if certified or method != "exact":
             raise click.UsageError("--world goes with no method and no certificate.")
-        _world(scene, world, as_json=as_json, as_csv=as_csv)
+        _no_others(ctx, ("max_events", "no_events"), "a world")
+        in_a_world(scene, world, as_json=as_json, as_csv=as_csv)
         return
     description = scene_file.read(scene)
     if description.written:
         if certified or method != "exact":
             raise click.UsageError("A law of your own goes with no method and no certificate.")
-        _written(scene, description, as_json=as_json, as_csv=as_csv)
+        _no_others(ctx, ("max_events", "no_events"), "a law of your own")
+        by_own_law(scene, description, as_json=as_json, as_csv=as_csv)
         return
     if method != "exact":
-        result = _stepped(scene, description, method, step, rtol, keep_events=not no_events)
-        _tell_stepped(result, method, as_json=as_json, as_csv=as_csv)
+        _no_others(ctx, ("max_events",), "a stepping method")
+        result = by_method(scene, description, method, step, rtol, keep_events=not no_events)
+        tell_stepped(result, method, as_json=as_json, as_csv=as_csv)
         return
     finished = run_on_terminal(
         scene,
@@ -129,119 +134,15 @@ def command(
         click.echo(f"\n{certificate_as_text(certificate)}")
 
 
-def _world(name: str, wanted: str, *, as_json: bool, as_csv: bool) -> None:
-    """The scene in a world that it names. Whatever is printed says that it is impossible."""
-    from sim.dynamics.result.outcome import UnsolvedError
-    from sim.worlds.breaks import broken
-    from sim.worlds.document import document
-    from sim.worlds.follow import follow
-
-    fence = scene_file.read_shown(name)
-    world = next((one for one in fence.worlds if one.kind.name == wanted), None)
-    if world is None:
-        raise click.UsageError(_not_named(wanted, [one.kind.name for one in fence.worlds]))
-    try:
-        done = follow(fence.scene, world)
-        found = broken(done)
-    except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
-    if as_json:
-        click.echo(json.dumps(document(done, found), allow_nan=False, ensure_ascii=False))
-        return
-    label = f"Impossible: a world in which {world.kind.says}."
-    if as_csv:
-        click.echo(f"# {label}")
-        click.echo(columns_as_csv(done.samples), nl=False)
-        return
-    click.echo(f"{label}\n\n{run_as_text(done.run)}\n")
-    click.echo("\n".join(found.sentences))
-
-
-def _not_named(wanted: str, named: list[str]) -> str:
-    """Why a scene is not run in this world."""
-    from sim.worlds.describe import kinds
-
-    if wanted not in kinds():
-        return f"There is no world “{wanted}”. Worlds: {', '.join(kinds())}"
-    return (
-        f"The scene does not name the world “{wanted}” (it names {', '.join(named) or 'none'}). "
-        f"Write in it: worlds: [{wanted}]"
-    )
-
-
-def _written(name: str, description: Scene, *, as_json: bool, as_csv: bool) -> None:
-    """A scene whose contact names a law in a file."""
-    from sim.dynamics.result.outcome import UnsolvedError
-    from sim.mine.document import document
-    from sim.mine.follow import follow
-    from sim.mine.wrong import WrongLawError
-
-    try:
-        done = follow(description)
-    except WrongLawError as error:
-        scene_file.fail([Finding(error.file, error.line, 1, "law", error.message, error.hint)])
-    except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
-    if as_json:
-        told = {**document(done), "impossible": []}
-        click.echo(json.dumps(told, allow_nan=False, ensure_ascii=False))
-    elif as_csv:
-        click.echo(columns_as_csv(done.samples), nl=False)
-    else:
-        click.echo(run_as_text(done.run))
-        click.echo(f"\nWith {', '.join(description.written)}, asked {done.calls} times.")
-        if done.unequal:
-            click.echo("The two sides were not answered alike: see carts law.")
+def _no_others(ctx: click.Context, names: tuple[str, ...], what: str) -> None:
+    """Refuses options that such a run has no use for."""
+    for name in typed(ctx, names):
+        raise click.UsageError(f"--{name.replace('_', '-')} does not go with {what}.")
 
 
 def _certificate(description: Scene) -> dict[str, Any]:
     """Its JSON object."""
     from sim.certify.certificate import certify, document
 
-    return document(certify(description))
-
-
-def _tell_stepped(result: SteppedRun, method: str, *, as_json: bool, as_csv: bool) -> None:
-    """A run by a stepping method, and what it lost."""
-    from sim.dynamics.stepping.stepped_report import stepped_report
-
-    if as_json:
-        click.echo(json.dumps(stepped_report(result), allow_nan=False, ensure_ascii=False))
-    elif as_csv:
-        click.echo(columns_as_csv(result.samples), nl=False)
-    else:
-        click.echo(run_as_text(result.run))
-        click.echo(
-            f"\nStepped with {method}: {result.steps} steps, {result.evaluations} evaluations. "
-            f"Not accounted for: {result.lost_energy:.3g} J, {result.lost_momentum:.3g} N s."
-        )
-
-
-def _stepped(
-    name: str,
-    description: Scene,
-    method: str,
-    step: float | None,
-    rtol: float | None,
-    *,
-    keep_events: bool,
-) -> SteppedRun:
-    """The run by a stepping method; what it cannot do goes to standard error."""
-    from sim.dynamics.result.outcome import UnsolvedError
-    from sim.dynamics.stepping.adaptive_events import RTOL
-    from sim.dynamics.stepping.methods import MOST_STEPS, STEP, Way
-    from sim.dynamics.stepping.recorded import stepped
-
-    way = Way(method, rtol=rtol or RTOL) if method in ADAPTIVE else Way(method, step or STEP)
-    if way.step and description.until / way.step > MOST_STEPS:
-        raise click.UsageError(
-            f"{description.until:g} s in steps of {way.step:g} s are more than {MOST_STEPS} steps. "
-            "Choose a longer step, or an earlier end of the scene (until)."
-        )
-    try:
-        return stepped(description, way, keep_events=keep_events)
-    except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+    with still_computing():
+        return document(certify(description))

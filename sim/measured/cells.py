@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from sim.measured.refusal import Fault, ReadingError, refuse, shown
+from sim.measured.refusal import Fault, refuse, shown
 
 MOST_BYTES = 4_000_000
 """Bytes of one file: an hour of a sensor at 20 readings per second, ten times over."""
@@ -29,8 +29,8 @@ are a tenth of it."""
 
 _MINUS = str.maketrans({"\u2212": "-", "\u2010": "-", "\u2011": "-", "\u2013": "-", "\uff0d": "-"})
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)
-_DECIMAL_COMMA = re.compile(r"\d*,\d", re.ASCII)
-_SPACES = re.compile(r"[ \u00a0\u202f]+")
+_DATED = re.compile(r"(\d[-/.]\d+[-/.]\d\d+),? +(?=\d+:\d+:)")
+_BESIDE = re.compile(r", |[,.]\S*[,.]")
 _NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", "|": "bar", " ": "space"}
 _EMPTY = ("", "nan", "-nan", "null", "none", "n/a", "-")
 
@@ -75,7 +75,7 @@ def decoded(content: bytes) -> str:
 def rows_of(text: str) -> Rows:
     """The text as rows of cells."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
-    lines = text.split("\n")
+    lines = _DATED.sub(r"\1T", text).split("\n")  # a date and its time are one cell
     if len(lines) > MOST_LINES:
         raise refuse(
             MOST_LINES + 1, f"more than {MOST_LINES:,} lines", "keep the seconds around the contact"
@@ -106,16 +106,16 @@ def _separator(lines: Sequence[str]) -> str:
             return sign
     with_comma = [line for line in judged if "," in line]
     if 2 * len(with_comma) > len(judged):
-        # "0,1 0,2": spaces between numbers with decimal commas. "0.1, 0.2": commas.
-        spaced = [len(_SPACES.split(line)) >= 2 and ", " not in line for line in with_comma]
+        # "0,1 0,2": spaces between numbers with decimal commas. "0.1, 0.2", "0.1,0.2 m": commas.
+        spaced = [x for x in with_comma if x.split()[1:] and not _BESIDE.search(x)]
         quoted = any('"' in line for line in with_comma)
-        return " " if 2 * sum(spaced) > len(spaced) and not quoted else ","
+        return " " if 2 * len(spaced) > len(with_comma) and not quoted else ","
     return " "
 
 
 def _row(number: int, line: str, separator: str) -> Row:
     if separator == " ":
-        cells = [cell for cell in re.split(r"[ \t\u00a0\u202f]+", line.strip()) if cell]
+        cells = line.split()
     elif '"' in line:
         try:
             cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
@@ -199,21 +199,3 @@ def two_readings(row: Row, columns: int) -> Fault | None:
         reason = f"{len(row.cells)} numbers under {columns} names: is the comma a decimal sign?"
         return Fault(row.line, reason, "export with tabs or semicolons between the columns")
     return None
-
-
-__all__ = [
-    "MOST_BYTES",
-    "MOST_COLUMNS",
-    "MOST_LINES",
-    "ReadingError",
-    "Row",
-    "Rows",
-    "check_decimals",
-    "check_thousands",
-    "decoded",
-    "is_empty",
-    "is_number",
-    "number_of",
-    "rows_of",
-    "two_readings",
-]

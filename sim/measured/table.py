@@ -22,7 +22,7 @@ from sim.measured.cells import Row, Rows
 from sim.measured.clock import seconds_of
 from sim.measured.heads import quantity_of
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
-from sim.measured.units import head
+from sim.measured.units import head, kind_of_unit
 
 MOST_FAULTS = 5
 """Mistakes that are told of one file."""
@@ -96,11 +96,17 @@ def _is_multi(row: Row) -> bool:
 def _is_data(row: Row) -> bool:
     """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake."""
     filled = [cell for cell in row.cells if not cells.is_empty(cell)]
-    return 2 * sum(cells.is_number(c) or seconds_of(c) is not None for c in filled) > len(filled)
+    return 2 * sum(cells.is_number(c) or _is_clock(c) or _has_unit(c) for c in filled) > len(filled)
 
 
 def _is_clock(cell: str) -> bool:
     return not cells.is_number(cell) and seconds_of(cell) is not None
+
+
+def _has_unit(cell: str) -> bool:
+    """0.35 m, or 12s."""
+    match = _WITH_UNIT.fullmatch(cell)
+    return match is not None and kind_of_unit(match[1]) is not None
 
 
 def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], list[str], int]:
@@ -125,6 +131,7 @@ def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], lis
     return names, units, _tracks(named, len(names), multi), heads_row.line
 
 
+_WITH_UNIT = re.compile(r"[-\d.,]+ *(\D+)")
 _OF_CART = re.compile(r"(.+?)[\s_]+(\w+)")
 _DIRECTIONS = ("x", "y", "z", "r")  # of one cart's place or velocity
 
@@ -171,7 +178,8 @@ def _numbers(
             break
         if len(row.cells) > width:
             reason = f"{len(row.cells)} cells under {width} heads"
-            faults.append(Fault(row.line, reason, "every column needs a name of its own"))
+            hint = "every column needs a name of its own, and no cell a unit"
+            faults.append(Fault(row.line, reason, hint))
             continue
         values: list[float | None] = []
         for k in range(width):
@@ -194,8 +202,7 @@ def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
     if clock is not None:
         return clock, None
     if not cells.is_number(cell):
-        start = cell.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZµμ°/² ")
-        if start != cell and cells.is_number(start):
+        if _has_unit(cell):
             hint = "write the unit once, in the head of the column: x (cm)"
             return None, Fault(line, f"a unit stands in a cell: “{shown(cell)}”", hint)
         return None, Fault(line, f"“{shown(cell)}” is not a number", "write numbers such as 0.512")

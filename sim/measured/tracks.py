@@ -61,7 +61,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         own = own or reading.own
         runs = max(runs, reading.runs, key=len)
         kinds.append(reading.kind)
-        notes += [note for note in reading.notes if note not in notes]
+        notes = list(dict.fromkeys((*notes, *reading.notes)))
     last = found[-1].lines[-1] if found and found[-1].lines else 1
     if len(set(kinds)) > 1:
         raise refuse(1, "one file holds positions and the other forces", "read them one by one")
@@ -96,11 +96,11 @@ def _from_nought(found: list[Track]) -> tuple[list[Track], list[str]]:
 
 def _not_two(count: int, kind: Content, line: int) -> ReadingError:
     what = {"length": "carts", "force": "force sensors", "acceleration": "phones"}[kind]
-    hint = {
-        "length": "in Tracker choose both tracks before the export, or give a file for each cart",
-        "force": "in Tracker choose both tracks before the export, or give a file for each cart",
-        "acceleration": "give the file of the phone on the other cart too",
-    }[kind]
+    hint = (
+        "give the file of the phone on the other cart too"
+        if kind == "acceleration"
+        else "in Tracker choose both tracks before the export, or give a file for each cart"
+    )
     what = what.removesuffix("s") if count == 1 else what
     return refuse(line, f"readings of {count} {what}: two are needed", hint)
 
@@ -113,9 +113,8 @@ def _in_order(found: Sequence[Track], kind: Content) -> tuple[Track, Track]:
     return first, second
 
 
-def _mean(values: Iterable[float]) -> float:
-    listed = list(values)
-    return sum(listed) / len(listed)
+def _mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values)
 
 
 def between(measured: Measured, begin: float | None, end: float | None) -> Measured:

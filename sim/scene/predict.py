@@ -127,20 +127,30 @@ def _arrows(
         wanted = [key for key, pair in names.items() if not {"left", "right"} & set(pair)]
     pairs = [names.get(str(key)) for key in wanted]
     if not pairs or None in pairs:
-        problems.append(
-            Problem(
-                path,
-                "unknown-pair",
-                "arrows lists pairs of neighbours",
-                f"arrows: [{next(iter(names), 'A-B')}]",
-            )
-        )
+        strange = str(wanted[pairs.index(None)]) if pairs else ""
+        problems.append(_no_pair(strange, names, path))
         return None
     return Predict(
         kind="arrows",
         ask=ask or said("How long is each force arrow when the bumpers are squeezed the most?"),
         pairs=tuple(pair for pair in pairs if pair is not None),
     )
+
+
+def _no_pair(key: str, names: Mapping[str, tuple[str, str]], path: Path) -> Problem:
+    """Why `key` is no pair of this scene, and which pairs it has; empty: none was listed."""
+    if not names:
+        message = "nothing can touch anything here, so there is no force to predict"
+        return Problem(path, "no-contact", message, "another cart, or a wall for a cart to meet")
+    pairs = f"arrows: [{', '.join(names)}]"
+    if not key:
+        return Problem(path, "unknown-pair", "arrows lists pairs of neighbours", pairs)
+    turned = [name for name, (a, b) in names.items() if key == f"{b}-{a}"]
+    if turned:
+        message = f"“{key}” names two neighbours from right to left"
+        return Problem(path, "unknown-pair", message, f"from left to right: arrows: [{turned[0]}]")
+    message = said("{pair} are not two neighbours", pair=f"“{key}”")
+    return Problem(path, "unknown-pair", message, f"neighbours here: {pairs}")
 
 
 def _curve(

@@ -14,7 +14,7 @@ from sim.scene.fields import SKINS
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, kind_of, read_predict
 from sim.scene.presets import read_presets
-from sim.scene.problem import Problem, SceneError
+from sim.scene.problem import Problem, SceneError, did_you_mean, nearest
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.read_effects import listed_effects
@@ -25,6 +25,11 @@ FENCE_KEYS = (
     *("forces", "slow", "watch", "view", "boxes", "packages", "worlds"),
 )
 SHOWS = ("x", "v", "a", "F", "R", "p", "energy")
+QUANTITIES = {
+    "position": "x", "place": "x", "velocity": "v", "speed": "v", "acceleration": "a", "force": "F",
+    "resultant": "R", "net force": "R", "momentum": "p",
+}  # fmt: skip
+"""What authors write out of what SHOWS names by a letter."""
 FORCE_GRAPHS = ("F", "R", "a")
 FORCES = ("shown", "hidden", "none")
 VIEWS = ("free-body", "lens", "bars")
@@ -172,11 +177,8 @@ def _choice(
 ) -> str:
     value = table.get(key, allowed[0])
     if value not in allowed:
-        problems.append(
-            Problem(
-                (key,), "not-a-choice", f"{key} is {' or '.join(allowed)}", f"{key}: {allowed[0]}"
-            )
-        )
+        hint = did_you_mean(value, allowed, f"{key}: {allowed[0]}")
+        problems.append(Problem((key,), "not-a-choice", f"{key} is {' or '.join(allowed)}", hint))
     return str(value)
 
 
@@ -188,7 +190,8 @@ def _choices(
     problems: list[Problem],
 ) -> tuple[str, ...]:
     value = table.get(key, default)
-    strange = [item for item in value if item not in allowed] if _is_list(value) else []
+    listed = value if _is_list(value) else [] if value is None else [value]
+    strange = [item for item in listed if item not in allowed]
     if strange or not _is_list(value):
         found = f" (got {', '.join(map(str, strange))})" if strange else ""
         problems.append(
@@ -196,11 +199,20 @@ def _choices(
                 (key,),
                 "not-a-choice",
                 f"{key} is a list of {', '.join(allowed)}{found}",
-                f"{key}: [{', '.join(allowed[:2])}]",
+                _meant(key, strange, allowed),
             )
         )
-        return default
+        return ()
     return tuple(dict.fromkeys(value))
+
+
+def _meant(key: str, strange: list[object], allowed: tuple[str, ...]) -> str:
+    """How a list should look; of a misspelt word, which one was meant."""
+    written_out = QUANTITIES if key == "show" else {}
+    close = nearest(str(strange[0]), (*allowed, *written_out)) if strange else None
+    if close is None:
+        return f"{key}: [{', '.join(allowed[:2])}]"
+    return f"did you mean “{written_out.get(close, close)}”?"
 
 
 def _is_list(value: object) -> bool:

@@ -55,5 +55,16 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     """The known word that `word` was most likely meant to be, or None."""
     from difflib import get_close_matches  # only for a mistake: keeps the import of sim.scene light
 
-    found = get_close_matches(str(word), list(known), n=1, cutoff=0.6)
-    return found[0] if found else None
+    listed = list(known)
+    found = get_close_matches(str(word), listed, n=1, cutoff=0.6)
+    if found:
+        return found[0]
+    small = {one.casefold(): one for one in listed}  # X for x is no spelling of its own
+    found = get_close_matches(str(word).casefold(), small, n=1, cutoff=0.6)
+    return small[found[0]] if found else None
+
+
+def did_you_mean(word: object, known: Iterable[str], otherwise: str) -> str:
+    """A hint: the nearest known word, or what stands there `otherwise`."""
+    close = nearest(str(word), known)
+    return f"did you mean “{close}”?" if close else otherwise

@@ -11,7 +11,7 @@ from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, SKINS, TRACK_LENGTH, UNTIL
 from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene, Track
-from sim.scene.problem import Path, Problem, SceneError, nearest
+from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
 from sim.scene.read_written import read_written
@@ -156,9 +156,8 @@ def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict
     unknown_keys(table, (*keys, "skin"), path, problems)
     if (skin := table.get("skin", SKINS[0])) not in SKINS:
         message = f"no skin “{str(skin)[:40]}”"
-        problems.append(
-            Problem((*path, "skin"), "not-a-choice", message, f"one of {', '.join(SKINS)}")
-        )
+        hint = did_you_mean(skin, SKINS, f"one of {', '.join(SKINS)}")
+        problems.append(Problem((*path, "skin"), "not-a-choice", message, hint))
     meant = {nearest(str(key), keys) for key in table if key not in keys}
     exact = {}
     for field in CART:
@@ -196,7 +195,7 @@ def _track(value: object, problems: list[Problem]) -> tuple[Track | None, Fracti
                     ("track", side),
                     "not-a-choice",
                     f"{side} must be open or wall (got {table[side]})",
-                    hint,
+                    did_you_mean(table[side], ("open", "wall"), hint),
                 )
             )
     length = number(TRACK_LENGTH, table, ("track",), problems)

@@ -9,7 +9,7 @@ from typing import Any
 from sim.scene.fields import Field
 from sim.scene.laws import law_kind, laws
 from sim.scene.model import Contact, Track
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean, nearest
 from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
@@ -91,8 +91,7 @@ def _contact(
     law = own.get("law", outer.get("law", next(iter(laws()))))
     kind = law_kind(law)
     if kind is None:
-        close = nearest(str(law), laws())
-        hint = f"did you mean “{close}”?" if close else f"laws: {', '.join(laws())}"
+        hint = did_you_mean(law, laws(), f"laws: {', '.join(laws())}")
         if path == ("contact",) or "law" in own:
             problems.append(Problem((*path, "law"), "not-a-choice", f"unknown law “{law}”", hint))
         return None

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from sim.scene.fields import Field
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.quantity import exact
 
 _AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
@@ -41,8 +41,7 @@ def unknown_keys(
                 )
             )
         elif key not in known:
-            close = nearest(str(key), known)
-            hint = f"did you mean “{close}”?" if close else f"known keys: {', '.join(known)}"
+            hint = did_you_mean(key, known, f"known keys: {', '.join(known)}")
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))

@@ -13,6 +13,7 @@ from sim.cli import main
 from sim.dynamics.cost import measure
 from sim.dynamics.cost.digits import one_more_digit
 from sim.dynamics.cost.report import digits_of
+from tests import registry
 
 SCENES = Path(__file__).parents[1] / "scenes"
 STANDARD = str(SCENES / "paper-two-carts.yml")
@@ -140,3 +141,32 @@ REFUSED = (
 @pytest.mark.parametrize("words", REFUSED)
 def test_options_that_do_not_go_together_are_refused(words: str) -> None:
     assert CliRunner().invoke(main, ["run", STANDARD, *words.split()]).exit_code == 2
+
+
+@pytest.fixture
+def few(monkeypatch: pytest.MonkeyPatch) -> str:
+    """Magnets, which a step of 3 s / 19 carries through each other, and only a few rows."""
+    monkeypatch.setattr(measure, "LADDER", (("yoshida", (19, 61)), ("rk4", (19,))))
+    monkeypatch.setattr(measure, "TOLERANCES", ())
+    monkeypatch.setattr(measure, "BATCH", 1e-4)
+    return str(registry.PATHS["magnets-repel"])
+
+
+def test_a_method_that_cannot_run_a_scene_says_why_and_the_others_go_on(few: str) -> None:
+    done = CliRunner().invoke(main, ["cost", few])
+    assert done.exit_code == 0, done.output
+    lines = done.stdout.splitlines()
+    assert lines[0].endswith("cannot run it")
+    assert [line.split()[0] for line in lines[1:5]] == ["exact", "yoshida", "rk4", "yoshida"]
+    assert "3 s/61" in lines[2]
+    assert "3 s/19" in lines[4]
+    assert lines[4].endswith("through each other, where magnets have no force")
+
+
+def test_programs_get_what_cannot_run_beside_the_rows(few: str) -> None:
+    done = CliRunner().invoke(main, ["cost", few, "--json"])
+    document = json.loads(done.stdout)
+    assert [row["method"] for row in document["rows"]] == ["exact", "yoshida", "rk4"]
+    (left,) = document["not_run"]
+    assert (left["method"], left["step"]) == ("yoshida", pytest.approx(3 / 19))
+    assert "through each other" in left["reason"]

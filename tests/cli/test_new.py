@@ -53,3 +53,25 @@ def test_minutes_and_place_are_those_at_the_top_of_a_lesson_only(folder: Path) -
                       encoding="utf-8")  # fmt: skip
     assert check_paths([lesson], folder) == []
     assert lesson_order(lesson) == (LAST, "plain.md")
+
+
+@pytest.mark.parametrize("kind", ["--site", "--lesson", "--bank"])
+@pytest.mark.parametrize("name", ["con", "PRN", "aux", "nul", "com1", "lpt9", "nul.txt", "con ."])
+def test_a_name_of_a_device_of_windows_is_refused(folder: Path, name: str, kind: str) -> None:
+    result = CliRunner().invoke(main, ["new", name, kind])
+    assert result.exit_code == 2
+    assert f"“{name}” is the name of a device on Windows" in result.output
+    assert sorted(path.name for path in folder.iterdir()) == ["worksheets"]
+
+
+@pytest.mark.parametrize("name", ["lessons.", "lessons ", "school/lessons...", "... "])
+def test_a_folder_that_ends_in_a_dot_or_a_space_is_refused(folder: Path, name: str) -> None:
+    result = CliRunner().invoke(main, ["new", name, "--site"])
+    assert result.exit_code == 2
+    assert "ends in a dot or a space" in result.output
+    assert sorted(path.name for path in folder.iterdir()) == ["worksheets"]
+
+
+@pytest.mark.parametrize("name", ["console", "com10", "auxiliary", "v1.2", "null"])
+def test_a_name_that_only_begins_like_a_device_is_taken(folder: Path, name: str) -> None:
+    assert CliRunner().invoke(main, ["new", name, "--site"]).exit_code == 0

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sim.classroom.report.flag import Flag
+from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.sentences import rows_doubled, rows_equal, rows_nameless
 from sim.classroom.tables.taken import Taken
 from sim.scene.said import said, template
@@ -16,13 +17,21 @@ NAMED = 12
 
 
 def judged(
-    taken: Sequence[Taken], group_of: Callable[[Taken], str]
+    taken: Sequence[Taken], group_of: Callable[[Taken], str], most: Exact | None
 ) -> tuple[list[Taken], list[str], list[Flag], list[Refused]]:
-    """Rows that count, places set aside, questions, and rows refused for their group."""
-    refused: list[Refused] = []
+    """Rows that count, places set aside, questions, and rows refused for their group, or for a
+    total above the most marks that somebody told."""
+    above = [row for row in taken if most and row.of is None and (row.total or 0) > most]
+    refused: list[Refused] = [
+        (row.place, said("“{cell}” is more than the most marks", cell=f"{float(row.marks):g}"))
+        for row in above
+    ]
+    wrong = {row.place for row in above}
     groups: dict[str, Taken] = {}
     good: list[Taken] = []
     for row in taken:
+        if row.place in wrong:
+            continue  # also its other tests
         placed = replace(row, group=group_of(row))
         if not placed.group:
             refused.append((row.place, template("no group is given")))

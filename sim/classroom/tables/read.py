@@ -50,7 +50,7 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
     taken: list[Taken] = []
     for row in body:
         try:
-            taken += reader.taken(name, row)
+            taken += tuple(reader.taken(name, row))  # all its tests, or none of them
         except TableError as error:
             refused.append((row.line, reason_of(error)))
     return MarkTable(

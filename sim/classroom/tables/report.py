@@ -46,7 +46,7 @@ def judge(
     everything = [row for table in tables for row in table.taken]
     within = any(table.groups for table in tables)
     group_of = (lambda row: row.group) if within else elsewhere
-    counted, aside, flags, refused = judged(everything, group_of)
+    counted, aside, flags, refused = judged(everything, group_of, most)
     groups = tuple(dict.fromkeys(row.group for row in counted))
     keys = {item: right for table in tables for item, right in table.keyed.items()}
     letters = any(table.letters for table in tables)

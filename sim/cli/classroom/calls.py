@@ -47,6 +47,10 @@ def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[s
         raise click.UsageError("--slips and --sheet are made from answer files")
     if merge and (tables or of_answers):
         raise click.UsageError("--merge adds summaries only: no tables, keys, codes and marks")
+    if merge and given["groups"]:
+        raise click.UsageError("--merge: the summaries name their groups, so no --group")
+    if merge and given["csv_file"]:
+        raise click.UsageError("--csv lists students: a summary has none")
     if given["backend"]:
         raise click.UsageError("--backend belongs to --table with a table of answers")
 
@@ -88,6 +92,26 @@ def group(text: str) -> tuple[str, str]:
     if not (name.strip() and equals and pattern):
         raise click.UsageError(f"--group {text}: write NAME=GLOB, for example new='class-7a/*'")
     return name.strip(), pattern
+
+
+def known(students: Mapping[str, str], files: Sequence[Read]) -> None:
+    """Refuses a code word for a file that was not read, or that has one of its own."""
+    for name, code in students.items():
+        mine = [file for file in files if f"/{file.name}".endswith(f"/{name}")]
+        if not mine:
+            raise click.UsageError(f"--student {name}={code}: no file of this name was read")
+        own = next((s for file in mine if (s := file.answers.student.strip())), "")
+        if own and len(mine) == 1:
+            raise click.UsageError(
+                f"--student {name}={code}: this file has the code word {own} already"
+            )
+
+
+def warn_of_empty(groups: Sequence[tuple[str, str]], names: Sequence[str]) -> None:
+    """One line for each pattern that no file fits."""
+    for group, pattern in groups:
+        if not any(group_of(name, [(group, pattern)]) for name in names):
+            click.echo(f"warning: --group {group}={pattern}: no file fits it", err=True)
 
 
 def placed(

@@ -13,7 +13,15 @@ from sim.classroom.files.codes import read_codes
 from sim.classroom.files.reading import Reading, outcomes
 from sim.classroom.report.report import class_report
 from sim.classroom.tables.report import table_report
-from sim.cli.classroom.calls import Given, asked, only_country, only_one_way, placed
+from sim.cli.classroom.calls import (
+    Given,
+    asked,
+    known,
+    only_country,
+    only_one_way,
+    placed,
+    warn_of_empty,
+)
 from sim.cli.classroom.country import country_report, of_country, to_hand_on, write_answers
 from sim.cli.classroom.files import sources
 from sim.cli.classroom.options import Options
@@ -121,6 +129,8 @@ def command(ctx: click.Context, /, files: tuple[Path, ...], **options: Any) -> N
     out, given = wanted.out(ctx), wanted.given(files)
     if wanted.by_total and (not wanted.summary or wanted.merge):
         raise click.UsageError("--by-total belongs to --summary")
+    if wanted.answers and not wanted.slips:
+        raise click.UsageError("--answers belongs to --slips")
     if wanted.parquet or (wanted.tables and of_country(wanted.tables, wanted.backend)):
         only_country(ctx, wanted.parquet, wanted.tables)
         if wanted.parquet:
@@ -146,6 +156,10 @@ def _tables(out: Out, wanted: Options, given: Given) -> None:
 
 def _merged(out: Out, files: tuple[Path, ...], summary: Path | None) -> None:
     """The report on summaries of schools, and one summary of them all."""
+    for folder in filter(Path.is_dir, files):  # a sum of them that lies there would count twice
+        raise click.UsageError(
+            f"--merge: “{folder}” is a folder. Name the summaries in it: {folder.as_posix()}/*.json"
+        )
     report, whole, left_out = merged_report(files)
     if summary:
         write_whole(summary, whole)
@@ -160,7 +174,9 @@ def _answers(out: Out, papers: Papers, given: Given) -> None:
     typed, bad = read_codes(given.codes, reading.keys)
     reading.files += typed
     reading.refused += bad
+    known(given.students, reading.files)
     reading.name(given.students)
+    warn_of_empty(given.groups, [file.name for file in reading.files])
     sorted_ = placed(reading, given.groups)
     wanted = asked(reading, given.groups)
     report = class_report(*sorted_, wanted)

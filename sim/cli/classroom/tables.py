@@ -15,6 +15,7 @@ from sim.classroom.tables.marks import most_of
 from sim.classroom.tables.read import read_table
 from sim.classroom.tables.report import Judged, judge
 from sim.classroom.tables.taken import TOTALS_ONLY, MarkTable, Taken
+from sim.cli.classroom.calls import warn_of_empty
 from sim.cli.classroom.files import group_of
 from sim.scene.said import reason_of
 
@@ -40,6 +41,13 @@ def tables_of(
     told = _most(most)
     if told is not None and any(table.of_items for table in tables):
         raise click.UsageError(f"--max {TOTALS_ONLY}")
+
+    if groups and any(table.groups for table in tables):
+        raise click.UsageError("--group: a table has a column of groups already")
+    warn_of_empty(groups, list(names.values()))
+    totals = [row for table in tables for row in table.taken if row.total is not None]
+    if told is not None and totals and all(row.of is not None for row in totals):
+        click.echo(f"warning: --max {most} changes nothing: the table tells it", err=True)
 
     def group(row: Taken) -> str:
         return group_of(names[row.place.rpartition(", line")[0]], groups) if groups else WHOLE

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn, cast
 
@@ -11,7 +12,10 @@ import click
 
 from sim.cli.measured.given import cut, readings
 from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
+from sim.cli.measured.units_said import units_said
+from sim.cli.measured.unused import OF_UNITS, only_of_positions, warn_of_model, warn_of_units
 from sim.cli.tables import table
+from sim.cli.typed_options import typed
 from sim.cli.write_out import write_out
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.events.story import Hints
@@ -133,8 +137,10 @@ def command(
     if low is not None and high is not None and low >= high:
         raise click.UsageError(f"--from {begin} is not before --until {end}.")
     units = Units(time=time, length=length, force=force, run=run or 0)
-    measured = readings(files, units)
-    measured = cut(measured, low, high)
+    measured = cut(readings(files, units), low, high)
+    only_of_positions(ctx, measured.kind)
+    measured = replace(measured, notes=units_said(measured.notes, typed(ctx, OF_UNITS)))
+    warn_of_units(ctx, measured.kind, measured.notes)
     hints = Hints(
         at=quantity("--contact", contact, TIME),
         flips=named("--flip", flips, measured.names),
@@ -160,6 +166,8 @@ def command(
         report, made, refused = found.report, found.fit, found.refused
         report["strip"] = strip(found.story.segments, measured.names)
         measured = found.story.measured
+        if made is None and refused is None:
+            warn_of_model(ctx)
     _write(report, measured, made, refused, scene_file, tracker_file)
     lines = report.pop("strip", [])
     if as_json:

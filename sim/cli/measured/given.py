@@ -9,7 +9,7 @@ import click
 
 from sim.cli.named_file import bytes_of
 from sim.measured.cells import MOST_BYTES
-from sim.measured.refusal import ReadingError
+from sim.measured.refusal import ReadingError, refuse
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
@@ -24,9 +24,13 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
         except ReadingError as error:
             _refuse(name, error)
     try:
-        return read_measured(texts, units)
+        measured = read_measured(texts, units)
     except ReadingError as error:
         _refuse(files[error.source], error)
+    there = max(1, len(measured.runs))
+    if units.run > there:  # only logs of sensors know of runs, and refuse it themselves
+        _refuse(files[0], refuse(1, f"there is no run {units.run}: this file has {there}"))
+    return measured
 
 
 def _refuse(name: str, error: ReadingError) -> NoReturn:

@@ -64,6 +64,8 @@ def command(
     here = site_folder.here()
     if single and kind:
         raise click.UsageError(f"--single and --{kind} do not go together.")
+    if single and (teacher or teacher_word):
+        raise click.UsageError("--teacher and --teacher-word belong to a whole site: no --single.")
     if mistakes_told(here.root):
         ctx.exit(1)
     if single:

@@ -19,6 +19,7 @@ from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import kinetic
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
 from sim.laws.lookup import contact_law
@@ -76,6 +77,14 @@ class CostRow:
     delivered_e: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class NotRun:
+    """A method that cannot follow this scene, and why."""
+
+    way: Way
+    reason: str
+
+
 def ways(scene: Scene, *, finest: int = 10_000) -> list[Way]:
     """The rows to measure, from the cheapest of each method on, up to so many steps."""
     listed = [
@@ -87,12 +96,16 @@ def ways(scene: Scene, *, finest: int = 10_000) -> list[Way]:
     return listed + [Way(name, rtol=rtol) for name in ADAPTIVE for rtol in TOLERANCES]
 
 
-def cost(scene: Scene, truth: Exact | None = None) -> Iterator[CostRow]:
-    """All rows: the exact ones first, then method by method, against `truth`."""
+def cost(scene: Scene, truth: Exact | None = None) -> Iterator[CostRow | NotRun]:
+    """All rows: the exact ones first, then method by method, against `truth`; raises UnsolvedError
+    where the exact solver itself cannot run the scene."""
     truth = truth or exact(scene)
     yield from exact_rows(scene, truth)
     for way in ways(scene):
-        yield row(scene, truth, way)
+        try:
+            yield row(scene, truth, way)
+        except UnsolvedError as error:
+            yield NotRun(way, error.message)
 
 
 def exact_rows(scene: Scene, truth: Exact) -> list[CostRow]:

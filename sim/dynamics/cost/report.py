@@ -8,16 +8,16 @@ from typing import Any
 
 from sim.dynamics.cost.digits import one_more_digit
 from sim.dynamics.cost.exact import Exact
-from sim.dynamics.cost.measure import CostRow
+from sim.dynamics.cost.measure import CostRow, NotRun
 from sim.dynamics.report.document import FORMAT, finite
+from sim.dynamics.stepping.methods import Way
 
 
 def row_object(row: CostRow) -> dict[str, Any]:
     """One row; `step` in s, or `rtol`; errors in SI."""
-    size = {"rtol": row.rtol} if row.rtol is not None else {"step": row.step}
     found = {
         "method": row.method,
-        **size,
+        **_size(row),
         "order": row.order,
         "evaluations": row.evaluations,
         "time_ratio": row.time_ratio,
@@ -28,6 +28,10 @@ def row_object(row: CostRow) -> dict[str, Any]:
         "delivered_e_range": list(row.delivered) if row.delivered else None,
     }
     return {key: finite(value) for key, value in found.items()}
+
+
+def _size(of: CostRow | Way) -> dict[str, float | None]:
+    return {"rtol": of.rtol} if of.rtol is not None else {"step": of.step}
 
 
 def speed_of(truth: Exact) -> float:
@@ -46,8 +50,11 @@ def digits_of(rows: Iterable[dict[str, Any]], speed: float) -> dict[str, float]:
     return {method: float(f"{by:.3g}") for method, by in one_more_digit(told, speed).items()}
 
 
-def cost_report(title: str, rows: Sequence[CostRow], truth: Exact) -> dict[str, Any]:
-    """What `carts cost --json` prints. `proved`: errors are those against a certificate."""
+def cost_report(
+    title: str, rows: Sequence[CostRow], truth: Exact, not_run: Sequence[NotRun] = ()
+) -> dict[str, Any]:
+    """What `carts cost --json` prints. `proved`: errors are those against a certificate. `not_run`:
+    methods that cannot follow the scene."""
     objects = [row_object(row) for row in rows]
     return {
         "format": FORMAT,
@@ -56,4 +63,7 @@ def cost_report(title: str, rows: Sequence[CostRow], truth: Exact) -> dict[str, 
         "floor": floor_of(truth),
         "digits": digits_of(objects, speed_of(truth)),
         "rows": objects,
+        "not_run": [
+            {"method": one.way.method, **_size(one.way), "reason": one.reason} for one in not_run
+        ],
     }

@@ -154,12 +154,9 @@ def _track(
         if t is None:
             faults.append(Fault(line, "this row has a reading and no time", "fill the time in"))
         elif kept and t <= kept[-1][0]:
-            same = t == kept[-1][0]
-            reason = (
-                f"the time {t:g} stands in line {kept[-1][2]} already"
-                if same
-                else f"the time goes back from {kept[-1][0]:g} to {t:g}"
-            )
+            there = f"in line {kept[-1][2]}"
+            same = f"the time stands {there} already"
+            reason = same if t == kept[-1][0] else f"the time goes back: {there} it was later"
             faults.append(Fault(line, reason, "one row for each frame, in the order of time"))
         else:
             kept.append((t, value, line))

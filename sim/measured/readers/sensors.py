@@ -142,6 +142,10 @@ def _track(
         reason = f"“{shown(wrong.unit)}” is no unit that fits {shown(wrong.name)}"
         hint = "velocity in m/s, cm/s, mm/s or km/h" if by_speed else "length in m, cm or mm"
         raise refuse(table.heads_line, reason, f"time in s or ms, {hint}")
+    if not clock.unit:
+        notes.append(f"t in {units.time} (as you say)")
+    if not (column.unit or by_speed):
+        notes.append(f"x in {units.length} (as you say)")
     rows = [
         (t * seconds, x * metres, line)
         for t, x, line in zip(clock.values, column.values, table.lines, strict=True)
@@ -184,8 +188,8 @@ def _one_run(rows: Rows, name: str, asked: int, notes: list[str], below: list[st
         below[:] = [str(k) for k in range(1, len(long) + 1)]
     if len(runs) > 1:
         starts = ", ".join(str(run[0][2]) for run in runs[1:6] if run)
-        note = f"the time starts anew in line {starts}: {len(kept)} readings of one run are taken"
-        notes += [note] if note not in notes else []
+        count = f"{len(kept)} readings of one run are taken"
+        notes.append(f"the time starts anew in line {starts}: {count}")
     if repeated:
         notes.append(f"{name}: {repeated} repeated times, left out")
     return kept

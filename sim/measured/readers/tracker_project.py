@@ -164,7 +164,8 @@ def _axes(panel: _Node, units: Units) -> tuple[tuple[float, float, float, float]
     if metres is None:
         line = unit_node.line if unit_node else panel.line
         raise refuse(line, f"“{shown(unit)}” is not a unit of length", "m, cm or mm")
-    notes = [f"x in {unit}, {scale:.4g} pixels for each"]
+    said = "" if unit_node else " (as you say)"
+    notes = [f"x in {unit}{said}, {scale:.4g} pixels for each"]
     scales = {round(_number(one, ("xscale",), scale), 6) for one in frames}
     if len(scales) > 1:
         notes.append("the scale changes during the film: that of its first frame is taken")

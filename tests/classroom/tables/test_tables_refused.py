@@ -124,3 +124,33 @@ def test_mutated_tables_are_read_or_refused_and_never_break() -> None:
         report_html(report)
         assert all(", line " in row["name"] for row in report["files"]["refused"])
     assert read > 500
+
+
+@pytest.mark.parametrize(
+    ("row", "reason"),
+    [
+        ("bad,a,3,12", "post (10): “12” is more than the most marks"),
+        ("bad,a,3,many", "post (10): “many” is no mark"),
+        ("bad,a,12,3", "pre (10): “12” is more than the most marks"),
+    ],
+)
+def test_a_row_that_cannot_be_right_counts_in_no_test(row: str, reason: str) -> None:
+    good = "\n".join(f"s{k},a,{k},{k}" for k in range(2, 9))
+    report = reported(f"student,group,pre (10),post (10)\n{good}\n{row}".encode())
+    (bad,) = report["files"]["refused"]
+    assert (bad["name"], bad["reason"]) == ("marks.csv, line 9", reason)
+    assert report["files"]["counted"] == 7
+    assert [form["groups"][0]["n"] for form in report["lessons"][0]["forms"]] == [7, 7]
+    assert report["lessons"][0]["gains"][0]["without_after"] == []
+
+
+def test_totals_above_the_most_marks_that_the_teacher_told_count_in_no_test() -> None:
+    good = "\n".join(f"s{k},a,{k},{k}" for k in range(2, 9))
+    text = f"student,group,pre,post\n{good}\nbad,a,3,12.5\nworse,a,11,12"
+    report = reported(text.encode(), most=10)
+    assert [(row["name"], row["reason"]) for row in report["files"]["refused"]] == [
+        ("marks.csv, line 9", "“12.5” is more than the most marks"),
+        ("marks.csv, line 10", "“11” is more than the most marks"),
+        ("marks.csv, line 10", "“12” is more than the most marks"),
+    ]
+    assert [form["groups"][0]["n"] for form in report["lessons"][0]["forms"]] == [7, 7]

@@ -1,0 +1,107 @@
+"""`carts fit`: what it says of units, and of options that a file has no use for."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim.cli import main
+from tests.measured.devices import Motion, motion_capture, sensor_carts, tracker_project
+from tests.measured.force_sensors import sensors
+from tests.measured.makers import as_text, film, truth
+from tests.measured.several_runs import below
+
+FILM = as_text(film(truth()))
+
+
+def fit(path: Path, text: str, *words: object) -> Result:
+    path.write_text(text, encoding="utf-8")
+    return CliRunner().invoke(main, ["fit", str(path), *map(str, words)])
+
+
+def read(result: Result) -> list[str]:
+    assert result.exit_code == 0, result.output
+    notes: list[str] = json.loads(result.stdout)["read"]
+    return notes
+
+
+def forces() -> str:
+    measured = sensors()
+    rows = zip(measured.tracks[0].t, *(track.value for track in measured.tracks), strict=True)
+    return "\n".join(["t (s),F_A (N),F_B (N)", *(",".join(f"{v:.6f}" for v in r) for r in rows)])
+
+
+def test_a_unit_that_nobody_gave_is_called_assumed(tmp_path: Path) -> None:
+    notes = read(fit(tmp_path / "film.txt", FILM, "--json"))
+    assert "t in s (assumed: the file names no unit; --time takes s or ms)" in notes
+    assert "x in m (assumed: the file names no unit; --length takes m, cm or mm)" in notes
+    assert "as you say" not in fit(tmp_path / "film.txt", FILM).stdout
+
+
+def test_a_unit_that_was_asked_for_names_its_option(tmp_path: Path) -> None:
+    result = fit(tmp_path / "film.txt", FILM, "--length", "m", "--json")
+    assert "x in m (as --length says)" in read(result)
+    assert "warning" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        tracker_project(Motion(v=(0.5, -0.1), touch=1.0, until=2.0)).replace("length_unit", "_"),
+        sensor_carts(Motion()).replace(" (m)", ""),
+    ],
+    ids=["a project without its unit", "a log without a unit of positions"],
+)
+def test_other_readers_too_say_which_unit_they_assumed(tmp_path: Path, text: str) -> None:
+    result = fit(tmp_path / "film.txt", text, "--json")
+    notes: Any = json.loads(result.stdout)["read"]
+    assert sum(note.startswith("x in m (assumed: the file names no unit") for note in notes) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "there"),
+    [
+        (FILM, 1),
+        (motion_capture(Motion(until=2.0)), 1),
+        (sensor_carts(Motion()), 1),
+        (below([sensor_carts(Motion(), seed=k) for k in (1, 2)]), 2),
+    ],
+    ids=["a table", "motion capture", "a log", "a log of two runs"],
+)
+def test_a_run_that_no_file_holds_is_refused(tmp_path: Path, text: str, there: int) -> None:
+    result = fit(tmp_path / "film.txt", text, "--run", 3)
+    assert result.exit_code == 1
+    assert f"film.txt:1:1: error: there is no run 3: this file has {there}" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (("--length", "cm"), "--length cm changes nothing: the files hold forces"),
+        (("--force", "mN"), "--force mN changes nothing: the files name their own unit"),
+        (("--time", "ms"), "--time ms changes nothing: the files name their own unit"),
+    ],
+)
+def test_a_unit_that_no_column_needs_is_told_in_one_line(
+    tmp_path: Path, words: tuple[str, ...], why: str
+) -> None:
+    result = fit(tmp_path / "forces.csv", forces(), *words)
+    assert result.exit_code == 0
+    assert result.stderr == f"warning: {why}\n"
+
+
+def test_what_only_positions_have_is_refused_for_forces(tmp_path: Path) -> None:
+    result = fit(tmp_path / "forces.csv", forces(), "--mass", "A=1kg", "--touch", "2 cm")
+    assert result.exit_code == 2
+    assert "--mass, --touch: for positions only; these files hold forces." in result.stderr
+
+
+def test_a_law_for_carts_that_stick_is_told_to_change_nothing(tmp_path: Path) -> None:
+    sticks = motion_capture(Motion(e=0.0, v=(0.2, 0.0)))
+    result = fit(tmp_path / "capture.tsv", sticks, "--law", "paper", "--json")
+    assert json.loads(result.stdout)["outcome"] == "stick"
+    assert result.stderr.startswith("warning: --law changes nothing: it belongs to the model")

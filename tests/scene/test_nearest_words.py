@@ -1,0 +1,90 @@
+"""A misspelt word in a scene is answered with the nearest right one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sim.scene import SceneError, read_fence
+from sim.scene.problem import Problem
+
+TWO = {"A": {"mass": 1, "position": 0.5}, "B": {"mass": 1, "position": 1.5}}
+
+
+def problems(**more: Any) -> tuple[Problem, ...]:
+    with pytest.raises(SceneError) as caught:
+        read_fence({"carts": TWO, **more}, named=False)
+    return caught.value.problems
+
+
+@pytest.mark.parametrize(
+    ("more", "meant"),
+    [
+        ({"contact": {"law": "bumpr"}}, "bumper"),
+        ({"contact": {"law": "Hertz"}}, "hertz"),
+        ({"contact": {"pairs": {"A-B": {"law": "velkro"}}}}, "velcro"),
+        ({"contact": {"stifness": 400}}, "stiffness"),
+        ({"show": ["velocty"]}, "v"),
+        ({"show": ["x", "momentun"]}, "p"),
+        ({"show": ["energie"]}, "energy"),
+        ({"show": ["f"]}, "F"),
+        ({"show": "velocity"}, "v"),
+        ({"Show": ["x"]}, "show"),
+        ({"with": ["stopwach"]}, "stopwatch"),
+        ({"packages": ["numpi"]}, "numpy"),
+        ({"forces": "hiden"}, "hidden"),
+        ({"slow": "nevr"}, "never"),
+        ({"boxes": "alke"}, "alike"),
+        ({"track": {"length": 2, "left": "wal"}}, "wall"),
+        ({"carts": {"A": {"mass": 1, "position": 0, "skin": "trukc"}}}, "truck"),
+    ],
+)
+def test_the_nearest_word_is_offered(more: dict[str, Any], meant: str) -> None:
+    (problem,) = problems(**more)
+    assert problem.hint == f"did you mean “{meant}”?"
+
+
+@pytest.mark.parametrize(
+    ("more", "hint"),
+    [
+        ({"contact": {"law": "qqq"}}, "laws: bumper, "),
+        ({"show": ["qqq"]}, "show: [x, v]"),
+        ({"show": None}, "show: [x, v]"),
+        ({"forces": "qqq"}, "forces: shown"),
+    ],
+)
+def test_a_word_that_is_near_to_none_is_answered_with_those_there_are(
+    more: dict[str, Any], hint: str
+) -> None:
+    (problem,) = problems(**more)
+    assert problem.hint.startswith(hint)
+
+
+ROW = {**TWO, "C": {"mass": 1, "position": 2.5}}
+WALL = {"length": 4, "right": "wall"}
+
+
+@pytest.mark.parametrize(
+    ("arrows", "message", "hint"),
+    [
+        (
+            ["A-B", "C-B"],
+            "“C-B” names two neighbours from right to left",
+            "from left to right: arrows: [B-C]",
+        ),
+        (["A-C"], "“A-C” are not two neighbours", "neighbours here: arrows: [A-B, B-C, C-right]"),
+        ("AB", "“AB” are not two neighbours", "neighbours here: arrows: [A-B, B-C, C-right]"),
+        ([], "arrows lists pairs of neighbours", "arrows: [A-B, B-C, C-right]"),
+    ],
+)
+def test_arrows_of_no_pair_are_answered_with_the_pairs_of_this_scene(
+    arrows: object, message: str, hint: str
+) -> None:
+    (problem,) = problems(carts=ROW, track=WALL, predict={"arrows": arrows})
+    assert (problem.where, problem.message, problem.hint) == ("predict.arrows", message, hint)
+
+
+def test_arrows_where_nothing_can_touch_are_told_so() -> None:
+    (problem,) = problems(carts={"A": TWO["A"]}, predict={"arrows": ["A-B"]})
+    assert problem.message.startswith("nothing can touch anything here")
