@@ -34,10 +34,7 @@ PROGRAM = (
     "if the ratio from the balance is the same, your carts have confirmed it."
 )
 
-SYNTHETIC = (
-    "A program made these readings, and the third law was built in: they are practice, and no "
-    "evidence for the law."
-)
+SYNTHETIC = "A program that was told the third law made these readings: no evidence for it."
 
 
 def number(value: float, places: int) -> str:
@@ -186,7 +183,7 @@ def of_balance(
     )
     if ratio.low <= weighed <= ratio.high:
         if synthetic:
-            return text + "They agree, as they must: a program made these readings."
+            return text + "They agree, as they must."
         return text + (
             "They agree: each cart changed the other's motion as Newton's third law says, within "
             "this uncertainty."

@@ -22,7 +22,9 @@ def of_phones(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) ->
     ]
     if pair.turned:
         said.append(f"Both phones count the push as positive: the sign of {b} is turned.")
-    return [*said, SYNTHETIC] if synthetic else said
+    if synthetic:
+        said.append(SYNTHETIC)
+    return said
 
 
 def of_clocks(moved: float) -> str:

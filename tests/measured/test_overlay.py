@@ -137,8 +137,8 @@ def test_readings_that_a_program_made_are_called_evidence_of_no_law() -> None:
         told = asked("fit", masses=masses, synthetic=synthetic)["report"]["sentences"]
         pair = asked("read", texts=[forces], synthetic=synthetic)["report"]["sentences"]
         film_said, forces_said = " ".join(told), " ".join(pair)
-        assert ("the third law was built in" in film_said) == synthetic
-        assert ("the third law was built in" in forces_said) == synthetic
+        assert ("was told the third law" in film_said) == synthetic
+        assert ("was told the third law" in forces_said) == synthetic
         assert ("your carts have confirmed it" in film_said) != synthetic
         assert ("changed the other's motion as Newton's third law says" in film_said) != synthetic
         assert ("read off the readings alone" in forces_said) != synthetic

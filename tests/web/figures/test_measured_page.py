@@ -174,7 +174,7 @@ def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
         "equal in size and opposite", timeout=STARTS
     )
     expect(page.locator(".carts-measured-model")).to_be_hidden()
-    built_in = "the third law was built in"
+    built_in = "was told the third law"
     expect(page.locator(".carts-measured-result")).to_contain_text(built_in)
     text = saved(page, ".carts-measured-save")
     assert text.startswith("t (s);F_A (N);F_B (N)")
