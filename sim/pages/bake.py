@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Any
 
 from sim.scene import Problem
+from sim.scene.laws import has_formulas
 from sim.scene.said import from_wire
 
 FEW_CARTS = 3
@@ -33,9 +34,8 @@ SAMPLES_PER_STEP = {
 SAMPLES_OF_SPHERES = 3
 """Per stretch, of which a contact of spheres has many: ever shorter ones towards its ends."""
 
-FORMLESS = ("hertz",)
 INTEGRATED = {"numpy", "scipy"}
-"""Contact laws without a closed form or a power series, and what integrates them."""
+"""What integrates contact laws without a closed form or a power series."""
 
 MOST_KEPT = 256
 """Runs that a build remembers: more than the scenes of all lessons; some 30 kB each."""
@@ -63,9 +63,12 @@ def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
     A contact without a formula counts even where the default run never comes to it: a slider may.
     """
     planned = {name for phase in header["plan"] for name in phase["packages"]}
-    formless = any(contact["law"] in FORMLESS for contact in header["contacts"])
     written = {OWN_LAW} if "laws" in header else set()
-    return frozenset(planned | written | (INTEGRATED if formless else set()))
+    return frozenset(planned | written | (INTEGRATED if _formless(header) else set()))
+
+
+def _formless(header: Mapping[str, Any]) -> bool:
+    return not all(has_formulas(contact["law"]) for contact in header["contacts"])
 
 
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
@@ -110,7 +113,7 @@ def bake_with(scene: Mapping[str, Any], changes: Mapping[str, Any]) -> Run:
     header, numbers = answer(request)
     if header["ok"]:
         solvers = header["evaluations"]["solvers"]
-        if any(contact["law"] in FORMLESS for contact in header["contacts"]):
+        if _formless(header):
             header, numbers = answer(request | {"samples": SAMPLES_OF_SPHERES})
         elif solvers.get("adaptive", 0) + solvers.get("power-series", 0) > MANY_STEPS:
             fewer = max(SAMPLES_PER_STEP.get(name, 1) for name in solvers)

@@ -19,8 +19,8 @@ def scipy_method() -> tuple[Any, Any]:
         from scipy.integrate import DOP853
     except ImportError as missing:
         raise UnsolvedError(
-            "the contact law hertz needs the packages numpy and scipy, which this page does not "
-            "carry",
+            "a contact law without a formula needs the packages numpy and scipy, which this page "
+            "does not carry",
             "write packages: [scipy] into the scene block",
             0.0,
             (),

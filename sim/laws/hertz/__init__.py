@@ -11,4 +11,5 @@ LAW = LawKind(
     place=70,
     stiffness=HERTZ_STIFFNESS,
     restitution=RESTITUTION,
+    power=1.5,
 )

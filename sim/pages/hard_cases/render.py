@@ -30,13 +30,9 @@ def render_hard_cases(block: HardCasesBlock) -> str:
 def _facts(case: HardCase) -> dict[str, Any]:
     """What the page needs to run a case: the request but for its kind."""
     asked = {key: value for key, value in request(case).items() if key != "kind"}
-    packages = [] if _plain_python(case) else ["numpy", "scipy"]
+    packages = [] if case.has_formulas else ["numpy", "scipy"]
     within = [one.tolerance for one in case.expected]
     return asked | {"within": within, "packages": packages}
-
-
-def _plain_python(case: HardCase) -> bool:
-    return bool(case.plain.get("contact", {}).get("law") != "hertz")
 
 
 def _row(case: HardCase, known: Mapping[str, Any]) -> dict[str, Any]:

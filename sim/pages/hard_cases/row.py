@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from sim.scene.laws import has_formulas
+
 G = 9.81
 ULP = 2.220446049250313e-16
 
@@ -35,9 +37,14 @@ class HardCase:
     events: bool = True  # False: only counted
 
     @property
+    def has_formulas(self) -> bool:
+        """Whether it runs in plain Python, without an integrator of scipy."""
+        return has_formulas(self.plain.get("contact", {}).get("law"))
+
+    @property
     def for_a_page(self) -> bool:
         """Few enough events to be drawn, and no scipy needed."""
-        return self.events and self.plain.get("contact", {}).get("law") != "hertz"
+        return self.events and self.has_formulas
 
 
 def at(position: Any, velocity: Any = 0, mass: Any = 1, length: Any = "0.2") -> dict[str, Any]:

@@ -41,9 +41,10 @@ OWN_LAW = "newtons-carts-law"
 PROOF = "newtons-carts-proof"
 ENCODINGS = tuple(f"encodings.{name}" for name in ("utf_8_sig", "utf_16", "cp1252"))
 """In which spreadsheets and old editors save a table."""
+LAWS = Path(__file__).parents[2] / "laws"
 APART = (
     *("sim.dynamics.batch", "sim.laws.many", "sim.bridge.map_answer", "sim.scene.schema"),
-    *(f"sim.laws.{law}.many" for law in ("bumper", "paper", "push_only", "push_only_uncorrected")),
+    *(f"sim.laws.{file.parent.name}.many" for file in sorted(LAWS.glob("*/many.py"))),
 )
 """Left out of the picture of the memory: no scene needs them. Pages with maps carry packages too,
 and those load the wheel."""

@@ -6,7 +6,6 @@ answer. Forces are estimated from the start state and from what the sliders reac
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,6 +14,7 @@ from sim.pages.widget.effects_scale import greatest_force, kept_apart
 from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
+from sim.scene.laws import law_kind
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
 ROOM_TO_GUESS = 1.7  # a prediction's longest arrow, over the estimate: the scale tells nothing
@@ -129,7 +129,10 @@ def _reachable_force(
 
 
 def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> float:
-    """Greatest force in N of an elastic contact at the greatest closing speed in the scene."""
+    """Greatest force in N of an elastic contact at the greatest closing speed in the scene.
+
+    All energy in the spring, k d^(p+1)/(p+1) = ½ mu u², and the force is k d^p.
+    """
     k = contact["stiffness"]
     if not k:
         return 0.0
@@ -138,7 +141,7 @@ def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> flo
     inverse = sum(1 / masses[name] for name in contact["bodies"] if name in masses)
     walled = any(name not in masses for name in contact["bodies"])
     closing = max(map(abs, speeds)) if walled else max(speeds) - min(speeds)
-    if contact["law"] == "hertz":
-        squeeze = (1.25 * closing**2 / (k * inverse)) ** 0.4
-        return float(k * squeeze**1.5)
-    return float(closing * math.sqrt(k / inverse))
+    kind = law_kind(contact["law"])
+    p = kind.power if kind else 1.0
+    squeeze = ((p + 1.0) * closing**2 / (2.0 * k * inverse)) ** (1.0 / (p + 1.0))
+    return float(k * squeeze**p)
