@@ -25,6 +25,7 @@ from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.effects import kinds
+from sim.scene.ends import named_ends
 from sim.scene.read_effects import listed_effects
 from sim.scene.said import wire as said_by
 
@@ -144,9 +145,10 @@ def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:
 
 
 def track_of(scene: Scene) -> dict[str, Any]:
-    """The track and its ends."""
+    """The track and its ends; `left_is` and `right_is` only where it is not a wall."""
     track = scene.track
-    return {"left": track.left, "right": track.right, "length": track.length}
+    ends = {"left": track.left, "right": track.right, "length": track.length}
+    return {**ends, **named_ends(track)}
 
 
 def _bodies(scene: Scene) -> list[dict[str, Any]]:

@@ -10,6 +10,8 @@ from sim.dynamics.report.document import energy_parts
 from sim.dynamics.report.warnings import warnings
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import Trajectory
+from sim.scene.ends import SIDES, WALL, body_name, named_ends
+from sim.scene.model import Track
 
 UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N", "on": "N"}
 NAMES = {"kinetic": "in motion", "bumpers": "in bumpers", "incline": "height on the incline"}
@@ -96,12 +98,22 @@ def _account(run: Run) -> str:
     if len(parts) > 2 or any(value for value in parts["bumpers"].values()):
         rows += [(f"  {NAMES.get(n, n)}", p["initial"], p["final"]) for n, p in parts.items()]
     lines = [table(("", "start", "end"), [(n, number(a), number(b)) for n, a, b in rows])]
-    given = [f"{by} gave {number(j)} N s" for by, j in ledger.impulses.items()]
+    given = [
+        f"{_giver(by, run.scene.track)} gave {number(j)} N s" for by, j in ledger.impulses.items()
+    ]
     lines.append(f"From outside: {', '.join(given)}." if given else "No impulse from outside.")
     works = [f"{by} {number(work)} J" for by, work in ledger.works.items()]
     lines += [f"Work: {', '.join(works)}."] if works else []
     lines.append(f"{number(ledger.warmed)} J warmed the bumpers.")
     return "\n".join(lines)
+
+
+def _giver(by: str, track: Track) -> str:
+    """Walls by what stands there, where it is something else."""
+    if by != "walls" or not named_ends(track):
+        return by
+    sides = [side for side in SIDES if getattr(track, side) == WALL]
+    return " and ".join(body_name(side, track) for side in sides)
 
 
 def _events(run: Run) -> str:

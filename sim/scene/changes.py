@@ -13,6 +13,7 @@ from typing import Any
 from sim.scene.effects import kinds
 from sim.scene.fields import CART
 from sim.scene.problem import Path, Problem, SceneError, nearest
+from sim.scene.read_track import KEYS as TRACK_KEYS
 
 SCALARS = ("until", "gravity")
 TABLES = ("contact", "track")
@@ -64,7 +65,7 @@ def resolve(plain: Mapping[str, Any], target: str) -> Path | None:
         pair, _, key = rest[len("pairs.") :].rpartition(".")
         if pair and key in ("law", "restitution", "stiffness"):
             return ("contact", "pairs", pair, key)
-    if head == "track" and rest in ("length", "left", "right"):
+    if head == "track" and rest in TRACK_KEYS:
         return ("track", rest)
     if head == "effects":
         return _effect_path(plain.get("effects"), rest)

@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Mapping
 from fractions import Fraction
 
+from sim.scene.ends import thing_at
 from sim.scene.model import Track
 from sim.scene.problem import Problem
 from sim.scene.said import said
@@ -41,6 +42,7 @@ def refuse_overlap(
     k: int,
     gap: Fraction,
     names: list[str],
+    track: Track,
     released: set[frozenset[str]],
     problems: list[Problem],
     *,
@@ -54,7 +56,15 @@ def refuse_overlap(
     cart = right if k < len(names) else left
     length = f"{float(-gap):.3g} m"
     hint = said("move it away from the wall: a position is that of the cart's centre")
-    if k == 0:
+    if thing := thing_at({0: "left", len(names): "right"}.get(k, ""), track):
+        what = said(
+            "{cart} reaches into {thing} by {length} at the start",
+            cart=cart,
+            thing=thing,
+            length=length,
+        )
+        hint = said("move it away: a position is that of the cart's centre")
+    elif k == 0:
         what = said(
             "{cart} reaches into the left wall by {length} at the start", cart=cart, length=length
         )

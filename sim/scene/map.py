@@ -15,6 +15,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from sim.scene.controls import Control, read_controls
+from sim.scene.ends import wall_or_name
 from sim.scene.model import Scene
 from sim.scene.presentation import ID
 from sim.scene.problem import Path, Problem, SceneError
@@ -190,7 +191,7 @@ def _force(of: str, scene: Scene, refuse: Any) -> Shown | None:
                 "show: v.A or warmed, or use law: bumper",
             )
             return None
-        names = [("the wall" if name in ("left", "right") else name) for name in (left, right)]
+        names = [wall_or_name(name, scene.track) for name in (left, right)]
         label = f"greatest force between {names[0]} and {names[1]}"
         return Shown(kind="F", of=f"{left}-{right}", label=label, unit="N")
     pairs = ["-".join(scene.names_at(k)) for k, c in enumerate(scene.contacts) if c is not None]

@@ -16,6 +16,7 @@ from typing import Literal
 from sim.scene.effects import Effect
 
 End = Literal["open", "wall"]
+Thing = Literal["wall", "foam", "spring", "board"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,6 +38,8 @@ class Track:
     left: End = "open"
     right: End = "open"
     length: float | None = None  # m; None: without limit
+    left_is: Thing = "wall"  # what a wall is called and drawn as; its motion does not know
+    right_is: Thing = "wall"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sim.scene.changes import apply_changes
+from sim.scene.changes import apply_changes, resolve
 from sim.scene.controls import number_of
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.read import collect_scene, read_scene
@@ -33,7 +33,10 @@ def read_presets(
             continue
         found: list[Problem] = []
         collect_scene(changed, found)
-        problems.extend(Problem(path, p.code, p.message, p.hint) for p in found)
+        targets = {resolve(plain, str(target)): target for target in listed}
+        for p in found:
+            at = (*path, targets[p.path]) if p.path in targets else path
+            problems.append(Problem(at, p.code, p.message, p.hint))
         presets[str(name)] = dict(listed)
     return presets
 

@@ -10,10 +10,11 @@ from typing import Any
 from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, SKINS, TRACK_LENGTH, UNTIL
 from sim.scene.gaps import approaches, gaps_of, refuse_overlap
-from sim.scene.model import Cart, Scene, Track
+from sim.scene.model import Cart, Scene
 from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
+from sim.scene.read_track import read_track
 from sim.scene.read_written import read_written
 from sim.scene.tables import mapping, number, unknown_keys
 
@@ -46,7 +47,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         return None
     unknown_keys(table, SCENE_KEYS, (), problems)
     exact = _carts(table.get("carts"), problems)
-    track, length = _track(table.get("track", {}), problems)
+    track, length = read_track(table.get("track", {}), problems)
     title = table.get("title")
     if title is not None and not isinstance(title, str):
         problems.append(Problem(("title",), "not-text", "the title must be text", "title: A crash"))
@@ -73,7 +74,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         contact = contacts[k] if k < len(contacts) else None
         at_once = contact is not None and contact.sudden
         if at_once or not overlap_allowed:  # without a duration there is nothing to be pressed in
-            refuse_overlap(k, gap, names, released, problems, at_once=at_once)
+            refuse_overlap(k, gap, names, track, released, problems, at_once=at_once)
     if len(problems) == before:
         check_room(effects, gaps, names, problems)
     if len(problems) > before:
@@ -179,37 +180,6 @@ def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict
             )
         exact["bumper_length"] = length / 2
     return exact
-
-
-def _track(value: object, problems: list[Problem]) -> tuple[Track | None, Fraction | None]:
-    hint = "track: {length: 2.4 m, left: open, right: wall}"
-    table = mapping(value, ("track",), problems, hint)
-    if table is None:
-        return None, None
-    before = len(problems)
-    unknown_keys(table, ("length", "left", "right"), ("track",), problems)
-    for side in ("left", "right"):
-        if table.get(side, "open") not in ("open", "wall"):
-            problems.append(
-                Problem(
-                    ("track", side),
-                    "not-a-choice",
-                    f"{side} must be open or wall (got {table[side]})",
-                    did_you_mean(table[side], ("open", "wall"), hint),
-                )
-            )
-    length = number(TRACK_LENGTH, table, ("track",), problems)
-    if table.get("right") == "wall" and length is None and len(problems) == before:
-        problems.append(
-            Problem(("track",), "missing", "a wall on the right needs the track's length", hint)
-        )
-    if len(problems) > before:
-        return None, None
-    return Track(
-        left=table.get("left", "open"),
-        right=table.get("right", "open"),
-        length=None if length is None else float(length),
-    ), length
 
 
 def _start(value: object, problems: list[Problem]) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from sim.scene.effects import EffectKind, kinds
+from sim.scene.ends import WHAT
 from sim.scene.fields import (
     CART,
     GRAVITY,
@@ -31,6 +32,7 @@ NUMBER = r"^\s*[+−-]?(\d|\.\d)"
 """A text with a unit begins with a number."""
 
 SIDES = {"enum": ["open", "wall"]}
+IS = {"enum": list(WHAT), "description": "what stands there, where that side is a wall"}
 PAIR = {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "string"}}
 CARTS = {"type": "array", "minItems": 1, "items": {"type": "string"}}
 TITLE = {"type": "string", MARK: True}
@@ -49,7 +51,7 @@ def scene_schema() -> dict[str, Any]:
             "patternProperties": {NAME: _table(*CART, skin={"enum": list(SKINS)})},
             "additionalProperties": False,
         },
-        "track": _table(TRACK_LENGTH, left=SIDES, right=SIDES),
+        "track": _table(TRACK_LENGTH, left=SIDES, right=SIDES, left_is=IS, right_is=IS),
         "contact": _contact(pairs={"type": "object", "additionalProperties": _contact()}),
         "effects": effects,
         "estimate": {"description": "sizes of what is left out"} | effects,

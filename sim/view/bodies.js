@@ -1,22 +1,52 @@
-/** How bodies are named: carts by their letters, the ends of the track as walls. */
+/** How bodies are named: carts by their letters, the ends of the track by what stands there. */
 
 import { tr } from "./language.js";
+
+/** @typedef {import("./types.js").Track} Track */
+
+/** @type {Record<string, () => {body: string, brief: string}>} what may stand at an end instead of a wall */
+const THINGS = {
+  foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+  spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+  board: () => ({ body: tr("the board"), brief: tr("board") }),
+};
 
 /** @param {string} name */
 export function isWall(name) {
   return name === "left" || name === "right";
 }
 
-/** @param {string} name @returns {string} a body as a sentence names it */
-export function body(name) {
-  if (name === "left") return tr("the left wall");
-  return name === "right" ? tr("the right wall") : name;
+/** @param {string} name of an end @param {Track} track @returns {string} what stands there: “wall” or the name of a thing */
+export function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+  return name === "left" ? left_is : right_is;
 }
 
-/** @param {string} name @returns {string} a body as a label names it */
-export function brief(name) {
-  if (name === "left") return tr("left wall");
-  return name === "right" ? tr("right wall") : name;
+/** @param {string} name @param {Track} track @returns {string} a body as a sentence names it */
+export function body(name, track) {
+  if (!isWall(name)) return name;
+  const thing = thingAt(name, track, "body");
+  return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+}
+
+/** @param {string} name @param {Track} track @returns {string} a body as a label names it */
+export function brief(name, track) {
+  if (!isWall(name)) return name;
+  const thing = thingAt(name, track, "brief");
+  return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+}
+
+/** @param {string} name of an end @param {Track} track @returns {string} what it is, where it need not be told from the other */
+export function kind(name, track) {
+  return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
+}
+
+/** @param {string} name of an end @param {Track} track @param {"body" | "brief"} form @returns {string} "" where a wall stands */
+function thingAt(name, track, form) {
+  const thing = THINGS[whatIs(name, track)]?.()[form];
+  if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+  return name === "left"
+    ? tr("{thing} on the left", { thing })
+    : tr("{thing} on the right", { thing });
 }
 
 /** @param {string} on @param {string} by @returns {string} both bodies as a sentence names them */
@@ -30,4 +60,9 @@ export function listed(names) {
   if (second === undefined) return first;
   const rest = names.slice(0, -1).join(", ");
   return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+}
+
+/** @param {string[]} names @param {Track} track @returns {string} bodies of a contact, as a sentence names them */
+export function bodiesOf(names, track) {
+  return listed(names.map((name) => body(name, track)));
 }

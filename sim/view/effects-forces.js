@@ -1,6 +1,6 @@
 /** Forces of effects on single carts: which ones, by whom, how large. Each names two objects. */
 
-import { listed } from "./bodies.js";
+import { kind as kindOf, listed } from "./bodies.js";
 import { actsAt, agent, kindsOnOne, viewOf } from "./effects.js";
 import { tr } from "./language.js";
 import { decimalsFor, fixed, NOISE } from "./numbers.js";
@@ -63,15 +63,16 @@ export function labels({ kind, on, by, size }) {
 /** @param {Header} header @returns {string} what gets the momentum that the carts give away: “wall + Earth”, “air”; “” where nothing */
 export function outside(header) {
   const { effects, track } = header;
-  const walls = track.left === "wall" || track.right === "wall";
+  const sides = /** @type {const} */ (["left", "right"]);
+  const walls = sides.filter((side) => track[side] === "wall").map((side) => kindOf(side, track));
   const kinds = kindsOnOne(header).map(viewOf);
   const media = kinds.map(({ around }) => (typeof around === "string" ? around : ""));
   const others = effects.map((effect) => {
     const { around } = viewOf(effect.kind);
     return typeof around === "function" ? around(effect, agent(effect)) : "";
   });
-  const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
-  const parts = [walls ? tr("wall") : "", ...media, ...others, earth];
+  const earth = walls.length || kinds.some((view) => view.earth) ? tr("Earth") : "";
+  const parts = [...walls, ...media, ...others, earth];
   return [...new Set(parts.filter(Boolean))].join(" + ");
 }
 

@@ -1,6 +1,6 @@
 /** What acts in a scene, in words. */
 
-import { body, listed } from "./bodies.js";
+import { bodiesOf, listed } from "./bodies.js";
 import { agent, isLink, nameOf, viewOf } from "./effects.js";
 import { tr } from "./language.js";
 
@@ -30,7 +30,7 @@ export function phrase(effect, header, numbers) {
   const told = {
     everyone: carts.length === header.bodies.length,
     on: listed(carts),
-    both: listed((between ?? carts).map(body)),
+    both: bodiesOf(between ?? carts, header.track),
     agent: agent(effect),
     seen: (/** @type {string} */ text) => (numbers ? text : ""),
   };

@@ -36,7 +36,7 @@ export function contactForces(run, name, t, zero) {
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
-        name: forceOn(name, body(by)),
+        name: forceOn(name, body(by, run.header.track)),
         on: name,
         by,
         way: /** @type {const} */ ("along"),

@@ -35,15 +35,15 @@ export function instant({ header, trajectory }, t, view, camera, forces) {
 }
 
 /** @param {import("./types.js").Header} header @param {import("./types.js").Trajectory} trajectory @param {number} t @param {number} decimals */
-function pushes({ contacts }, { t: times, F, dF }, t, decimals) {
+function pushes({ contacts, track }, { t: times, F, dF }, t, decimals) {
   return contacts.flatMap(({ pair, bodies: [left, right] }) => {
     const force = F[pair] ? valueAt(times, F[pair], dF[pair] ?? null, t) : 0;
     const size = fixed(Math.abs(force), decimals);
     if (!Number(size)) return [];
     const [one, other] = isWall(left) ? [right, left] : [left, right];
     const names = {
-      one: forceOn(body(one), body(other)),
-      other: forceOn(body(other), body(one)),
+      one: forceOn(body(one, track), body(other, track)),
+      other: forceOn(body(other, track), body(one, track)),
       size,
     };
     return [tr("{one}: {size} N; {other}: {size} N.", names)];

@@ -1,6 +1,6 @@
 /** What is in the model of a scene and what is left out, in the words of a lesson; how it is computed is told elsewhere. */
 
-import { body, listed } from "./bodies.js";
+import { bodiesOf, listed } from "./bodies.js";
 import { viewOf } from "./effects.js";
 import { phrase } from "./effects-words.js";
 import { tr } from "./language.js";
@@ -50,7 +50,7 @@ function contactSentences(header) {
   }
   return [...alike.values()].map((contacts) => {
     const [one] = contacts;
-    const names = contacts.map(({ bodies }) => listed(bodies.map(body))).join("; ");
+    const names = contacts.map(({ bodies }) => bodiesOf(bodies, header.track)).join("; ");
     const how = one?.stiffness
       ? tr("bumpers push like springs, the harder the more they are squeezed")
       : one?.restitution === null

@@ -61,7 +61,7 @@ function resultants(header, run) {
     const style = styleOf(i);
     const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
     const parts = partsOf(header, run, name).map(({ by, column }) => ({
-      label: tr("on {on} by {by}", { on: brief(name), by }),
+      label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
       style,
       over: true,
       values: column,
@@ -106,6 +106,8 @@ function total(curves) {
 /** @param {Header} header @param {Trajectory} run @param {boolean} signed @returns {Series[]} */
 function forces(header, run, signed) {
   const styles = new Map(header.bodies.map((body, i) => [body.name, styleOf(i)]));
+  const label = (/** @type {string} */ on, /** @type {string} */ by) =>
+    tr("on {on} by {by}", { on: brief(on, header.track), by: brief(by, header.track) });
   const sign = signed ? -1 : 1;
   /** @type {Series[]} */
   const curves = [];
@@ -120,14 +122,14 @@ function forces(header, run, signed) {
     }
     const [left, right] = contact.bodies;
     curves.push({
-      label: tr("on {on} by {by}", { on: brief(left), by: brief(right) }),
+      label: label(left, right),
       style: styles.get(left) ?? "wall",
       over: false,
       values: Float64Array.from(force, (f) => sign * f),
       slopes: Float64Array.from(slope, (s) => sign * s),
     });
     curves.push({
-      label: tr("on {on} by {by}", { on: brief(right), by: brief(left) }),
+      label: label(right, left),
       style: styles.get(right) ?? "wall",
       over: true,
       values: force,

@@ -2,7 +2,7 @@
  * Shapes of the data that the page passes around. SI units; + is to the right.
  *
  * @typedef {{name: string, mass: number, position: number, velocity: number, length: number, bumper_length: number}} Body
- * @typedef {{left: string, right: string, length: number | null}} Track
+ * @typedef {{left: string, right: string, length: number | null, left_is?: string, right_is?: string}} Track `left_is`: what stands there instead of a wall
  * @typedef {{pair: string, bodies: [string, string], law: string, restitution: number | null, stiffness: number | null}} Contact
  * @typedef {{t: number, kind: string, bodies: string[], before: Record<string, number>, after: Record<string, number>, impulse: number | null, force: number | null}} RunEvent
  * @typedef {{from: number, until: number, tier: number, solver: string, why: import("./language.js").Said, packages: string[]}} Phase

@@ -1,6 +1,6 @@
 /** Sentences for readers: what happens, and what is in the model. */
 
-import { body, isWall, listed } from "./bodies.js";
+import { bodiesOf, body, isWall } from "./bodies.js";
 import { pairsApart } from "./effects.js";
 import { tr } from "./language.js";
 import { figures, fixed, NOISE, speedUnit } from "./numbers.js";
@@ -53,11 +53,11 @@ function isRest(velocity, scale) {
   return Math.abs(velocity) < NOISE * scale;
 }
 
-/** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @param {Set<string>} bare pairs without bumpers @returns {string} what happens at an event */
-export function eventSentence(event, telling, laws, bare) {
+/** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @param {Set<string>} bare pairs without bumpers @param {import("./types.js").Track} track @returns {string} what happens at an event */
+export function eventSentence(event, telling, laws, bare, track) {
   const { decimals, scale, camera, forces } = telling;
   const names = event.bodies;
-  const pair = capital(listed(names.map(body)));
+  const pair = capital(bodiesOf(names, track));
   const impulse = event.impulse ?? 0;
   const speeds = names
     .filter((name) => !isWall(name) && name in (event.after ?? {}))
@@ -76,7 +76,10 @@ export function eventSentence(event, telling, laws, bare) {
         return told(tr("{pair} hit each other and part at once.", { pair }), shown, after);
       }
       const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-      return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
+      return tr("{mover} touches {other}.", {
+        mover: String(mover),
+        other: body(String(other), track),
+      });
     }
     case "peak":
       if (laws[names.join("-")] === APART) {
@@ -96,7 +99,7 @@ export function eventSentence(event, telling, laws, bare) {
         : tr("{pair}: bumpers squeezed the most.", { pair });
     case "separate": {
       if (!joined(event, scale)) return told(tr("{pair} separate.", { pair }), shown, after);
-      const ended = { pair: listed(names.map(body)) };
+      const ended = { pair: bodiesOf(names, track) };
       const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
       if (rest) {
         const stay = tr("The push between {pair} has ended; they stay together.", ended);

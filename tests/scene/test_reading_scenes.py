@@ -199,7 +199,7 @@ def test_a_fence_knows_how_it_is_shown():
         ({"forces": "hidden", "show": ["x", "F"]}, "show"),
         ({"forces": "none", "show": ["x", "F"]}, "show"),
         ({"presets": {"heavy": {"A.weight": 1}}}, "presets.heavy"),
-        ({"presets": {"heavy": {"A.mass": -1}}}, "presets.heavy"),
+        ({"presets": {"heavy": {"A.mass": -1}}}, "presets.heavy.A.mass"),
     ],
 )
 def test_a_fence_has_its_own_mistakes(extra, where):

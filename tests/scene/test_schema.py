@@ -36,6 +36,7 @@ BAD: dict[str, dict[str, Any]] = {
     "a restitution above 1": GOOD | {"contact": {"restitution": 1.5}},
     "a bad pair": GOOD | {"contact": {"pairs": {"A-right": {"restitution": 2}}}},
     "a side that is ajar": GOOD | {"track": {"left": "ajar"}},
+    "an end of glass": GOOD | {"track": {"length": 2, "right": "wall", "right_is": "glass"}},
     "an unknown effect": GOOD | {"effects": [{"gale": {"speed": 3}}]},
     "an effect without its number": GOOD | {"effects": [{"friction": {}}]},
     "an effect without its cart": GOOD | {"effects": [{"push": {"force": 1}}]},

@@ -78,6 +78,14 @@ def test_a_changed_mass_is_the_only_thing_that_changes(path: Path) -> None:
             assert made == "".join(rows)
 
 
+def test_what_stands_at_an_end_of_the_track_is_chosen_from_a_list() -> None:
+    text = text_of(ROOT / "worksheets" / "newtons-third-law.md")
+    found = [field for block in blocks(text) for field in fields(text, block)]
+    (field,) = [field for field in found if field.path == ("track", "right_is")]
+    assert (field.group, field.label, field.kind) == ("Track", "right end is", "choice")
+    assert (field.value, field.options) == ("foam", ("wall", "foam", "spring", "board"))
+
+
 NASTY = ["yes", "01", "1:30", "a: b", "{x}", "# no", "a\nb", "", " ends ", '"', "'", "- x", "é≥🚂"]
 
 

@@ -11,6 +11,7 @@ from sim.dynamics.motion.flight import Flight
 from sim.dynamics.result.record import Solved
 from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
+from sim.scene.ends import body_name
 from sim.scene.model import Scene
 from sim.scene.said import listed, said, template
 
@@ -160,13 +161,8 @@ def _carts(scene: Scene, solver: Flight) -> list[str]:
 
 
 def _names(scene: Scene, gaps: list[int]) -> str:
-    pairs = map(scene.names_at, gaps)
-    return listed([said("{a} with {b}", a=_body(a), b=_body(b)) for a, b in pairs])
-
-
-def _body(name: str) -> str:
-    """A cart is called by its name; the two ends of the track have words of their own."""
-    return {"left": said("the left wall"), "right": said("the right wall")}.get(name, name)
+    pairs = ([body_name(name, scene.track) for name in scene.names_at(gap)] for gap in gaps)
+    return listed([said("{a} with {b}", a=a, b=b) for a, b in pairs])
 
 
 def packages(solver: Motion) -> tuple[str, ...]:

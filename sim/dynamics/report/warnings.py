@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
 from sim.laws.lookup import contact_law
+from sim.scene.ends import wall_or_name
 from sim.scene.laws import law_kind
 from sim.scene.said import said, template
 
@@ -59,7 +60,7 @@ def warnings(run: Run) -> tuple[Remark, ...]:
         room = sum(bumpers)
         if deepest <= room or (len(bumpers) == 1 and room == 0.0):
             continue  # at a wall, a cart without a bumper asks the wall to give way
-        one, other = (said("the wall") if name in ("left", "right") else name for name in names)
+        one, other = (wall_or_name(name, scene.track) for name in names)
         squeezed, advised = ALONE if len(bumpers) == 1 else BOTH
         told = {"one": one, "other": other, "depth": f"{100 * deepest:.3g} cm"}
         told["room"] = f"{100 * room:.3g} cm"

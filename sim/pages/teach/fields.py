@@ -14,6 +14,7 @@ from sim.pages.teach.right_answers import may_be_right
 from sim.pages.teach.spans import values
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, Place
+from sim.scene.ends import WHAT
 from sim.scene.laws import laws
 
 Kind = Literal["line", "area", "choice"]
@@ -23,6 +24,8 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "law": tuple(laws()),
     "left": ("open", "wall"),
     "right": ("open", "wall"),
+    "left_is": WHAT,
+    "right_is": WHAT,
     "level": ("core", "support", "stretch"),
     "correct": TRUTH,
     "sure": TRUTH,
@@ -135,7 +138,7 @@ def _in_scene(path: KeyPath) -> tuple[str, str] | None:
         case ("contact", "pairs", str(pair), str(key)):
             return f"Contact of {pair}", key
         case ("track", str(key)):
-            return "Track", f"{key} end" if key in PAIR else key
+            return "Track", f"{key} end" if key in PAIR else key.replace("_is", " end is")
         case ("controls", int(k), "set"):
             return f"Slider {k + 1}", "changes"
         case ("controls", int(k), str(key)) if key in SLIDER:

@@ -81,7 +81,7 @@ function arrows({ fence, view, run: { header } }, { pairs, scale }) {
   ]);
   const rows = asked.map(({ pair, on, by }, k) => {
     const i = header.bodies.findIndex(({ name }) => name === on);
-    const force = forceOn(body(on), body(by));
+    const force = forceOn(body(on, header.track), body(by, header.track));
     const label = tr("{force}, length of the arrow", { force });
     const id = `${fence.id}-guess-${k + 1}`;
     return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label}${!numbers && html` id=${id}`} disabled>${numbers && html`<span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p>`}</div>

@@ -1,9 +1,9 @@
 "use strict";
 (() => {
   // src/shared/older.js
-  function add(owner, name2, value) {
-    if (!(name2 in owner)) {
-      Object.defineProperty(owner, name2, { value, configurable: true, writable: true });
+  function add(owner, name, value) {
+    if (!(name in owner)) {
+      Object.defineProperty(owner, name, { value, configurable: true, writable: true });
     }
   }
   function findLastIndex(fits2) {
@@ -16,18 +16,18 @@
   function at(index) {
     return this[index < 0 ? this.length + index : index];
   }
-  for (const kind of [Array, Float64Array, Uint8Array]) {
-    add(kind.prototype, "findLast", findLast);
-    add(kind.prototype, "findLastIndex", findLastIndex);
-    add(kind.prototype, "at", at);
+  for (const kind2 of [Array, Float64Array, Uint8Array]) {
+    add(kind2.prototype, "findLast", findLast);
+    add(kind2.prototype, "findLastIndex", findLastIndex);
+    add(kind2.prototype, "at", at);
   }
   add(String.prototype, "at", at);
   add(
     Object,
     "hasOwn",
-    (owner, name2) => (
+    (owner, name) => (
       // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
-      Object.prototype.hasOwnProperty.call(owner, name2)
+      Object.prototype.hasOwnProperty.call(owner, name)
     )
   );
   add(
@@ -127,7 +127,7 @@
     }
   };
   var STEPLESS = ["exact", "exact-run", "certified"];
-  var stepping = () => Object.keys(METHODS).filter((name2) => !STEPLESS.includes(name2));
+  var stepping = () => Object.keys(METHODS).filter((name) => !STEPLESS.includes(name));
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
@@ -139,14 +139,14 @@
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
   }
   function told({ v: v2, energy, evaluations }) {
-    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
+    const speeds = Object.entries(v2.stepped).map(([name, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
       return (
         /** @type {[string, string, string]} */
         [
-          `velocity of ${name2} at the end`,
+          `velocity of ${name} at the end`,
           got,
-          `${plain(Number(v2.exact[name2]), 4)} m/s`
+          `${plain(Number(v2.exact[name]), 4)} m/s`
         ]
       );
     });
@@ -221,9 +221,9 @@
     let now = t3;
     let left = seconds;
     while (left > 0 && now < until) {
-      const inside = slowAt(parts2, now);
-      const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge3 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
+      const inside2 = slowAt(parts2, now);
+      const rate = inside2 ? Math.min(speed, inside2.rate) : speed;
+      const edge3 = inside2 ? inside2.to : parts2.find((part) => part.from > now)?.from ?? until;
       const next = Math.min(edge3, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
@@ -352,7 +352,7 @@
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
     const made3 = document.createElementNS(SVG, tag);
-    for (const [name2, value] of Object.entries(attributes)) made3.setAttribute(name2, String(value));
+    for (const [name, value] of Object.entries(attributes)) made3.setAttribute(name, String(value));
     return made3;
   }
   function html(tag, className = "", text = "") {
@@ -361,8 +361,8 @@
     if (text) made3.textContent = text;
     return made3;
   }
-  function put(element, name2, value) {
-    if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
+  function put(element, name, value) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   }
   function fit(group2, count2, make) {
     while (group2.children.length > count2) group2.lastElementChild?.remove();
@@ -417,14 +417,14 @@
   }
   function told2(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
-    const values = Object.entries(sentence.values).map(([name2, value]) => [name2, told2(value)]);
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told2(value)]);
     const { code, one } = sentence;
     const n3 = Number(String(sentence.values.n).replace(/,/g, ""));
     const template = one ? form(one, code, n3) : catalogue[code] ?? code;
     return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // src/shared/waiting.js
@@ -432,9 +432,9 @@
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
   var MEASURES = 200;
-  function waited(name2, at3) {
-    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at3, end: performance.now() });
+  function waited(name, at3) {
+    if (performance.getEntriesByName(name).length >= MEASURES) performance.clearMeasures(name);
+    performance.measure(name, { start: at3, end: performance.now() });
   }
   async function drawn(scene, at3, detail) {
     await frame();
@@ -611,7 +611,7 @@
     #draw(values) {
       const [map, method] = [this.#map, this.#part("method").value];
       const kinds = squares(this.breaks, map, method).map(
-        ([kind, d2]) => svg("path", { class: `carts-breaks-${kind}`, d: d2 })
+        ([kind2, d2]) => svg("path", { class: `carts-breaks-${kind2}`, d: d2 })
       );
       need(this.root, ".carts-breaks-squares").replaceChildren(...kinds);
       const [contact, limit] = theory(this.breaks, map, method);
@@ -637,12 +637,12 @@
     #tell() {
       const { point, method, parts: parts2, scene } = this.#chosen;
       const mark2 = need(this.root, ".carts-breaks-ring");
-      for (const [name2, value] of Object.entries(ring(this.breaks, point))) put(mark2, name2, value);
+      for (const [name, value] of Object.entries(ring(this.breaks, point))) put(mark2, name, value);
       put(mark2, "visibility", "visible");
       say(need(this.root, ".carts-breaks-found"), found(this.breaks, this.#map, method, point));
-      const line2 = need(this.root, ".carts-breaks-command");
-      line2.hidden = false;
-      say(line2, command(scene, method, parts2));
+      const line3 = need(this.root, ".carts-breaks-command");
+      line3.hidden = false;
+      say(line3, command(scene, method, parts2));
     }
   };
 
@@ -683,10 +683,10 @@
     show(rows) {
       for (const group2 of this.root.querySelectorAll("[data-method]")) {
         const method = group2.getAttribute("data-method") ?? "";
-        const { line: line2, points } = lineOf(rows, method, this.floor);
+        const { line: line3, points } = lineOf(rows, method, this.floor);
         const d2 = METHODS[method]?.mark ?? "";
         group2.replaceChildren(
-          svg("path", { class: "carts-cost-line", d: line2 }),
+          svg("path", { class: "carts-cost-line", d: line3 }),
           ...points.map(
             ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: d2 })
           )
@@ -718,7 +718,7 @@
   }
   function verdict(rows, { error, bet, times: times2 }) {
     const best = cheapest(rows, null, error);
-    const label = (name2) => METHODS[name2]?.label ?? name2;
+    const label = (name) => METHODS[name]?.label ?? name;
     const asLong = (ratio) => `${short(ratio, 2)} times as long`;
     if (!best) return `No method that steps was measured to be right to ${errorText(error)}.`;
     const first = `For ${errorText(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
@@ -877,7 +877,7 @@
       this.scale = (WIDTH - 2 * SIDE) / (right - left);
       this.left = left;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
-      const shape = (k, name2) => {
+      const shape = (k, name) => {
         const { mass, length } = (
           /** @type {CostHeader["bodies"][0]} */
           bodies[k]
@@ -890,13 +890,13 @@
           width: px(width),
           height: px(height)
         };
-        return svg("rect", { class: name2, rx: 3, ...box2 });
+        return svg("rect", { class: name, rx: 3, ...box2 });
       };
       const group2 = (k) => {
         const made3 = svg("g", { class: `carts-b${k % 8}` });
-        const name2 = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
-        name2.textContent = bodies[k]?.name ?? "";
-        made3.append(shape(k, "carts-box"), name2);
+        const name = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
+        name.textContent = bodies[k]?.name ?? "";
+        made3.append(shape(k, "carts-box"), name);
         return made3;
       };
       this.carts = bodies.map((_2, k) => group2(k));
@@ -979,11 +979,11 @@
   // src/cost/table.js
   function fill(table, lines4) {
     const body2 = lines4.map(([head = "", ...values]) => {
-      const line2 = html("tr");
+      const line3 = html("tr");
       const first = html("th", "", head);
       first.setAttribute("scope", "row");
-      line2.append(first, ...values.map((value) => html("td", "", value)));
-      return line2;
+      line3.append(first, ...values.map((value) => html("td", "", value)));
+      return line3;
     });
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
@@ -1231,21 +1231,21 @@
   var COPIED = "Copied";
   var KEPT = "What was prepared stays as it is.";
   function measure(what) {
-    const { kind, name: name2 } = parts(what);
-    if (kind === "v" || kind === "x") {
-      const [last, first] = name2.split("-");
-      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name2}`;
+    const { kind: kind2, name } = parts(what);
+    if (kind2 === "v" || kind2 === "x") {
+      const [last, first] = name.split("-");
+      return first ? `${kind2} of ${last} − ${kind2} of ${first}` : `${kind2} of ${name}`;
     }
-    return NAMES[kind] ?? (kind === "work" ? `work of ${name2}` : kind);
+    return NAMES[kind2] ?? (kind2 === "work" ? `work of ${name}` : kind2);
   }
   function parts(what) {
-    const [kind = "", ...rest] = what.split(".");
-    return { kind, name: rest.join(".") };
+    const [kind2 = "", ...rest] = what.split(".");
+    return { kind: kind2, name: rest.join(".") };
   }
   function amount(what, value, figures2) {
-    const { kind } = parts(what);
-    if (kind === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS2[kind] ?? " J");
+    const { kind: kind2 } = parts(what);
+    if (kind2 === "count") return String(Math.round(value));
+    return short(value, figures2) + (UNITS2[kind2] ?? " J");
   }
   function cameOut(wanted, got, figures2) {
     let worst = "";
@@ -1306,7 +1306,7 @@
         all.sort(([, a2], [, b2]) => a2.packages.length - b2.packages.length);
         let [good, seconds] = [0, 0];
         try {
-          for (const [k, [name2, one]] of all.entries()) {
+          for (const [k, [name, one]] of all.entries()) {
             if (one.packages.length) {
               this.#say(LOADING);
               await client2.need(one.packages);
@@ -1321,8 +1321,8 @@
               /** @type {any} */
               header
             );
-            this.answers[name2] = answer;
-            this.#show(name2, one, answer);
+            this.answers[name] = answer;
+            this.#show(name, one, answer);
             seconds += answer.exact.seconds;
             good += isGood(one, answer.exact.got) ? 1 : 0;
             const bar2 = (
@@ -1343,8 +1343,8 @@
           if (this.#turn === turn) this.#turn = 0;
         }
       }
-      #show(name2, one, answer) {
-        const row = need(this, `[data-case="${name2}"]`);
+      #show(name, one, answer) {
+        const row = need(this, `[data-case="${name}"]`);
         say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
         for (const [k, cell3] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
           const stepped = answer.stepped[k];
@@ -1467,16 +1467,34 @@
   }
 
   // ../view/bodies.js
-  function isWall(name2) {
-    return name2 === "left" || name2 === "right";
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
+  function isWall(name) {
+    return name === "left" || name === "right";
   }
-  function body(name2) {
-    if (name2 === "left") return tr("the left wall");
-    return name2 === "right" ? tr("the right wall") : name2;
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
   }
-  function brief(name2) {
-    if (name2 === "left") return tr("left wall");
-    return name2 === "right" ? tr("right wall") : name2;
+  function body(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "body");
+    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+  }
+  function brief(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "brief");
+    return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+  }
+  function kind(name, track) {
+    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
   }
   function forceOn(on, by) {
     return tr("force on {on} by {by}", { on, by });
@@ -1486,6 +1504,9 @@
     if (second === void 0) return first;
     const rest = names.slice(0, -1).join(", ");
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+  function bodiesOf(names, track) {
+    return listed(names.map((name) => body(name, track)));
   }
 
   // ../effects/drag/view.js
@@ -1528,17 +1549,17 @@
     },
     pieces: rough
   };
-  function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
+  function rough({ carts }, { key, header: { bodies, track }, layout, face: face2, centre }) {
     const piece = { cls: "carts-rough", behind: true };
     if (carts.length < bodies.length) {
-      return carts.map((name2) => {
-        const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
-        const d3 = teeth(centre(name2) - length / 2, length, layout.track);
-        return { ...piece, key: `${key} ${name2}`, d: d3 };
+      return carts.map((name) => {
+        const length = (bodies.find((body2) => body2.name === name)?.length ?? 0) * layout.scale;
+        const d3 = teeth(centre(name) - length / 2, length, layout.track);
+        return { ...piece, key: `${key} ${name}`, d: d3 };
       });
     }
-    const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const start = track.left === "wall" ? face2("left", "right") : -layout.width;
+    const end2 = track.right === "wall" ? face2("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
     const d2 = teeth(first, Math.min(end2, layout.width) - first, layout.track);
@@ -1611,17 +1632,17 @@
     apart: true,
     stored: tr("between the magnets"),
     phrase: (_2, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
-    pieces({ between: between2 }, { key, layout, face }) {
+    pieces({ between: between2 }, { key, layout, face: face2 }) {
       const [a2, b2] = between2 ?? ["", ""];
       return [
-        ...poles(`${key} ${a2}`, face(a2, "right"), -1, layout),
-        ...poles(`${key} ${b2}`, face(b2, "left"), 1, layout)
+        ...poles(`${key} ${a2}`, face2(a2, "right"), -1, layout),
+        ...poles(`${key} ${b2}`, face2(b2, "left"), 1, layout)
       ];
     }
   };
-  function poles(key, x2, way, { kind, track }) {
+  function poles(key, x2, way, { kind: kind2, track }) {
     const top = track - 40;
-    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+    return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x2 + way * k * POLE;
       const d2 = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
@@ -1758,11 +1779,11 @@
     const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
     columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
-      const name2 = String(quantity);
-      if (!key.length) parts2[name2] = column;
+      const name = String(quantity);
+      if (!key.length) parts2[name] = column;
       else {
-        parts2[name2] ??= {};
-        parts2[name2][key.join(" ")] = column;
+        parts2[name] ??= {};
+        parts2[name][key.join(" ")] = column;
       }
     });
     return parts2;
@@ -1835,16 +1856,16 @@
     ],
     pieces(effect, { key, header, run, t: t3, layout, centre }) {
       const { carts, numbers } = effect;
-      const name2 = String(carts[0]);
+      const name = String(carts[0]);
       const y2 = layout.track;
       const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
-      const body2 = header.bodies.find((one) => one.name === name2);
-      const side = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      const body2 = header.bodies.find((one) => one.name === name);
+      const side = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
       if (isHand(effect)) {
         const past = t3 - end(effect);
         if (past >= 0 && goesOn(effect, header)) return [];
         const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
-        const left = past < 0 ? side : side - (place(run, name2, t3) - place(run, name2, end(effect))) * layout.scale;
+        const left = past < 0 ? side : side - (place(run, name, t3) - place(run, name, end(effect))) * layout.scale;
         return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y2 - MIDDLE, way) }];
       }
       const x2 = side - 3 * way;
@@ -1868,8 +1889,8 @@
     const on = (one) => one.active && one.kind === effect.kind && one.carts[0] === effect.carts[0] && isHand(one);
     return effects.some((one) => on(one) && one !== effect && (one.numbers.from ?? 0) >= end(effect));
   }
-  function place({ trajectory: { t: times2, x: x2, v: v2 } }, name2, t3) {
-    return valueAt(times2, x2[name2] ?? [], v2[name2] ?? [], t3);
+  function place({ trajectory: { t: times2, x: x2, v: v2 } }, name, t3) {
+    return valueAt(times2, x2[name] ?? [], v2[name] ?? [], t3);
   }
   function hand(x2, y2, way) {
     let across2 = true;
@@ -1916,11 +1937,11 @@
       stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at3) })
     ],
-    pieces(effect, { key, run, t: t3, layout, face }) {
+    pieces(effect, { key, run, t: t3, layout, face: face2 }) {
       const [a2, b2] = effect.between ?? ["", ""];
       const [begun2, ended2] = pushes(effect, run);
       const low = layout.track - ABOVE2;
-      const ends = [face(a2, "right"), face(b2, "left")].map(Number);
+      const ends = [face2(a2, "right"), face2(b2, "left")].map(Number);
       if (t3 > ended2) {
         const there = edge(run, a2, ended2) - edge(run, a2, t3);
         const start2 = Number(ends[0]) + there * layout.scale - HALF;
@@ -1941,14 +1962,14 @@
   function pushes({ between: between2, numbers: { at: at3 = 0 } }, { header, trajectory }) {
     const pair = between2?.join("-");
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
-    const begun2 = mine.find(({ kind, t: t3 }) => kind === "release" && t3 === at3);
+    const begun2 = mine.find(({ kind: kind2, t: t3 }) => kind2 === "release" && t3 === at3);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended2 = mine.find(({ kind, t: t3 }) => kind === "separate" && t3 > begun2.t);
+    const ended2 = mine.find(({ kind: kind2, t: t3 }) => kind2 === "separate" && t3 > begun2.t);
     return [begun2.t, ended2?.t ?? Infinity];
   }
-  function edge({ header, trajectory }, name2, t3, way = 1) {
-    const half = (header.bodies.find((body2) => body2.name === name2)?.length ?? 0) / 2;
-    return valueAt(trajectory.t, trajectory.x[name2] ?? [], trajectory.v[name2] ?? [], t3) + way * half;
+  function edge({ header, trajectory }, name, t3, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t3) + way * half;
   }
 
   // ../effects/spring/view.js
@@ -1965,9 +1986,9 @@
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
     },
-    pieces({ numbers, between: between2 }, { key, layout, face }) {
+    pieces({ numbers, between: between2 }, { key, layout, face: face2 }) {
       const [a2, b2] = between2 ?? ["", ""];
-      const [start, end2] = [face(a2, "right"), face(b2, "left")];
+      const [start, end2] = [face2(a2, "right"), face2(b2, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
       const middle = (start + end2) / 2;
       const low = a2 === "left" ? start : b2 === "right" ? end2 - length : middle - length / 2;
@@ -1993,13 +2014,13 @@
 
   // ../view/effects.js
   var LAST = 100;
-  function viewOf(kind) {
-    return { name: kind, row: LAST, ...VIEWS[kind] };
+  function viewOf(kind2) {
+    return { name: kind2, row: LAST, ...VIEWS[kind2] };
   }
-  function nameOf({ kind, called }) {
-    const name2 = VIEWS[kind]?.name ?? (called && told2(called));
-    if (!name2) throw new Error(`nobody describes an effect of the kind “${kind}”`);
-    return name2;
+  function nameOf({ kind: kind2, called }) {
+    const name = VIEWS[kind2]?.name ?? (called && told2(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind2}”`);
+    return name;
   }
   function agent(effect) {
     const named2 = effect.by || effect.agent;
@@ -2009,7 +2030,7 @@
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
   }
   function kindsOnOne({ effects }) {
-    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
+    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind: kind2 }) => kind2));
     return [...kinds].sort((a2, b2) => viewOf(a2).row - viewOf(b2).row || (a2 < b2 ? -1 : 1));
   }
   function isLink(effect) {
@@ -2018,7 +2039,7 @@
   }
   function pairsApart({ effects }) {
     return effects.flatMap(
-      ({ kind, active, between: between2 }) => active && between2 && viewOf(kind).apart ? [between2] : []
+      ({ kind: kind2, active, between: between2 }) => active && between2 && viewOf(kind2).apart ? [between2] : []
     );
   }
   function linkOf({ effects }, pair) {
@@ -2030,7 +2051,7 @@
   function effectOf(target, { effects }) {
     const owner = target.slice(0, target.lastIndexOf("."));
     return effects.find(
-      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
+      ({ kind: kind2, index }) => [kind2, `effects.${index}`, `effects.${index}.${kind2}`].includes(owner)
     );
   }
 
@@ -2084,8 +2105,8 @@
   }
   function effectPath({ effects }, keys) {
     if (!Array.isArray(effects)) return null;
-    const kind = keys[0] === "effects" ? "" : String(keys[0]);
-    const index = kind ? effects.findIndex((entry3) => kind in entry3) : Number(keys[1]);
+    const kind2 = keys[0] === "effects" ? "" : String(keys[0]);
+    const index = kind2 ? effects.findIndex((entry3) => kind2 in entry3) : Number(keys[1]);
     const entry2 = effects[index];
     return entry2 && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry2)[0]), String(keys.at(-1))] : null;
   }
@@ -2231,7 +2252,7 @@
   }
   function valueIn(header, target) {
     const [owner, key] = target.split(".");
-    const body2 = header.bodies.find(({ name: name2 }) => name2 === owner);
+    const body2 = header.bodies.find(({ name }) => name === owner);
     if (body2) return Number(
       /** @type {any} */
       body2[String(key)]
@@ -2408,13 +2429,13 @@
     if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
     return a2 * (1 - part) + b2 * part;
   }
-  function between(values, lines4, count2, factor, next, line2) {
+  function between(values, lines4, count2, factor, next, line3) {
     const fine = (count2 - 1) * factor + 1;
     const found3 = new Float64Array(lines4 * fine);
     for (let i2 = 0; i2 < lines4; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at3 = i2 * line2 + left * next;
+        const at3 = i2 * line3 + left * next;
         const part = (k - left * factor) / factor;
         found3[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
       }
@@ -2438,15 +2459,15 @@
   }
   function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
-    const line2 = 2 * count2 + 1;
+    const line3 = 2 * count2 + 1;
     const compare = (at3, other) => {
       const own = Number(bands[at3]);
       const next = Number(bands[other]);
       if (next === own || own === count2) return;
       if (next !== count2 && own >= zero !== next >= zero) {
-        places[at3] = line2;
-        places[other] = line2;
-      } else if (places[at3] !== line2) places[at3] = count2 + 1 + own;
+        places[at3] = line3;
+        places[other] = line3;
+      } else if (places[at3] !== line3) places[at3] = count2 + 1 + own;
     };
     for (let at3 = 0; at3 < bands.length; at3 += 1) {
       if ((at3 + 1) % width) compare(at3, at3 + 1);
@@ -2629,12 +2650,12 @@
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
-    const body2 = lines4.map(([name2 = "", ...cells2]) => {
-      const line2 = html("tr");
-      const first = html("th", "", name2);
+    const body2 = lines4.map(([name = "", ...cells2]) => {
+      const line3 = html("tr");
+      const first = html("th", "", name);
       first.setAttribute("scope", "row");
-      line2.append(first, ...cells2.map((cell3) => html("td", "", cell3)));
-      return line2;
+      line3.append(first, ...cells2.map((cell3) => html("td", "", cell3)));
+      return line3;
     });
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
@@ -2856,7 +2877,7 @@
       if (this.state === "idle") void this.#boot();
     }
     need(names) {
-      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
+      if (names.every((name) => this.#asked.includes(name))) return this.#growing;
       const before = this.#asked;
       this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
       const needed = this.#growing.catch(() => {
@@ -3064,7 +3085,7 @@
   // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name2) {
+  function runScript(src, name) {
     return new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.src = src;
@@ -3075,8 +3096,8 @@
       };
       script.onload = settle(resolve);
       script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name2).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name2));
+        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name));
       });
       document.head.append(script);
     });
@@ -3093,11 +3114,11 @@
   function loadIndex(base) {
     const known2 = indexes.get(base);
     if (known2) return known2;
-    const inside = Boolean(page.__cartsInside);
-    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
+    const inside2 = Boolean(page.__cartsInside);
+    const read = inside2 ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
     const loading = read.then(() => {
       const index = page.__cartsRuntime;
-      if (!inside) delete page.__cartsRuntime;
+      if (!inside2) delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
       if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
@@ -3106,25 +3127,25 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name2, number, part) {
-    const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part.src, base).href, name2);
-    const key = `${name2}.${number}`;
+  async function loadPart(base, name, number, part) {
+    const inside2 = Boolean(page.__cartsInside);
+    if (!inside2) await runScript(new URL(part.src, base).href, name);
+    const key = `${name}.${number}`;
     const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
-    if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part.src, name2);
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
+    if (!inside2) delete page.__cartsParts[key];
+    const bytes = decode(text, part.src, name);
     if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part.src, name2);
+      throw new RuntimeFailure("payload-damaged", part.src, name);
     }
     return bytes;
   }
-  function decode(text, src, name2) {
+  function decode(text, src, name) {
     try {
       const fast = Uint8Array;
       return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
     } catch {
-      throw new RuntimeFailure("payload-damaged", src, name2);
+      throw new RuntimeFailure("payload-damaged", src, name);
     }
   }
   async function matches(bytes, sha256) {
@@ -3167,11 +3188,11 @@
         reject(new RuntimeFailure("worker-refused", event.message));
       };
     }
-    async unpack(name2, parts2) {
-      const unpacked = new Promise((resolve) => this.waiting.set(name2, resolve));
+    async unpack(name, parts2) {
+      const unpacked = new Promise((resolve) => this.waiting.set(name, resolve));
       for (const [number, part] of parts2.entries()) {
         const bytes = await part;
-        this.worker.postMessage({ name: name2, bytes, last: number === parts2.length - 1 }, [bytes.buffer]);
+        this.worker.postMessage({ name, bytes, last: number === parts2.length - 1 }, [bytes.buffer]);
       }
       return unpacked;
     }
@@ -3236,7 +3257,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
     files() {
       const { index, packages: packages2, snapshot } = this;
@@ -3244,8 +3265,8 @@
       if (snapshot) names.push(SNAPSHOT);
       names.push(STDLIB);
       if (packages2.length && index.tableAt) names.push(MORE);
-      names.push(...this.toLoad().map((name2) => index.wheels[name2]));
-      if (names.every((name2) => name2 in index.files)) return names;
+      names.push(...this.toLoad().map((name) => index.wheels[name]));
+      if (names.every((name) => name in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages2.join());
     }
     toLoad() {
@@ -3275,12 +3296,12 @@
         this.unpacker?.stop();
       }
     }
-    load(name2, reject) {
-      return this.index.files[name2].parts.map(async (part, number) => {
+    load(name, reject) {
+      return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name2, number, part);
+          const bytes = await loadPart(this.folder, name, number, part);
           this.done += part.size;
-          this.progress(name2);
+          this.progress(name);
           return bytes;
         } catch (error) {
           reject(
@@ -3302,13 +3323,13 @@
       return 0.9 * this.done / this.total;
     }
     async boot(unpacker, reject) {
-      const load = (name2) => this.load(name2, reject);
+      const load = (name) => this.load(name, reject);
       const loading = load(LOADER);
       await Promise.all(loading);
       const compiling = this.module(this.names.includes(WASM) ? load(WASM) : []);
       compiling.catch((error) => reject(compileFailure(error)));
-      const rest = this.names.filter((name2) => name2 !== LOADER && name2 !== WASM);
-      const files = rest.map((name2) => ({ name: name2, unpacked: unpacker.unpack(name2, load(name2)) }));
+      const rest = this.names.filter((name) => name !== LOADER && name !== WASM);
+      const files = rest.map((name) => ({ name, unpacked: unpacker.unpack(name, load(name)) }));
       const loader = await gunzip(await Promise.all(loading));
       if (this.over) return null;
       const { worker, address } = workerOf([loader, worker_default]);
@@ -3337,8 +3358,8 @@
         load: this.toLoad(),
         modules: packages2.length ? [...packages2, ...index.later] : []
       });
-      for (const { name: name2, unpacked } of files) {
-        unpacked.then((bytes) => worker.postMessage({ do: "file", name: name2, bytes }, [bytes]));
+      for (const { name, unpacked } of files) {
+        unpacked.then((bytes) => worker.postMessage({ do: "file", name, bytes }, [bytes]));
       }
       worker.postMessage({ do: "wasm", module: await compiling });
       this.progress(WASM);
@@ -3376,7 +3397,7 @@
   }
   var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
   var order = (packages2) => [
-    ...new Set(packages2.flatMap((name2) => name2 === "scipy" ? ["numpy", "scipy"] : [name2]))
+    ...new Set(packages2.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
     constructor({ worker, start }) {
@@ -3505,7 +3526,7 @@
     return found3.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
   }
   function begunWith(before, one) {
-    return Object.entries(one?.before ?? {}).every(([name2, v2]) => before[name2] === v2);
+    return Object.entries(one?.before ?? {}).every(([name, v2]) => before[name] === v2);
   }
   var ROUNDED = 1 + 1e-9;
   var FELT = 0.1;
@@ -3572,19 +3593,19 @@
     return laws;
   }
   function bareOf({ bodies, contacts }) {
-    const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name: name2 }) => name2);
-    const bare = contacts.filter((contact) => !contact.bodies.some((name2) => sprung.includes(name2)));
+    const sprung = bodies.filter((one) => one.bumper_length > 0).map(({ name }) => name);
+    const bare = contacts.filter((contact) => !contact.bodies.some((name) => sprung.includes(name)));
     return new Set(bare.map(({ pair }) => pair));
   }
   function isRest(velocity3, scale) {
     return Math.abs(velocity3) < NOISE * scale;
   }
-  function eventSentence(event, telling2, laws, bare) {
+  function eventSentence(event, telling2, laws, bare, track) {
     const { decimals, scale, camera, forces: forces2 } = telling2;
     const names = event.bodies;
-    const pair = capital(listed(names.map(body)));
+    const pair = capital(bodiesOf(names, track));
     const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const speeds = names.filter((name) => !isWall(name) && name in (event.after ?? {})).map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after = speeds.length ? `${speeds.join(". ")}.` : "";
     const size = `${figures(impulse)} N s`;
     const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
@@ -3599,7 +3620,10 @@
           return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
+        return tr("{mover} touches {other}.", {
+          mover: String(mover),
+          other: body(String(other), track)
+        });
       }
       case "peak":
         if (laws[names.join("-")] === APART) {
@@ -3613,7 +3637,7 @@
         return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
         if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
-        const ended2 = { pair: listed(names.map(body)) };
+        const ended2 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
@@ -3642,7 +3666,7 @@
     }
   }
   function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    const [left, right] = bodies.map((name) => isWall(name) ? 0 : Number(after[name]));
     return isRest(Number(left) - Number(right), scale);
   }
   function hitAndGoOn(event, telling2, pair) {
@@ -3657,14 +3681,14 @@
     });
   }
   function together({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const cart = bodies.find((name) => !isWall(name)) ?? "";
     const seen = Number(after[cart]) - camera;
     return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
   }
-  function exitSentence({ name: name2, side, velocity: velocity3 }, decimals, scale) {
+  function exitSentence({ name, side, velocity: velocity3 }, decimals, scale) {
     const [per, unit] = speedUnit(scale);
     const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name, speed });
   }
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
@@ -3672,8 +3696,8 @@
     if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
-  function lower(name2) {
-    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
+  function lower(name) {
+    return name.slice(0, 1).toLowerCase() + name.slice(1);
   }
   function capital(text) {
     return text.slice(0, 1).toUpperCase() + text.slice(1);
@@ -3737,9 +3761,9 @@
   function withEarlier(entry2, ...lists) {
     const found3 = /* @__PURE__ */ new Map();
     for (const one of lists.flatMap((list) => list ?? [])) {
-      const name2 = JSON.stringify([one.hash, one.value]);
-      const before = found3.get(name2);
-      found3.set(name2, before ? together2(before, one) : one);
+      const name = JSON.stringify([one.hash, one.value]);
+      const before = found3.get(name);
+      found3.set(name, before ? together2(before, one) : one);
     }
     const all = [...found3.values()];
     all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
@@ -3779,9 +3803,9 @@
   var STORE = "answers";
   var PATIENCE3 = 2e4;
   var SETTLE_AFTER = 400;
-  function open(name2) {
+  function open(name) {
     return new Promise((resolve, reject) => {
-      const request = indexedDB.open(name2, 1);
+      const request = indexedDB.open(name, 1);
       request.onupgradeneeded = () => request.result.createObjectStore(STORE);
       request.onsuccess = () => {
         request.result.onversionchange = () => request.result.close();
@@ -3792,19 +3816,19 @@
       setTimeout(() => reject(new Error("no answer")), PATIENCE3);
     });
   }
-  async function reopening(name2) {
-    let base = await open(name2);
+  async function reopening(name) {
+    let base = await open(name);
     return async (mode, durability = "relaxed") => {
       try {
         return base.transaction(STORE, mode, { durability });
       } catch {
-        base = await open(name2);
+        base = await open(name);
         return base.transaction(STORE, mode, { durability });
       }
     };
   }
-  async function indexed(name2) {
-    const begin = await reopening(name2);
+  async function indexed(name) {
+    const begin = await reopening(name);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -3864,9 +3888,9 @@
       /** @type {any} */
       globalThis
     );
-    const name2 = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
-    page2[name2] ??= /* @__PURE__ */ new Map();
-    return page2[name2];
+    const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
+    page2[name] ??= /* @__PURE__ */ new Map();
+    return page2[name];
   }
   function sheltered(store, site) {
     const refused = shelter(site);
@@ -3941,7 +3965,7 @@
       get: async (key) => get(key),
       put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
       remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
     };
   }
 
@@ -3984,7 +4008,7 @@
   }
   function place2() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
-    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
+    const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
     const path3 = location.pathname.split("/").slice(-2).join("/");
     return {
       site: cartsSite ?? meta("carts-site") ?? "site",
@@ -4054,10 +4078,10 @@
       this.#run = run;
       this.#means = meanForces(run);
       const names = this.#means.map(
-        ({ cart, other }) => tr("{cart}, while it touches {other}", { cart, other: body(other) })
+        ({ cart, other }) => tr("{cart}, while it touches {other}", { cart, other: body(other, run.header.track) })
       );
       const same = [...this.which.options].map((one) => one.text).join() === names.join();
-      if (!same) this.which.replaceChildren(...names.map((name2) => new Option(name2)));
+      if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
       for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
       if (names.length && this.#found.size) return this.#tell();
       say(
@@ -4099,7 +4123,7 @@
       if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
       const said = tr("mean force on {cart} by {other}: {force} N", {
         cart: mean.cart,
-        other: body(mean.other),
+        other: body(mean.other, this.#run.header.track),
         force: short(mean.value)
       });
       this.#found.set(JSON.stringify([mean.cart, mean.other]), said);
@@ -4202,8 +4226,8 @@
   function meanForces(run) {
     const found3 = [];
     for (const touch of ended(run)) {
-      for (const cart of touch.bodies.filter((name2) => !isWall(name2))) {
-        const other = String(touch.bodies.find((name2) => name2 !== cart));
+      for (const cart of touch.bodies.filter((name) => !isWall(name))) {
+        const other = String(touch.bodies.find((name) => name !== cart));
         if (found3.some((one) => one.cart === cart && one.other === other)) continue;
         const change2 = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
         const value = massOf(run, cart) * change2 / (touch.end - touch.start);
@@ -4219,11 +4243,11 @@
     const found3 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
     return found3 ?? { start: 0, end: 0 };
   }
-  function massOf({ header }, name2) {
-    return header.bodies.find((one) => one.name === name2)?.mass ?? 0;
+  function massOf({ header }, name) {
+    return header.bodies.find((one) => one.name === name)?.mass ?? 0;
   }
-  function velocity({ trajectory }, name2, t3) {
-    return valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3);
+  function velocity({ trajectory }, name, t3) {
+    return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t3);
   }
 
   // src/scene/baked.js
@@ -4269,38 +4293,38 @@
   var FEW = 3;
   function forcesAt({ header, trajectory }, t3, always = false) {
     const found3 = [];
-    for (const kind of kindsOnOne(header)) {
+    for (const kind2 of kindsOnOne(header)) {
       const acting = header.effects.filter(
-        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
+        (effect) => effect.kind === kind2 && (always ? effect.active : actsAt(effect, t3))
       );
-      for (const { name: name2 } of header.bodies) {
-        const own = acting.filter((effect) => effect.carts.includes(name2));
-        const column = trajectory.E[`${kind} ${name2}`];
+      for (const { name } of header.bodies) {
+        const own = acting.filter((effect) => effect.carts.includes(name));
+        const column = trajectory.E[`${kind2} ${name}`];
         if (!own.length || !column?.length) continue;
         const peak = greatest(column);
         const on = own.some((effect) => actsAt(effect, t3));
         const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found3.push({ kind, on: name2, by: listed([...new Set(own.map(agent))]), value, size });
+        found3.push({ kind: kind2, on: name, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
     return found3;
   }
-  function partsOf(header, run, name2) {
-    return kindsOnOne(header).flatMap((kind) => {
+  function partsOf(header, run, name) {
+    return kindsOnOne(header).flatMap((kind2) => {
       const own = header.effects.filter(
-        (effect) => effect.kind === kind && effect.active && effect.carts.includes(name2)
+        (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(name)
       );
-      const column = run.E[`${kind} ${name2}`];
+      const column = run.E[`${kind2} ${name}`];
       return own.length && column?.length ? [{ by: listed([...new Set(own.map(agent))]), column }] : [];
     });
   }
-  function labels({ kind, on, by, size }) {
+  function labels({ kind: kind2, on, by, size }) {
     const told3 = { on, by, size };
     const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
+      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -4308,15 +4332,19 @@
   }
   function outside(header) {
     const { effects, track } = header;
-    const walls = track.left === "wall" || track.right === "wall";
+    const sides = (
+      /** @type {const} */
+      ["left", "right"]
+    );
+    const walls = sides.filter((side) => track[side] === "wall").map((side) => kind(side, track));
     const kinds = kindsOnOne(header).map(viewOf);
     const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
     const others = effects.map((effect) => {
       const { around } = viewOf(effect.kind);
       return typeof around === "function" ? around(effect, agent(effect)) : "";
     });
-    const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
-    const parts2 = [walls ? tr("wall") : "", ...media, ...others, earth];
+    const earth = walls.length || kinds.some((view) => view.earth) ? tr("Earth") : "";
+    const parts2 = [...walls, ...media, ...others, earth];
     return [...new Set(parts2.filter(Boolean))].join(" + ");
   }
   var known = /* @__PURE__ */ new WeakMap();
@@ -4352,10 +4380,10 @@
     if (quantity === "R") return resultants(header, run);
     const times2 = Float64Array.from(run.t);
     const curves = header.bodies.map((body2, i2) => {
-      const { name: name2, mass } = body2;
-      const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
+      const { name, mass } = body2;
+      const [x2, v2, a2] = [run.x[name] ?? [], run.v[name] ?? [], run.a[name] ?? []];
       const seen = Float64Array.from(v2, (speed) => speed - camera);
-      const curve2 = { label: name2, style: styleOf(i2), over: false };
+      const curve2 = { label: name, style: styleOf(i2), over: false };
       switch (quantity) {
         case "x": {
           const values = Float64Array.from(x2, (place4, k) => place4 - camera * Number(times2[k]));
@@ -4384,17 +4412,17 @@
     return curves;
   }
   function resultants(header, run) {
-    return header.bodies.flatMap(({ name: name2, mass }, i2) => {
+    return header.bodies.flatMap(({ name, mass }, i2) => {
       const style = styleOf(i2);
-      const values = Float64Array.from(run.a[name2] ?? [], (rate) => mass * rate);
-      const parts2 = partsOf(header, run, name2).map(({ by, column }) => ({
-        label: tr("on {on} by {by}", { on: brief(name2), by }),
+      const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
+      const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
+        label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
         style,
         over: true,
         values: column,
         slopes: null
       }));
-      return [{ label: name2, style, over: false, values, slopes: null }, ...parts2];
+      return [{ label: name, style, over: false, values, slopes: null }, ...parts2];
     });
   }
   function partner(curves, label) {
@@ -4426,6 +4454,7 @@
   }
   function forces(header, run, signed) {
     const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
+    const label = (on, by) => tr("on {on} by {by}", { on: brief(on, header.track), by: brief(by, header.track) });
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
@@ -4439,14 +4468,14 @@
       }
       const [left, right] = contact.bodies;
       curves.push({
-        label: tr("on {on} by {by}", { on: brief(left), by: brief(right) }),
+        label: label(left, right),
         style: styles.get(left) ?? "wall",
         over: false,
         values: Float64Array.from(force2, (f2) => sign * f2),
         slopes: Float64Array.from(slope, (s3) => sign * s3)
       });
       curves.push({
-        label: tr("on {on} by {by}", { on: brief(right), by: brief(left) }),
+        label: label(right, left),
         style: styles.get(right) ?? "wall",
         over: true,
         values: force2,
@@ -4476,8 +4505,8 @@
   function ledgerWithEffects({ header, trajectory }, parts2) {
     const times2 = trajectory.t;
     const moving = seriesOf("energy", header, trajectory, 0).filter((c2) => c2.style !== "total");
-    const column = (name2) => {
-      const values = parts2.columns[parts2.names.indexOf(name2)] ?? new Float64Array(times2.length);
+    const column = (name) => {
+      const values = parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(times2.length);
       if (values.length === times2.length) return values;
       return Float64Array.from(times2, (t3) => valueAt(parts2.t, values, null, Number(t3)));
     };
@@ -4485,10 +4514,10 @@
       ...curve2,
       label: tr("motion of {cart}", { cart: curve2.label })
     }));
-    for (const name2 of parts2.names.filter((one) => one !== WARMED)) {
-      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name2, header), "stored"];
+    for (const name of parts2.names.filter((one) => one !== WARMED)) {
+      const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name, header), "stored"];
       if (!label) continue;
-      const values = column(name2);
+      const values = column(name);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
       const above = Float64Array.from(values, (value) => value - lowest);
       bands.push({ label, style, over: false, values: above, slopes: null });
@@ -4497,9 +4526,9 @@
     bands.push({ ...warm, label: warmed(header) });
     return bands;
   }
-  function stored(kind, { effects }) {
-    const { lasts, stored: where = "" } = viewOf(kind);
-    return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
+  function stored(kind2, { effects }) {
+    const { lasts, stored: where = "" } = viewOf(kind2);
+    return !lasts || effects.some((one) => one.kind === kind2 && lasts(one)) ? where : "";
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
@@ -4540,27 +4569,25 @@
   // src/predict/arrow-parts.js
   var ALIKE = 0.06;
   var LONG = 120;
-  function asked2(element, contacts) {
+  function asked2(element, { contacts, track }) {
     const { pair = "", on = "" } = element.dataset;
     const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
     const side = (
       /** @type {"left" | "right"} */
       bodies[0] === on ? "left" : "right"
     );
+    const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
     return {
       pair,
       on,
-      by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
+      name: forceOn(body(on, track), body(by, track)),
       side,
-      style: element.className.split(" ").find((name2) => /^carts-(b\d|wall)$/.test(name2)) ?? "",
+      style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
       slider: (
         /** @type {HTMLInputElement} */
         need(element, 'input[type="range"]')
       )
     };
-  }
-  function name({ on, by }) {
-    return forceOn(body(on), body(by));
   }
   function greatest2(run, pair) {
     const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
@@ -4592,14 +4619,14 @@
       this.full = baked.view.force || 10;
       this.decimals = baked.view.decimals.F ?? 2;
       this.draw = draw;
-      const contacts = baked.run.header.contacts;
+      const { header } = baked.run;
       const elements = (
         /** @type {NodeListOf<HTMLElement>} */
         root.querySelectorAll(".carts-guess")
       );
       this.#rows = [...elements].map((element) => {
         const row = {
-          ...asked2(element, contacts),
+          ...asked2(element, header),
           size: null,
           good: null,
           // the last size that was not taken back: half-typed numbers do not count
@@ -4623,7 +4650,7 @@
     }
     get said() {
       const rows = this.#rows.filter(({ size }) => size !== null);
-      return rows.map((row) => `${name(row)}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
+      return rows.map((row) => `${row.name}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
     }
     set value(value) {
       for (const saved of Array.isArray(value) ? value : []) {
@@ -4646,12 +4673,12 @@
       if (!missing.length) return null;
       const refused = missing.filter((row) => row.box.value.trim());
       if (refused.length) {
-        const names = refused.map(name).join(", ");
+        const names = refused.map(({ name }) => name).join(", ");
         const problem = tr("This number does not work yet: {names}.", { names });
         return `${problem} ${this.#range()}`;
       }
       return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
-        names: missing.map(name).join(", ")
+        names: missing.map(({ name }) => name).join(", ")
       });
     }
     compare(run) {
@@ -4664,7 +4691,7 @@
         const newtons = (size) => `${fixed(size, this.decimals)} N`;
         const spoken = rows.map(
           (row) => tr("{force}: you {yours}, the run {actual}.", {
-            force: name(row),
+            force: row.name,
             yours: newtons(row.size ?? 0),
             actual: newtons(actual)
           })
@@ -4673,7 +4700,7 @@
         grid.setAttribute("aria-label", spoken.join(" "));
         grid.append(
           html("span"),
-          ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row)))
+          ...rows.map((row) => html("b", `${row.style} ${row.side}`, row.name))
         );
         for (
           const [who, style] of
@@ -4784,7 +4811,7 @@
   var LITTLE = 0.05;
   var FEATURES = { F: force, v: velocity2, x: position };
   function features(quantity, mine, run) {
-    return FEATURES[quantity]().map(([name2, has]) => [name2, has(mine), has(run)]);
+    return FEATURES[quantity]().map(([name, has]) => [name, has(mine), has(run)]);
   }
   function force() {
     return [
@@ -4946,10 +4973,10 @@
         touch.end,
         (at3) => valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at3)
       );
-      const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
+      const other = touch.bodies.find((name) => name !== this.cart) ?? "";
       const title = tr(
         "Force on {cart} by {other}: dashed is yours, solid is the run. Only the shape counts.",
-        { cart: this.cart, other: body(other) }
+        { cart: this.cart, other: body(other, header.track) }
       );
       return { values, title };
     }
@@ -5040,13 +5067,13 @@
       this.full = baked.view.force || 10;
       this.draw = draw;
       this.relation = need(root, ".carts-relation");
-      const { contacts } = baked.run.header;
+      const { header } = baked.run;
       const elements = (
         /** @type {NodeListOf<HTMLElement>} */
         root.querySelectorAll(".carts-guess")
       );
       this.#rows = [...elements].map((element) => {
-        const row = { ...asked2(element, contacts), share: null };
+        const row = { ...asked2(element, header), share: null };
         row.slider.addEventListener("input", () => {
           row.share = row.slider.valueAsNumber;
           this.#show();
@@ -5078,7 +5105,7 @@
     }
     problem() {
       const missing = this.#rows.filter(({ share }) => share === null);
-      const names = missing.map(name).join(", ");
+      const names = missing.map(({ name }) => name).join(", ");
       const told3 = names === this.#told;
       this.#told = names;
       if (!names) return null;
@@ -5104,7 +5131,7 @@
         );
         grid.append(
           html("span"),
-          ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
+          ...rows.map((row) => html("b", `${row.style} ${row.side}`, row.name)),
           html("span", "", tr("you")),
           ...rows.map((row) => cell2(row, most ? (row.share ?? 0) / most : 0, "carts-guessed")),
           html("span", "", tr("the run")),
@@ -5143,8 +5170,8 @@
     if (!most) return tr("no force on either.");
     if (Math.abs(a2 - b2) <= ALIKE * most) return tr("both forces are equally large.");
     const [large, small] = a2 > b2 ? [one, other] : [other, one];
-    if (!Math.min(a2, b2)) return tr("only the {force}.", { force: name(large) });
-    return tr("the {large} is larger than the {small}.", { large: name(large), small: name(small) });
+    if (!Math.min(a2, b2)) return tr("only the {force}.", { force: large.name });
+    return tr("the {large} is larger than the {small}.", { large: large.name, small: small.name });
   }
   function cell2({ style, side }, part, look) {
     const made3 = html("span", `carts-compare-arrow ${style} ${side}`);
@@ -5209,13 +5236,13 @@
       const set = html("fieldset", "carts-once-more");
       set.append(html("legend", "", tr("You have seen it. The same question once more:")));
       for (const { value, text } of this.options) {
-        const line2 = html("label");
+        const line3 = html("label");
         const radio = document.createElement("input");
         Object.assign(radio, { type: "radio", name: this.name, value, checked: value === now });
         radio.autocomplete = "off";
         radio.addEventListener("change", () => choose(value));
-        line2.append(radio, ` ${text}`);
-        set.append(line2);
+        line3.append(radio, ` ${text}`);
+        set.append(line3);
       }
       return set;
     }
@@ -5464,10 +5491,10 @@
   };
 
   // src/shared/bring.js
-  function bring(name2, address) {
+  function bring(name, address) {
     const known2 = () => (
       /** @type {any} */
-      globalThis[name2] ?? null
+      globalThis[name] ?? null
     );
     if (known2()) return Promise.resolve(known2());
     return new Promise((resolve) => {
@@ -5539,7 +5566,7 @@
     return `${short(1e6 * seconds, 2)} µs`;
   }
   function formulasWords(solvers) {
-    const used = Object.entries(solvers).map(([name2, count2]) => `${USED[name2] ?? name2}: ${count2}`);
+    const used = Object.entries(solvers).map(([name, count2]) => `${USED[name] ?? name}: ${count2}`);
     return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
   }
   function costWords({ cost }) {
@@ -5624,8 +5651,8 @@
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
       this.method.append(option(EXACT3, EXACT2));
-      for (const [name2, label] of Object.entries(METHODS2)) {
-        if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
+      for (const [name, label] of Object.entries(METHODS2)) {
+        if (scipy || !ADAPTIVE2.includes(name)) this.method.append(option(name, label));
       }
       this.slider = document.createElement("input");
       this.slider.type = "range";
@@ -5682,9 +5709,9 @@
       this.#size();
       const lines4 = header.plan.map((phase) => {
         const [times2, how, why] = phaseWords(phase, decimals);
-        const line2 = html("li");
-        line2.append(html("b", "", times2), ` ${how}. `, html("span", "carts-quiet", why));
-        return line2;
+        const line3 = html("li");
+        line3.append(html("b", "", times2), ` ${how}. `, html("span", "carts-quiet", why));
+        return line3;
       });
       this.plan.replaceChildren(...lines4);
     }
@@ -5701,12 +5728,12 @@
     }
     #range() {
       const adaptive = ADAPTIVE2.includes(this.method.value);
-      const kind = adaptive ? TOLERANCE : STEP3;
-      if (this.kind.textContent !== kind) {
+      const kind2 = adaptive ? TOLERANCE : STEP3;
+      if (this.kind.textContent !== kind2) {
         this.slider.max = String((adaptive ? TOLERANCES : PARTS2).length - 1);
         this.slider.value = String(adaptive ? 1 : OPENS_AT);
       }
-      say(this.kind, kind);
+      say(this.kind, kind2);
       this.stepRow.hidden = this.method.value === EXACT3;
       this.#size();
     }
@@ -5965,7 +5992,7 @@
       return [...this.buttons].filter((button) => button.getAttribute("aria-pressed") === "true").map((button) => button.dataset.preset ?? "");
     }
     get left() {
-      return this.names.filter((name2) => !this.#seen.has(name2));
+      return this.names.filter((name) => !this.#seen.has(name));
     }
     #of(button) {
       return this.presets[button.dataset.preset ?? ""] ?? {};
@@ -5975,12 +6002,15 @@
         const values = Object.entries(this.#of(button));
         const numbers = this.numbers[button.dataset.preset ?? ""];
         const asked3 = values.every(([target, value]) => settings[target] === value);
-        const same = values.every(([target]) => valueIn(header, target) === numbers?.[target]);
+        const same = values.every(([target, value]) => {
+          const what = thingIn(header, target);
+          return what ? what === value : valueIn(header, target) === numbers?.[target];
+        });
         put(button, "aria-pressed", String(values.length > 0 && (asked3 || same)));
       }
     }
     seen(names) {
-      for (const name2 of names) this.#seen.add(name2);
+      for (const name of names) this.#seen.add(name);
       if (!this.line) return;
       for (const button of this.buttons) {
         button.toggleAttribute("data-seen", this.#seen.has(button.dataset.preset ?? ""));
@@ -5990,6 +6020,10 @@
       say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
     }
   };
+  function thingIn({ track }, target) {
+    const side = /^track\.(left|right)_is$/.exec(target)?.[1];
+    return side ? whatIs(side, track) : "";
+  }
 
   // src/shared/tab.js
   var TAB = () => sessionStorage;
@@ -6032,7 +6066,7 @@
       if (this.first) player.seen = 0;
       player.ended = () => this.finish(element.classList.contains(PROJECTED));
       const before = this.first ? remembered() : [];
-      presets.seen(presets.names.filter((name2) => !this.first || before.includes(this.#of(name2))));
+      presets.seen(presets.names.filter((name) => !this.first || before.includes(this.#of(name))));
       if (!this.asked && before.includes(this.#name)) this.#end();
     }
     finish(all = false) {
@@ -6042,7 +6076,7 @@
       this.player.seen = Infinity;
       if (!this.whole) {
         this.presets.seen(here);
-        remember(here.map((name2) => this.#of(name2)));
+        remember(here.map((name) => this.#of(name)));
         this.#offer(false);
       }
       const done = !this.whole && this.presets.left.length === 0;
@@ -6054,9 +6088,9 @@
         this.#lead();
       }
     }
-    preset(name2, draw) {
+    preset(name, draw) {
       const { player } = this;
-      const waits = this.first && this.presets.left.includes(name2);
+      const waits = this.first && this.presets.left.includes(name);
       const before = player.seen;
       player.pause();
       if (waits) player.seen = 0;
@@ -6176,7 +6210,7 @@
     scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
   }
   function count(scene, option2) {
-    const line2 = html("span", "carts-hands");
+    const line3 = html("span", "carts-hands");
     const box2 = document.createElement("input");
     box2.type = "number";
     box2.min = "0";
@@ -6188,8 +6222,8 @@
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
     const part = html("span");
-    line2.append(box2, bar2, part);
-    option2.after(line2);
+    line3.append(box2, bar2, part);
+    option2.after(line3);
     box2.addEventListener("input", () => {
       const boxes = (
         /** @type {NodeListOf<HTMLInputElement>} */
@@ -6222,14 +6256,14 @@
 
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
-  function download(name2, text, type) {
-    downloadBlob(name2, new Blob([text], { type }));
+  function download(name, text, type) {
+    downloadBlob(name, new Blob([text], { type }));
   }
-  function downloadBlob(name2, blob) {
+  function downloadBlob(name, blob) {
     const link = document.createElement("a");
     const address = URL.createObjectURL(blob);
     link.href = address;
-    link.download = name2;
+    link.download = name;
     document.body.append(link);
     link.click();
     link.remove();
@@ -6269,7 +6303,7 @@
     whole.append(sheet);
     let y2 = GAP;
     const write4 = (text, x2, at3, weight) => {
-      const line2 = svg("text", {
+      const line3 = svg("text", {
         x: x2,
         y: at3,
         fill: ink,
@@ -6277,8 +6311,8 @@
         "font-size": 13,
         "font-weight": weight
       });
-      line2.textContent = text;
-      whole.append(line2);
+      line3.textContent = text;
+      whole.append(line3);
     };
     write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y2 + 12, "700");
     y2 += LINE2 + 4;
@@ -6351,8 +6385,8 @@
   function place3(drawn2, x2, y2, width) {
     const [, , w2 = 1, h2 = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
     const height = width * h2 / w2;
-    for (const [name2, value] of Object.entries({ x: x2, y: y2, width, height })) {
-      drawn2.setAttribute(name2, String(value));
+    for (const [name, value] of Object.entries({ x: x2, y: y2, width, height })) {
+      drawn2.setAttribute(name, String(value));
     }
     return height;
   }
@@ -6380,12 +6414,12 @@
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
       for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
-        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
+        const name = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+        columns.push([`${title.toLowerCase()} ${name} in ${unit}`, values]);
       }
     }
     if (quantities.includes("F")) columns.push(...effectColumns(run));
-    const lines4 = [columns.map(([name2]) => quoted(name2)).join(",")];
+    const lines4 = [columns.map(([name]) => quoted(name)).join(",")];
     for (let k = 0; k < trajectory.t.length; k += 1) {
       lines4.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
@@ -6394,12 +6428,12 @@
   }
   function effectColumns({ header, trajectory }) {
     return Object.entries(trajectory.E).map(([key, values]) => {
-      const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
+      const [kind2, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
       const own = header.effects.filter(
-        (effect) => effect.kind === kind && effect.active && effect.carts.includes(on)
+        (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(on)
       );
       const by = [...new Set(own.map(agent))].join(" and ");
-      return [`force on ${on} by ${by} (${kind}) in N`, values];
+      return [`force on ${on} by ${by} (${kind2}) in N`, values];
     });
   }
   function quoted(text) {
@@ -6723,11 +6757,11 @@
     for (const [key, value] of Object.entries(scene)) {
       if (key === "carts") {
         lines4.push("carts:");
-        for (const [name2, cart] of Object.entries(
+        for (const [name, cart] of Object.entries(
           /** @type {object} */
           value
         )) {
-          lines4.push(`  ${name2}: ${flow(cart)}`);
+          lines4.push(`  ${name}: ${flow(cart)}`);
         }
       } else lines4.push(`${key}: ${flow(value)}`);
     }
@@ -6788,8 +6822,8 @@ ${lines4.join("\n")}
       const note2 = html("p", "carts-take-note");
       note2.setAttribute("role", "status");
       const row = html("p", "carts-take-row");
-      for (const [key, name2] of KINDS) {
-        const button = html("button", "carts-button", name2);
+      for (const [key, name] of KINDS) {
+        const button = html("button", "carts-button", name);
         button.setAttribute("type", "button");
         button.dataset.take = key;
         row.append(button);
@@ -6937,8 +6971,8 @@ ${lines4.join("\n")}
       this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
     }
     still() {
-      for (const kind of ["pointerdown", "keydown", "focusin"]) {
-        this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
+      for (const kind2 of ["pointerdown", "keydown", "focusin"]) {
+        this.element.addEventListener(kind2, () => this.client.wake(), { once: true, passive: true });
       }
       requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
     }
@@ -7217,20 +7251,20 @@ ${lines4.join("\n")}
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
-    const inside = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
-    const model = tr("In this model: {effects}.", { effects: inside });
+    const inside2 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
+    const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).leftOut ?? viewOf(kind2).name);
+    const model = tr("In this model: {effects}.", { effects: inside2 });
     if (!leftOut.length) return model;
     const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
     return `${model} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
-    const { kind, carts, between: between2 } = effect;
-    const view = viewOf(kind);
+    const { kind: kind2, carts, between: between2 } = effect;
+    const view = viewOf(kind2);
     const told3 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
-      both: listed((between2 ?? carts).map(body)),
+      both: bodiesOf(between2 ?? carts, header.track),
       agent: agent(effect),
       seen: (text) => numbers ? text : ""
     };
@@ -7272,13 +7306,13 @@ ${lines4.join("\n")}
   function instant({ header, trajectory }, t3, view, camera, forces2) {
     const { decimals } = view;
     const time = tr("At {time} s:", { time: fixed(t3, decimals.t ?? 3) });
-    const carts = header.bodies.slice(0, FEW2).map(({ name: name2 }) => {
-      const [x2, v2, a2] = [trajectory.x[name2], trajectory.v[name2], trajectory.a[name2]];
+    const carts = header.bodies.slice(0, FEW2).map(({ name }) => {
+      const [x2, v2, a2] = [trajectory.x[name], trajectory.v[name], trajectory.a[name]];
       const place4 = valueAt(trajectory.t, x2 ?? [], v2 ?? [], t3) - camera * t3;
       const speed = valueAt(trajectory.t, v2 ?? [], a2 ?? [], t3) - camera;
       const seen = Math.abs(speed) < NOISE * view.velocity ? 0 : speed;
       return tr("{cart} at {place} m, {velocity}.", {
-        cart: name2,
+        cart: name,
         place: fixed(place4, decimals.x ?? 3),
         velocity: motion(seen, decimals.v ?? 2, view.velocity)
       });
@@ -7287,15 +7321,15 @@ ${lines4.join("\n")}
       " "
     );
   }
-  function pushes2({ contacts }, { t: times2, F: F2, dF }, t3, decimals) {
+  function pushes2({ contacts, track }, { t: times2, F: F2, dF }, t3, decimals) {
     return contacts.flatMap(({ pair, bodies: [left, right] }) => {
       const force2 = F2[pair] ? valueAt(times2, F2[pair], dF[pair] ?? null, t3) : 0;
       const size = fixed(Math.abs(force2), decimals);
       if (!Number(size)) return [];
       const [one, other] = isWall(left) ? [right, left] : [left, right];
       const names = {
-        one: forceOn(body(one), body(other)),
-        other: forceOn(body(other), body(one)),
+        one: forceOn(body(one, track), body(other, track)),
+        other: forceOn(body(other, track), body(one, track)),
         size
       };
       return [tr("{one}: {size} N; {other}: {size} N.", names)];
@@ -7331,7 +7365,7 @@ ${lines4.join("\n")}
     #held = null;
     constructor(stage, layout, baked, acts) {
       const { controls } = baked.fence;
-      for (const { name: name2 } of baked.run.header.bodies) {
+      for (const { name } of baked.run.header.bodies) {
         for (
           const [key, part, metres] of
           /** @type {const} */
@@ -7340,8 +7374,8 @@ ${lines4.join("\n")}
             ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
           ]
         ) {
-          const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
+          const control = controls.find(({ set }) => set === `${name}.${key}`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name}"]`);
           if (!control || !group2) continue;
           group2.classList.add("carts-draggable");
           group2.addEventListener("pointerdown", (event) => {
@@ -7449,16 +7483,16 @@ ${lines4.join("\n")}
     const force2 = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
     return Math.abs(force2) < zero ? 0 : force2;
   }
-  function contactForces(run, name2, t3, zero) {
+  function contactForces(run, name, t3, zero) {
     return run.header.contacts.filter(
-      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkOf(run.header, pair))
+      ({ pair, bodies, stiffness }) => bodies.includes(name) && (stiffness || linkOf(run.header, pair))
     ).map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t3, zero);
-      const isLeft = left === name2;
+      const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
-        name: forceOn(name2, body(by)),
-        on: name2,
+        name: forceOn(name, body(by, run.header.track)),
+        on: name,
         by,
         way: (
           /** @type {const} */
@@ -7475,29 +7509,29 @@ ${lines4.join("\n")}
       };
     }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
   }
-  function effectForces(run, name2, t3) {
-    return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
-      const { forceName: forceName2 = forceOn, side } = viewOf(kind);
+  function effectForces(run, name, t3) {
+    return forcesAt(run, t3, true).filter(({ on }) => on === name).map(({ kind: kind2, on, by, value, size }) => {
+      const { forceName: forceName2 = forceOn, side } = viewOf(kind2);
       const at3 = side?.(value) ?? "middle";
       return { name: forceName2(on, by), on, by, way: "along", side: at3, value, size };
     });
   }
-  function verticalForces({ header }, name2) {
-    const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
-    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name2)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+  function verticalForces({ header }, name) {
+    const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
+    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
     const weight = mass * header.gravity * Math.cos(slope);
     return [
       {
-        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name: name2 }) : tr("weight of {name}: force on {name} by the Earth", { name: name2 }),
+        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name }) : tr("weight of {name}: force on {name} by the Earth", { name }),
         by: "Earth",
         value: -weight
       },
       {
-        name: tr("support: force on {name} by the track", { name: name2 }),
+        name: tr("support: force on {name} by the track", { name }),
         by: "track",
         value: weight
       }
-    ].map((force2) => ({ ...force2, on: name2, way: "up", side: "middle" }));
+    ].map((force2) => ({ ...force2, on: name, way: "up", side: "middle" }));
   }
 
   // src/scene/beside/free-body.js
@@ -7539,23 +7573,23 @@ ${lines4.join("\n")}
       const since = touch && tr("since the touch at {time} s", { time: fixed(touch.start, 2) });
       say(this.note, since || tr("since the start"));
       const room = this.#vertical ? this.#roomFor(run) : 0;
-      for (const { name: name2, mass } of run.header.bodies) {
-        const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
-        this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
+      for (const { name, mass } of run.header.bodies) {
+        const along = [...contactForces(run, name, t3, this.zero), ...effectForces(run, name, t3)];
+        this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times2, v: v2, a: a2 } = run.trajectory;
-        const speed = (at3) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at3);
+        const speed = (at3) => valueAt(times2, v2[name] ?? [], a2[name] ?? [], at3);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity3 } = this.view;
         const seen = Math.abs(change2) < NOISE * velocity3 ? 0 : change2 / this.per;
-        this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
-        this.#say(name2, "mass", short(mass));
-        this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
-        this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
+        this.#say(name, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name, "mass", short(mass));
+        this.#say(name, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name, "dv", fixed(seen, decimals.v ?? 2));
       }
     }
-    #say(name2, quantity, text) {
-      const cell3 = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
+    #say(name, quantity, text) {
+      const cell3 = this.root.querySelector(`td[data-body="${name}"][data-quantity="${quantity}"]`);
       if (cell3) say(cell3, text);
     }
     #roomFor({ header }) {
@@ -7563,8 +7597,8 @@ ${lines4.join("\n")}
       const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
       return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
     }
-    #draw(name2, forces2, room) {
-      const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
+    #draw(name, forces2, room) {
+      const card = need(this.root, `.carts-alone[data-body="${name}"]`);
       const group2 = need(card, '[data-part="forces"]');
       const list = need(card, "ul");
       while (group2.children.length < forces2.length) group2.append(svg("path"));
@@ -7592,11 +7626,11 @@ ${lines4.join("\n")}
       put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
       put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
-    #sentence({ name: name2, way, value, size: written }, cut) {
+    #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told3 = { name: name2, size };
+      const told3 = { name, size };
       const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
-      const said = value === 0 ? `${name2}: ${size}` : ways[value < 0 ? 0 : 1];
+      const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
   };
@@ -7611,12 +7645,221 @@ ${lines4.join("\n")}
     return [side === "left" ? BOX.left : BOX.right, AXIS];
   }
 
+  // ../view/deformation/bubbles.js
+  var APART3 = 13;
+  var RADIUS = 3.5;
+  var SMALL = 0.6;
+  function bubbles(front, back, depth, [top, foot], size = 1) {
+    const columns = Math.max(2, Math.round(depth / (APART3 * size)));
+    const rows = Math.max(2, Math.floor((foot - top) / (APART3 * size)));
+    let d2 = "";
+    for (let row = 0; row < rows; row += 1) {
+      const y2 = top + (row + 0.5) * (foot - top) / rows;
+      const room = back - front(y2);
+      const squeezed = Math.min(1, Math.abs(room) / depth);
+      for (let column = 0; column < columns; column += 1) {
+        const x2 = front(y2) + room * (column + (row % 2 ? 0.7 : 0.3)) / columns;
+        d2 += bubble(x2, y2, size * RADIUS * ((row + column) % 3 ? 1 : SMALL), squeezed);
+      }
+    }
+    return d2;
+  }
+  function bubble(x2, y2, radius, squeezed) {
+    const wide = px(radius * squeezed);
+    const across2 = px(2 * radius * squeezed);
+    const half = `a${wide} ${px(radius)} 0 1 0`;
+    return `M${px(x2 - Number(wide))} ${px(y2)}${half} ${across2} 0${half} -${across2} 0`;
+  }
+
+  // ../view/deformation/things.js
+  var ROOM2 = 0.5;
+  var LEAST = 30;
+  var MOST5 = 60;
+  var SHALLOW = 0.6;
+  var SOLID = 8;
+  var THICK = 2e3;
+  var ABOVE3 = 3;
+  var SEEN = 1;
+  var ARM = 12;
+  var PLATE = 4;
+  var PLANK = 8;
+  var PITCH = 9;
+  var HIGH2 = 13;
+  var MADE2 = {
+    foam(place4) {
+      const { x: x2, heights, back, depth } = place4;
+      const [top, foot] = endsOf(heights);
+      const above = `M${px(x2(top))} ${px(top)}H${px(back)}`;
+      const inside2 = bubbles(x2, back, depth, [top, foot]);
+      return { own: [...face(place4), [back, foot], [back, top]], lines: above + inside2 };
+    },
+    spring(place4) {
+      const { x: x2, heights, back, depth } = place4;
+      const [top, foot] = endsOf(heights);
+      const [from, to] = [x2(top, PLATE), back].sort((a2, b2) => a2 - b2);
+      const turns = Math.round(depth / PITCH);
+      const wire = coil(Number(from), Number(to), (top + foot) / 2, turns, HIGH2);
+      const plate = slab(place4, PLATE);
+      return { own: plate, lines: area(plate) + wire };
+    },
+    board(place4) {
+      const plank = slab(place4, PLANK);
+      return { own: plank, lines: area(plank) + line2(face(place4, PLANK / 2)) };
+    }
+  };
+  function depthOf(what, { edge: edge3, way }, { width }) {
+    const beyond = way > 0 ? width - edge3 : edge3;
+    const depth = Math.max(LEAST, Math.min(MOST5, ROOM2 * beyond));
+    return what === "board" ? SHALLOW * depth : depth;
+  }
+  function thingPaths(what, wall, layout, dent, height) {
+    const place4 = pressed(what, wall, layout, dent, height);
+    const { own, lines: lines4 } = (
+      /** @type {(place: Place) => Made} */
+      MADE2[what](place4)
+    );
+    const inner = mounting(what, wall, layout, place4.back);
+    const far = wall.edge + wall.way * THICK;
+    const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
+    const [begin = 0] = place4.heights.slice(-3);
+    return {
+      body: behind + area(own),
+      hatch: behind,
+      face: line2(face(place4)) + line2(inner),
+      was: dent < SEEN ? "" : `M${px(wall.edge)} ${px(begin)}V${px(layout.track)}`,
+      lines: lines4
+    };
+  }
+  function pressed(what, wall, layout, dent, height) {
+    const { edge: edge3, way, top } = wall;
+    const foot = layout.track;
+    const depth = depthOf(what, wall, layout);
+    const back = edge3 + way * Math.max(depth, dent + SOLID);
+    const place4 = (heights, give) => ({
+      x: (y2, behind = 0) => edge3 + way * (give(y2) + behind),
+      heights,
+      back,
+      depth
+    });
+    if (what === "spring" || dent === 0) return place4([top, foot], () => dent);
+    const high = Math.max(top, foot - height - ABOVE3);
+    const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
+    const part = (y2) => y2 < high ? (y2 - shoulder) / (high - shoulder) : 1;
+    return place4([top, shoulder, high, foot], (y2) => dent * Math.max(0, part(y2)));
+  }
+  function mounting(what, { edge: edge3, way, top }, { track, beam }, back) {
+    const held = edge3 + way * PLANK;
+    const arm = what === "board" ? [
+      [back, top + ARM],
+      [held, top + ARM],
+      [held, top]
+    ] : [[back, top]];
+    return [[edge3, track + beam], [edge3, track], [back, track], ...arm];
+  }
+  function endsOf(heights) {
+    return [Math.min(...heights), Math.max(...heights)];
+  }
+  function face({ x: x2, heights }, behind = 0) {
+    return heights.map((y2) => [x2(y2, behind), y2]);
+  }
+  function slab(place4, thick) {
+    return [...face(place4), ...face(place4, thick).reverse()];
+  }
+  function line2(points) {
+    return `M${points.map(([x2, y2]) => `${px(x2)} ${px(y2)}`).join("L")}`;
+  }
+  function area(points) {
+    return `${line2(points)}Z`;
+  }
+
+  // ../view/deformation/walls.js
+  var LEAST2 = 64;
+  var THICK2 = 2e3;
+  var ROOM3 = 3;
+  var SEEN2 = 1;
+  function wallAt(side, length, layout, tallest) {
+    const x2 = side === "left" ? 0 : Number(length);
+    const edge3 = layout.origin + x2 * layout.scale;
+    return { edge: edge3, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST2) };
+  }
+  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM3);
+    const shoulder = Math.max(top, high - dent);
+    const pressed2 = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
+    const face2 = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
+    const was = dent < SEEN2 ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face2}h${way * THICK2}V${px(top)}Z`, face: face2, was };
+  }
+
+  // src/scene/beside/lens-thing.js
+  var TOP5 = 22;
+  var FOOT = 88;
+  var ARM2 = 12;
+  var THICK3 = (
+    /** @type {Record<string, number>} */
+    { spring: 12, board: 24 }
+  );
+  var SOLID2 = 12;
+  var FAR = 720;
+  var PITCH2 = 16;
+  var HIGH3 = 20;
+  var BUBBLE = 1.4;
+  function drawThing(group2, what, thing) {
+    const rect = need(group2, '[data-part="body"]');
+    const parts2 = ["mounting", "thing"].map((name) => group2.querySelector(`[data-part="${name}"]`));
+    if (what === "wall") {
+      for (const part of parts2) part?.remove();
+      put(rect, "width", String(FAR));
+      return;
+    }
+    const [mounting2, lines4] = parts2[0] && parts2[1] ? parts2 : added(rect);
+    const { end: end2, was, out, depth } = thing;
+    const back = was + out * Math.max(depth, Math.abs(end2 - was) + (THICK3[what] ?? 0) + SOLID2);
+    const thick = THICK3[what] ?? Math.abs(back - end2);
+    put(rect, "x", px(out > 0 ? end2 : end2 - thick));
+    put(rect, "width", px(thick));
+    const behind = end2 + out * thick;
+    const from = what === "board" ? `M${px(back)} ${TOP5 + ARM2}H${px(behind)}V${TOP5}` : `M${px(back)} ${TOP5}`;
+    put(
+      /** @type {Element} */
+      mounting2,
+      "d",
+      `${from}h${out * FAR}V${FOOT}H${px(back)}Z`
+    );
+    put(
+      /** @type {Element} */
+      lines4,
+      "class",
+      what === "spring" ? "carts-coil" : "carts-fine"
+    );
+    put(
+      /** @type {Element} */
+      lines4,
+      "d",
+      inside(what, { ...thing, back, behind })
+    );
+  }
+  function inside(what, { end: end2, depth, back, behind }) {
+    if (what === "board") return `M${px((end2 + behind) / 2)} ${TOP5}V${FOOT}`;
+    if (what === "foam") return bubbles(() => end2, back, depth, [TOP5, FOOT], BUBBLE);
+    const [low, high] = [Math.min(behind, back), Math.max(behind, back)];
+    return coil(low, high, (TOP5 + FOOT) / 2, Math.round(depth / PITCH2), HIGH3);
+  }
+  function added(rect) {
+    const mounting2 = svg("path", { "data-part": "mounting", class: "carts-box" });
+    const lines4 = svg("path", { "data-part": "thing" });
+    rect.after(mounting2, lines4);
+    return [mounting2, lines4];
+  }
+
   // src/scene/beside/lens.js
   var TIMES = [10, 5, 2, 1];
   var MARGIN = 16;
   var WIDTH5 = 360;
   var TRACK = 96;
   var BAR = 70;
+  var NAME = 42;
+  var ABOVE4 = 16;
   var SCALE = 3;
   var Lens = class {
     #run = null;
@@ -7631,6 +7874,7 @@ ${lines4.join("\n")}
     constructor(root, baked, redraw) {
       this.root = root;
       this.view = baked.view;
+      [this.layout] = baked.view.layouts;
       this.scene = /** @type {HTMLElement} */
       root.closest("carts-scene");
       this.plot = need(root, "svg");
@@ -7646,6 +7890,7 @@ ${lines4.join("\n")}
         const [shown3, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown3 || !own) continue;
         const unit = shown3 / layout.width * (WIDTH5 / own);
+        this.layout = layout;
         this.#picture = layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -7683,20 +7928,21 @@ ${lines4.join("\n")}
       const overlap = Math.max(0, left.face - right.face);
       const give = Math.min(overlap, left.bumper + right.bumper);
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
-      const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
-      const faces = [left.face - share, Math.max(right.face, left.face - share)];
+      const touched = isWall(left.name) ? right.face + give : left.face - share;
+      const middle = overlap > 0 ? touched : (left.face + right.face) / 2;
+      const faces = overlap > 0 ? [touched, touched] : [left.face, right.face];
       const force2 = contactForce(run, touch.pair, t3, NOISE * (this.view.force || 1));
       [left, right].forEach((side, k) => {
-        this.#draw(k, side, Number(faces[k]), middle, force2);
+        this.#draw(run, k, side, Number(faces[k]), middle, force2);
       });
       const pushed = touch.loose && t3 >= touch.start && t3 <= touch.end;
       const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
-      const wall = [left, right].find(({ name: name2 }) => isWall(name2));
+      const wall = [left, right].find(({ name }) => isWall(name));
       const was = wall && overlap > 0 ? `M${px(at3(wall.face))} 22V${TRACK}` : "";
       put(need(this.root, '[data-part="was"]'), "d", was);
       const wire = coil(at3(left.face), at3(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
-      const pair = listed(touch.bodies.map(body));
+      const pair = bodiesOf(touch.bodies, run.header.track);
       const gap = right.face - left.face;
       const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
       const size = fixed(force2, this.view.decimals.F ?? 2);
@@ -7704,41 +7950,51 @@ ${lines4.join("\n")}
       say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
     }
     #side({ header, trajectory }, touch, k) {
-      const name2 = String(touch.bodies[k]);
-      const cart = header.bodies.find((one) => one.name === name2);
+      const name = String(touch.bodies[k]);
+      const cart = header.bodies.find((one) => one.name === name);
       if (!cart) {
-        const wall = name2 === "left" ? 0 : header.track.length ?? 0;
-        return { name: name2, edge: wall, face: wall, bumper: 0 };
+        const wall = name === "left" ? 0 : header.track.length ?? 0;
+        return { name, edge: wall, face: wall, bumper: 0 };
       }
       const { t: t3, x: x2, v: v2 } = trajectory;
-      const centre = valueAt(t3, x2[name2] ?? [], v2[name2] ?? [], this.#t);
+      const centre = valueAt(t3, x2[name] ?? [], v2[name] ?? [], this.#t);
       const way = k === 0 ? 1 : -1;
-      const face = centre + way * cart.length / 2;
-      return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
+      const face2 = centre + way * cart.length / 2;
+      return { name, face: face2, edge: face2 - way * cart.bumper_length, bumper: cart.bumper_length };
     }
-    #draw(k, side, face, middle, force2) {
+    #draw(run, k, side, face2, middle, force2) {
       const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
-      const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
+      const { bodies, track } = run.header;
+      const index = bodies.findIndex(({ name: name2 }) => name2 === side.name);
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const end2 = at3(face);
+      const end2 = at3(face2);
       const edge3 = index < 0 ? end2 : at3(side.edge);
       const rect = need(group2, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH5 : edge3));
+      const what = index < 0 ? whatIs(side.name, track) : "wall";
+      const depth = this.#depth(side.name, what, track.length);
+      drawThing(group2, what, { end: end2, was: at3(side.face), out: way > 0 ? -1 : 1, depth });
       const bent = need(group2, '[data-part="spring"]');
       put(bent, "d", side.bumper ? spring(edge3 / SCALE, end2 / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end2 - 3 * way)} 0)`);
-      const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge3 - 22 * way));
-      put(name2, "x", px(inside));
-      say(name2, index < 0 ? tr("wall") : side.name);
+      const name = need(group2, '[data-part="name"]');
+      const inside2 = Math.min(WIDTH5 - 34, Math.max(34, edge3 - 22 * way));
+      put(name, "x", px(inside2));
+      put(name, "y", String(what === "wall" ? NAME : ABOVE4));
+      say(name, index < 0 ? kind(side.name, track) : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
       const cut = isCut(force2, this.view.force);
       const length = -way * arrowLength(force2, this.view.force, this.#perForce);
       put(arrow2, "d", (cut ? cutArrow : blockArrow)(end2, TRACK - 46, length));
+    }
+    #depth(side, what, length) {
+      if (!this.layout || what === "wall") return 0;
+      const wall = wallAt(side === "left" ? "left" : "right", length, this.layout, 0);
+      return depthOf(what, wall, this.layout) / this.layout.scale * this.#perMetre;
     }
   };
   function wallGives({ header: { bodies, track }, trajectory: { x: x2 } }) {
@@ -7776,8 +8032,8 @@ ${lines4.join("\n")}
           /** @type {HTMLElement} */
           section
         );
-        const kind = KINDS2[element.dataset.view ?? ""];
-        if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
+        const kind2 = KINDS2[element.dataset.view ?? ""];
+        if (kind2) this.#views.push(new kind2[1](element, baked, () => this.#again()));
       }
     }
     get choices() {
@@ -7809,7 +8065,7 @@ ${lines4.join("\n")}
   // ../view/graph.js
   var LEFT5 = 52;
   var RIGHT4 = 350;
-  var TOP5 = 8;
+  var TOP6 = 8;
   var BOTTOM5 = 129;
   var WIDTH6 = 360;
   var HEIGHT3 = 160;
@@ -7823,7 +8079,7 @@ ${lines4.join("\n")}
     return LEFT5 + (t3 - plane.time.low) * ((RIGHT4 - LEFT5) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM5 - (value - plane.value.low) * ((BOTTOM5 - TOP5) / (plane.value.high - plane.value.low));
+    return BOTTOM5 - (value - plane.value.low) * ((BOTTOM5 - TOP6) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -7852,7 +8108,7 @@ ${lines4.join("\n")}
   function path2(curve2, times2, plane, seen = Infinity) {
     const { values, slopes } = curve2;
     const kx = (RIGHT4 - LEFT5) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM5 - TOP5) / (plane.value.high - plane.value.low);
+    const ky = (BOTTOM5 - TOP6) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn2 = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -7942,8 +8198,8 @@ ${lines4.join("\n")}
       if (!this.#run || !this.#group) return;
       const { header, trajectory } = this.#run;
       const { layout, camera } = this.stage;
-      header.bodies.forEach(({ name: name2 }, i2) => {
-        const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
+      header.bodies.forEach(({ name }, i2) => {
+        const [x2, v2] = [trajectory.x[name] ?? [], trajectory.v[name] ?? []];
         const place4 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
         const at3 = `translate(${px(place4)} ${px(layout.track)})`;
         this.#group?.children[i2]?.setAttribute("transform", at3);
@@ -7966,25 +8222,25 @@ ${lines4.join("\n")}
   function drawAxes(root, plane) {
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
-    marks2(need(root, '[data-part="times"]'), times2.length, (line2, text, i2) => {
+    marks2(need(root, '[data-part="times"]'), times2.length, (line3, text, i2) => {
       const { at: at3, textX, label } = (
         /** @type {(typeof times)[number]} */
         times2[i2]
       );
-      put(line2, "class", "carts-grid");
-      put(line2, "d", `M${at3} ${TOP5}V${BOTTOM5}`);
+      put(line3, "class", "carts-grid");
+      put(line3, "d", `M${at3} ${TOP6}V${BOTTOM5}`);
       put(text, "class", "carts-tick-x");
       put(text, "x", textX);
       put(text, "y", String(BOTTOM5 + 15));
       say(text, label);
     });
-    marks2(need(root, '[data-part="values"]'), rows.length, (line2, text, i2) => {
+    marks2(need(root, '[data-part="values"]'), rows.length, (line3, text, i2) => {
       const { at: at3, textY, label, zero } = (
         /** @type {(typeof rows)[number]} */
         rows[i2]
       );
-      put(line2, "class", zero ? "carts-zero" : "carts-grid");
-      put(line2, "d", `M${LEFT5} ${at3}H${RIGHT4}`);
+      put(line3, "class", zero ? "carts-zero" : "carts-grid");
+      put(line3, "d", `M${LEFT5} ${at3}H${RIGHT4}`);
       put(text, "class", "carts-tick-y");
       put(text, "x", String(LEFT5 - 5));
       put(text, "y", textY);
@@ -8006,7 +8262,7 @@ ${lines4.join("\n")}
   }
 
   // ../view/impulse.js
-  function area({ trajectory }, pair, from, to) {
+  function area2({ trajectory }, pair, from, to) {
     const { t: t3, F: F2, dF } = trajectory;
     const [values, slopes] = [F2[pair] ?? [], dF[pair] ?? []];
     let sum = 0;
@@ -8019,18 +8275,18 @@ ${lines4.join("\n")}
     return sum;
   }
   function changes({ header, trajectory }, windows, touch, t3) {
-    return touch.bodies.map((name2) => {
-      const mass = header.bodies.find((body2) => body2.name === name2)?.mass;
+    return touch.bodies.map((name) => {
+      const mass = header.bodies.find((body2) => body2.name === name)?.mass;
       const others = windows.some(
-        (one) => one !== touch && one.bodies.includes(name2) && one.start < t3 && one.end > touch.start
+        (one) => one !== touch && one.bodies.includes(name) && one.start < t3 && one.end > touch.start
       );
       const acting = header.effects.some(
-        (effect) => effect.active && effect.carts.includes(name2) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
+        (effect) => effect.active && effect.carts.includes(name) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
         // what a pair's own spring does is in its F
       );
-      if (mass === void 0 || others || acting) return { name: name2, change: null };
-      const v2 = (at3) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at3);
-      return { name: name2, change: mass * (v2(t3) - v2(touch.start)) };
+      if (mass === void 0 || others || acting) return { name, change: null };
+      const v2 = (at3) => valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at3);
+      return { name, change: mass * (v2(t3) - v2(touch.start)) };
     });
   }
 
@@ -8069,10 +8325,11 @@ ${lines4.join("\n")}
         "d",
         outline2(-1)
       );
-      const impulse = area(run, touch.pair, touch.start, end2);
-      const [names, amount3] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const impulse = area2(run, touch.pair, touch.start, end2);
+      const names = touch.bodies.map((name) => brief(name, run.header.track)).join("–");
+      const amount3 = fixed(impulse, this.decimals);
       const parts2 = changes(run, this.windows, touch, end2).filter(({ change: change2 }) => change2 !== null).map(
-        ({ name: name2, change: change2 }) => tr("m Δv of {name}: {change}", { name: name2, change: fixed(change2 ?? 0, this.decimals) })
+        ({ name, change: change2 }) => tr("m Δv of {name}: {change}", { name, change: fixed(change2 ?? 0, this.decimals) })
       );
       const shaded = t3 >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount3 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount3 });
       say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
@@ -8112,9 +8369,9 @@ ${lines4.join("\n")}
     const made3 = html("span", `carts-${style}`);
     const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
     const sample = svg("svg", size);
-    const line2 = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
+    const line3 = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
     const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
-    sample.append(svg("path", line2), svg("path", { ...marker, transform: "translate(13 5)" }));
+    sample.append(svg("path", line3), svg("path", { ...marker, transform: "translate(13 5)" }));
     made3.append(sample, label);
     return made3;
   }
@@ -8477,11 +8734,11 @@ ${lines4.join("\n")}
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve2, i2) => {
-        const line2 = (
+        const line3 = (
           /** @type {Element} */
           group2.children[i2]
         );
-        put(line2, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
+        put(line3, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
       });
       this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
@@ -8501,11 +8758,11 @@ ${lines4.join("\n")}
     #lines(run) {
       const group2 = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve2, i2) => {
-        const line2 = (
+        const line3 = (
           /** @type {Element} */
           group2.children[i2]
         );
-        put(line2, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
+        put(line3, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
       const end2 = Math.min(RIGHT4, Math.max(LEFT5, timeX(this.#plane, this.#seen)));
@@ -8534,13 +8791,13 @@ ${lines4.join("\n")}
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
       this.per = speedUnit(baked.view.velocity)[0];
-      this.cards = baked.run.header.bodies.map(({ name: name2 }) => {
-        const card = need(root, `.carts-card[data-body="${name2}"]`);
+      this.cards = baked.run.header.bodies.map(({ name }) => {
+        const card = need(root, `.carts-card[data-body="${name}"]`);
         const outputs = (
           /** @type {NodeListOf<HTMLElement>} */
           card.querySelectorAll(".carts-value")
         );
-        return { name: name2, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
+        return { name, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
       });
     }
     show(run) {
@@ -8551,12 +8808,12 @@ ${lines4.join("\n")}
       if (!run) return;
       const { t: times2, x: x2, v: v2, a: a2 } = run.trajectory;
       const told3 = isTold(run);
-      for (const { name: name2, outputs } of this.cards) {
-        const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
-        const acceleration = told3 ? valueAt(times2, a2[name2] ?? [], null, t3) : null;
+      for (const { name, outputs } of this.cards) {
+        const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
+        const acceleration = told3 ? valueAt(times2, a2[name] ?? [], null, t3) : null;
         const values = /* @__PURE__ */ new Map([
-          ["x", valueAt(times2, x2[name2] ?? [], v2[name2] ?? [], t3) - this.camera * t3],
-          ["v", (valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], t3) - this.camera) / this.per],
+          ["x", valueAt(times2, x2[name] ?? [], v2[name] ?? [], t3) - this.camera * t3],
+          ["v", (valueAt(times2, v2[name] ?? [], a2[name] ?? [], t3) - this.camera) / this.per],
           ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
@@ -8773,11 +9030,11 @@ ${lines4.join("\n")}
     const { seen } = viewOf(effect.kind);
     return seen ? effect.active && seen(effect, t3) : actsAt(effect, t3);
   }
-  function props(run, layout, t3, face, centre) {
+  function props(run, layout, t3, face2, centre) {
     const { header } = run;
     return header.effects.filter((effect) => isSeen(effect, t3)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t: t3, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t: t3, layout, face: face2, centre }) ?? [];
     });
   }
 
@@ -8807,10 +9064,10 @@ ${lines4.join("\n")}
     show(run) {
       this.#run = run;
     }
-    at(t3, face, centre) {
+    at(t3, face2, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run, this.layout, t3, face, centre);
+      const pieces = props(run, this.layout, t3, face2, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t3, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
@@ -8838,7 +9095,7 @@ ${lines4.join("\n")}
     }
   };
   function arrows(run, layout, full, t3, centre) {
-    const styles = new Map(run.header.bodies.map(({ name: name2 }, i2) => [name2, `carts-${styleOf(i2)}`]));
+    const styles = new Map(run.header.bodies.map(({ name }, i2) => [name, `carts-${styleOf(i2)}`]));
     const named2 = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
@@ -8865,10 +9122,10 @@ ${lines4.join("\n")}
         pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 5), anchor: "start" });
       }
     }
-    const leaders = [...lowest].map(([name2, y2]) => ({
-      key: `leader ${name2}`,
-      cls: `carts-leader carts-acts ${styles.get(name2)}`,
-      d: `M${px(centre(name2))} ${px(layout.track)}V${px(y2)}`
+    const leaders = [...lowest].map(([name, y2]) => ({
+      key: `leader ${name}`,
+      cls: `carts-leader carts-acts ${styles.get(name)}`,
+      d: `M${px(centre(name))} ${px(layout.track)}V${px(y2)}`
     }));
     return [...leaders, ...pieces];
   }
@@ -8906,7 +9163,7 @@ ${lines4.join("\n")}
       this.#pushes = [];
       run.header.contacts.forEach((contact, k) => {
         const groups = contact.bodies.map(
-          (name2) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name2}"]`)
+          (name) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name}"]`)
         );
         if (groups[0] && groups[1]) {
           const row = this.layout.rows[k] ?? 0;
@@ -8919,7 +9176,7 @@ ${lines4.join("\n")}
         }
       });
     }
-    at(t3, face) {
+    at(t3, face2) {
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
@@ -8933,7 +9190,7 @@ ${lines4.join("\n")}
         const size = Math.max(...sizes);
         const y2 = layout.track - PUSH;
         const [left, right] = push.bodies;
-        const ends = [face(left, "right"), face(right, "left")];
+        const ends = [face2(left, "right"), face2(right, "left")];
         push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
           const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
@@ -8985,10 +9242,14 @@ ${lines4.join("\n")}
     }
     #named({ push, sizes, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
+      const { track } = (
+        /** @type {Run} */
+        this.#run.header
+      );
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        const name2 = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
-        return `${name2}${through}: ${this.#value(Number(sizes[side]))}`;
+        const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+        return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -9026,7 +9287,7 @@ ${lines4.join("\n")}
   };
   function forcesOn({ trajectory }, { pair, bodies }, t3) {
     const { t: times2, F: F2, dF, on } = trajectory;
-    const [left, right] = bodies.map((name2) => on?.[`${pair} ${name2}`]);
+    const [left, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
     if (left && right) return [valueAt(times2, left, null, t3), valueAt(times2, right, null, t3)];
     const [column, slopes] = [F2[pair], dF[pair]];
     const force2 = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
@@ -9039,26 +9300,8 @@ ${lines4.join("\n")}
     say(text, label);
   }
 
-  // ../view/deformation/walls.js
-  var LEAST = 64;
-  var THICK = 2e3;
-  var ROOM2 = 3;
-  var SEEN = 1;
-  function wallAt(side, length, layout, tallest) {
-    const x2 = side === "left" ? 0 : Number(length);
-    const edge3 = layout.origin + x2 * layout.scale;
-    return { edge: edge3, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
-  }
-  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
-    const high = Math.max(top, track - height - ROOM2);
-    const shoulder = Math.max(top, high - dent);
-    const pressed = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
-    const face = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed : ""}V${px(track + beam)}`;
-    const was = dent < SEEN ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
-    return { body: `${face}h${way * THICK}V${px(top)}Z`, face, was };
-  }
-
   // src/scene/walls.js
+  var THING = '[data-part="thing"]';
   var Walls = class {
     #walls = [];
     constructor(root, layout, { run: { header }, view }) {
@@ -9066,8 +9309,17 @@ ${lines4.join("\n")}
       this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group2) => {
         const side = group2.getAttribute("data-wall") === "left" ? "left" : "right";
-        return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group: group2 };
+        const wall = wallAt(side, header.track.length, layout, view.tallest);
+        return { side, what: "wall", wall, group: group2 };
       });
+    }
+    show(track) {
+      for (const one of this.#walls) {
+        one.what = whatIs(one.side, track);
+        const drawn2 = one.group.querySelector(THING);
+        if (one.what === "wall") drawn2?.remove();
+        else if (!drawn2) one.group.append(svg("path", { "data-part": "thing" }));
+      }
     }
     faces(shift) {
       const at3 = (side) => {
@@ -9076,17 +9328,22 @@ ${lines4.join("\n")}
       };
       return { left: at3("left"), right: at3("right") };
     }
-    at(pressed, shift) {
-      const lines4 = this.#walls.map(({ side, wall, group: group2 }) => {
-        const { dent, height } = pressed[side];
-        const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
-        put(need(group2, ".carts-wall"), "d", body2);
-        put(need(group2, "[fill]"), "d", body2);
-        put(need(group2, ".carts-wall-face"), "d", face);
-        return was;
-      });
+    at(pressed2, shift) {
+      const lines4 = this.#walls.map((one) => this.#draw(one, pressed2[one.side]));
       put(this.was, "d", lines4.join(""));
       put(this.was, "transform", `translate(${px(-shift)} 0)`);
+    }
+    #draw({ what, wall, group: group2 }, { dent, height }) {
+      const { body: body2, hatch, face: face2, was, lines: lines4 } = what === "wall" ? { ...wallPaths(wall, this.layout, dent, height), hatch: null, lines: "" } : thingPaths(what, wall, this.layout, dent, height);
+      put(need(group2, ".carts-wall"), "d", body2);
+      put(need(group2, "[fill]"), "d", hatch ?? body2);
+      put(need(group2, ".carts-wall-face"), "d", face2);
+      if (lines4) {
+        const thing = need(group2, THING);
+        put(thing, "class", what === "spring" ? "carts-coil" : "carts-fine");
+        put(thing, "d", lines4);
+      }
+      return was;
     }
   };
 
@@ -9145,6 +9402,7 @@ ${lines4.join("\n")}
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
+      this.#walls.show(run.header.track);
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
@@ -9196,22 +9454,22 @@ ${lines4.join("\n")}
         );
         this.#velocity(cart, header.bodies[i2]?.name ?? "", centre, t3);
       });
-      const face = (name2, side) => {
-        const i2 = header.bodies.findIndex((body2) => body2.name === name2);
+      const face2 = (name, side) => {
+        const i2 = header.bodies.findIndex((body2) => body2.name === name);
         if (i2 < 0) {
-          const wall = name2 === "left" ? 0 : header.track.length ?? 0;
-          const dent = name2 === "left" ? -dents.left : dents.right;
+          const wall = name === "left" ? 0 : header.track.length ?? 0;
+          const dent = name === "left" ? -dents.left : dents.right;
           return this.layout.origin + (wall - shift) * this.layout.scale + dent;
         }
         const half = this.#carts[i2]?.half ?? 0;
         const centre = Number(centres[i2]);
         return side === "left" ? centre - half + Number(left[i2]) : centre + half - Number(right[i2]);
       };
-      this.#pushes.at(t3, face);
+      this.#pushes.at(t3, face2);
       this.#effects.at(
         t3,
-        face,
-        (name2) => Number(centres[header.bodies.findIndex((body2) => body2.name === name2)])
+        face2,
+        (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
     guess(guesses) {
@@ -9250,16 +9508,16 @@ ${lines4.join("\n")}
       });
       group2.replaceChildren(...parts2);
     }
-    #mass(name2, box2, lift) {
-      const mass = need(this.root, `.carts-mass[data-body="${name2}"]`);
+    #mass(name, box2, lift) {
+      const mass = need(this.root, `.carts-mass[data-body="${name}"]`);
       put(mass, "y", px(this.layout.track - lift + box2.labelY));
       say(mass, box2.label);
       return mass;
     }
-    #velocity(cart, name2, x2, t3) {
+    #velocity(cart, name, x2, t3) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
-      const v2 = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3) - this.camera;
+      const v2 = valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t3) - this.camera;
       const seen = Math.abs(v2) < NOISE * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x2, exact, layout.width);
@@ -9279,10 +9537,10 @@ ${lines4.join("\n")}
       put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at3));
       put(text, "y", px(cart.lane + 5));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
-      say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
+      say(text, outside2 ? tr("{name} is outside: {speed}", { name, speed }) : speed);
     }
   };
-  function drawBox(group2, name2, box2) {
+  function drawBox(group2, name, box2) {
     const rect = need(group2, '[data-part="box"]');
     put(rect, "x", px(box2.x));
     put(rect, "y", px(-box2.height));
@@ -9295,7 +9553,7 @@ ${lines4.join("\n")}
     const title = need(group2, '[data-part="name"]');
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
-    say(title, name2);
+    say(title, name);
   }
 
   // ../view/exits.js
@@ -9303,9 +9561,9 @@ ${lines4.join("\n")}
   function exits({ header, trajectory }, { low, high }, camera) {
     const { t: times2, x: places, v: v2, a: a2 } = trajectory;
     const found3 = [];
-    for (const { name: name2, length } of header.bodies) {
+    for (const { name, length } of header.bodies) {
       const half = length / 2;
-      const place4 = (t3) => valueAt(times2, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
+      const place4 = (t3) => valueAt(times2, places[name] ?? [], v2[name] ?? [], t3) - camera * t3;
       const isOut = (t3) => Math.max(place4(t3) - half - high, low - place4(t3) - half) > 0;
       const row = Array.prototype.findIndex.call(times2, isOut);
       if (row < 1) continue;
@@ -9316,8 +9574,8 @@ ${lines4.join("\n")}
         if (isOut(middle)) after = middle;
         else before = middle;
       }
-      const velocity3 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
-      found3.push({ t: after, name: name2, side: place4(after) > high ? "right" : "left", velocity: velocity3 });
+      const velocity3 = valueAt(times2, v2[name] ?? [], a2[name] ?? [], after) - camera;
+      found3.push({ t: after, name, side: place4(after) > high ? "right" : "left", velocity: velocity3 });
     }
     return found3;
   }
@@ -9336,7 +9594,7 @@ ${lines4.join("\n")}
     }
     sentences.push(...contactSentences(header));
     if (header.contacts.some(({ stiffness }) => stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).name);
     if (leftOut.length) {
       sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
     }
@@ -9352,7 +9610,7 @@ ${lines4.join("\n")}
     }
     return [...alike.values()].map((contacts) => {
       const [one] = contacts;
-      const names = contacts.map(({ bodies }) => listed(bodies.map(body))).join("; ");
+      const names = contacts.map(({ bodies }) => bodiesOf(bodies, header.track)).join("; ");
       const how = one?.stiffness ? tr("bumpers push like springs, the harder the more they are squeezed") : one?.restitution === null ? tr("whoever touches stays together") : tr("a hit takes no time");
       return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
     });
@@ -9401,7 +9659,7 @@ ${lines4.join("\n")}
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
-          sentence: eventSentence(event, this.telling, laws, bare)
+          sentence: eventSentence(event, this.telling, laws, bare, header.track)
         })),
         ...exits(run, this.layout, this.telling.camera).map((exit) => ({
           t: exit.t,
@@ -9500,12 +9758,12 @@ ${lines4.join("\n")}
         put(band3, "width", at3(Math.min(end2, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
-      events.forEach(({ t: t3, kind }, k) => {
+      events.forEach(({ t: t3, kind: kind2 }, k) => {
         const mark2 = (
           /** @type {Element} */
           this.marks.children[k]
         );
-        put(mark2, "class", `carts-event carts-event-${kind}`);
+        put(mark2, "class", `carts-event carts-event-${kind2}`);
         put(mark2, "x1", at3(t3));
         put(mark2, "x2", at3(t3));
       });
@@ -9608,7 +9866,7 @@ ${lines4.join("\n")}
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
       if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
       const options = begun2.map(({ bodies, start }, i2) => {
-        const names = bodies.map(brief).join("–");
+        const names = bodies.map((name) => brief(name, this.run.header.track)).join("–");
         const option2 = html(
           "option",
           "",
@@ -9630,13 +9888,13 @@ ${lines4.join("\n")}
   function graph({ fence, view, run }, quantity) {
     const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
     const isForce = quantity === "F";
-    const name2 = isForce ? sizeName(run.header) : title;
+    const name = isForce ? sizeName(run.header) : title;
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
-    const label = tr("{quantity} against time", { quantity: name2 });
-    const table = tr("Table: {quantity}", { quantity: lower(name2) });
+    const label = tr("{quantity} against time", { quantity: name });
+    const table = tr("Table: {quantity}", { quantity: lower(name) });
     return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
-<p class="carts-graph-title"><span class="carts-graph-name">${name2} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
+<p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce, fence.watch === "first")}
 <p class="carts-key"></p>
 ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
@@ -9645,9 +9903,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 </div>`;
   }
   function plot(clip, isForce, growing) {
-    const inside = html2`clip-path="url(#${clip})"`;
+    const inside2 = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
-    const room = html2`<rect x=${LEFT5} y=${TOP5 - 4} width=${RIGHT4 - LEFT5 + 1} height=${BOTTOM5 - TOP5 + 8}/>`;
+    const room = html2`<rect x=${LEFT5} y=${TOP6 - 4} width=${RIGHT4 - LEFT5 + 1} height=${BOTTOM5 - TOP6 + 8}/>`;
     const seen = `${clip}-seen`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH6} ${HEIGHT3}" width=${WIDTH6} height=${HEIGHT3} aria-hidden="true">
 <defs><clipPath id=${clip}>${room}</clipPath>${growing && html2`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
@@ -9655,8 +9913,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT4} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside}></g>
-<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP5}V${BOTTOM5}" transform="translate(${LEFT5} 0)"/></g>
+<g data-part="curves" ${inside2}></g>
+<g data-part="cursor" ${inside2}><path class="carts-cursor" d="M0 ${TOP6}V${BOTTOM5}" transform="translate(${LEFT5} 0)"/></g>
 </svg>`;
   }
 
@@ -9700,14 +9958,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const set = document.createElement("fieldset");
     set.append(html("legend", "", title));
     for (const { key, label, seen } of choices) {
-      const line2 = html("label");
+      const line3 = html("label");
       const box2 = document.createElement("input");
       box2.type = "checkbox";
       box2.checked = seen;
       box2.dataset.choice = key;
       box2.addEventListener("change", () => act(key, box2.checked));
-      line2.append(box2, ` ${label}`);
-      set.append(line2);
+      line3.append(box2, ` ${label}`);
+      set.append(line3);
     }
     set.hidden = choices.length === 0;
     return set;
@@ -9757,9 +10015,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
     }
   };
-  function strength({ kind, force: force2, impulse }) {
-    if (kind === "peak") return force2 ?? 0;
-    return kind === "contact" || kind === "release" ? impulse ?? 0 : 0;
+  function strength({ kind: kind2, force: force2, impulse }) {
+    if (kind2 === "peak") return force2 ?? 0;
+    return kind2 === "contact" || kind2 === "release" ? impulse ?? 0 : 0;
   }
 
   // src/scene/time/transport.js
@@ -9897,7 +10155,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.player.parts = slowParts(this.drawing.windows);
       const pushes3 = isTold(run) ? marks(header, false) : [];
       this.player.stops = [...header.events, ...pushes3].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
-      this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
+      this.player.halts = header.events.filter(({ kind: kind2 }) => HALTS.has(kind2)).map(({ t: t3 }) => t3);
       this.#zoom();
       this.player.seek(this.player.time);
     }
@@ -10036,32 +10294,32 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#baked = baked;
         this.#view = view;
         this.#runs.prepared ??= new Prepared(this, baked.fence.controls, folder);
-        const inside = wireInside(this, baked, view, client2, {
+        const inside2 = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#runs.undo(),
-          preset: (changes2, name2) => this.#watch?.preset(name2, () => this.#runs.preset(changes2)),
+          preset: (changes2, name) => this.#watch?.preset(name, () => this.#runs.preset(changes2)),
           found: (said) => void this.#showForces(said),
           settings: () => this.#values.good,
           stops: (target) => this.#runs.stops(target),
           told: () => this.#free,
           change: (target, value, at3) => void this.set({ [target]: value }, at3).catch((error) => this.#complain(target, error))
         });
-        this.#inside = inside;
+        this.#inside = inside2;
         this.#predict = askFirst(this, baked, view, {
           locked: (now) => void this.#reveal(now),
           forgotten: (now) => void this.#startAgain(now)
         });
-        this.#watch = new Watch(this, baked, view.player, inside.presets, {
-          first: () => this.#told && inside.controls.enable(true),
+        this.#watch = new Watch(this, baked, view.player, inside2.presets, {
+          first: () => this.#told && inside2.controls.enable(true),
           all: () => this.#watched()
         });
         if (!this.#predict) this.#lesson = baked.run;
-        if (this.#lesson) inside.find?.show(baked.run);
-        void inside.find?.restore();
-        void inside.follow(baked.run);
+        if (this.#lesson) inside2.find?.show(baked.run);
+        void inside2.find?.restore();
+        void inside2.follow(baked.run);
         if (this.#watch.over) view.show(baked.run);
         view.enable(!this.#predict);
-        inside.controls.enable(!this.#predict);
+        inside2.controls.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#live.follow();
       }

@@ -10422,12 +10422,12 @@
     const lines3 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name, floor), digit: digits[name] })).filter(({ points }) => points.length);
     const height = HEIGHT + LEGEND * Math.ceil(lines3.length / 2) + 8;
     const { x, y } = grid();
-    const series = lines3.map(({ line, points, mark, colour, label, digit }, k) => {
+    const series = lines3.map(({ line: line2, points, mark, colour, label, digit }, k) => {
       const legend2 = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
       const marks3 = [...points, legend2].map(
         ([across3, down]) => html`<path transform="translate(${across3} ${down})" d=${mark} fill=${colour}/>`
       );
-      return html`<path d=${line} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}${digit && ` (a digit: × ${short(digit, 2)})`}</text>`;
+      return html`<path d=${line2} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}${digit && ` (a digit: × ${short(digit, 2)})`}</text>`;
     });
     return html`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${px(height)}" width=${WIDTH} height=${px(height)} font-family="sans-serif" font-size="12"><title>${title}: error against time</title><rect width="100%" height="100%" fill="#fff"/><rect x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} fill="none" stroke="#55585e"/>${x.map(
       ([at, text3]) => html`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e4e6e9"/><text x=${at} y=${BOTTOM + 16} text-anchor="middle">${text3}</text>`
@@ -10502,7 +10502,7 @@
 <div class="carts-cost-choice"><label>method <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
 <label>across <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
 <svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} role="img" aria-label="right digits of the velocities for each step and each value; the lists below reach every point">
-<g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind, d]) => html`<path class="carts-breaks-${kind}" d=${d}/>`)}</g>
+<g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind2, d]) => html`<path class="carts-breaks-${kind2}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
 ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<text class="carts-tick-x" x=${px(x)} y=${TICKS_Y}>${text3}</text>`)}</g>
 <text class="carts-unit carts-breaks-unit" x=${RIGHT2} y=${BOTTOM2 + 36} text-anchor="end">${unitText(first)}</text>
@@ -10517,8 +10517,8 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
 </div>`;
   }
   var [SQUARE, DASH] = ["M0 0H16V16H0Z", "M0 8H16"];
-  function sample(kind, d, text3) {
-    return html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${kind}" d=${d}/></svg> ${text3}</li>`;
+  function sample(kind2, d, text3) {
+    return html`<li><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-breaks-${kind2}" d=${d}/></svg> ${text3}</li>`;
   }
   function unitText(map) {
     const unit = UNITS[map.path.at(-1) ?? ""];
@@ -10652,11 +10652,11 @@ ${breaks && breaksPart(breaks)}
     const { x, y } = grid();
     const methods = Object.entries(METHODS);
     const series = methods.map(([name, { mark }]) => {
-      const { line, points } = lineOf(rows, name, floor);
+      const { line: line2, points } = lineOf(rows, name, floor);
       const marks3 = points.map(
         ([across3, down]) => html`<path class="carts-cost-point" transform="translate(${across3} ${down})" d=${mark}/>`
       );
-      return html`<g class="carts-cost-of-${name}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks3}</g>`;
+      return html`<g class="carts-cost-of-${name}" data-method=${name}><path class="carts-cost-line" d=${line2}/>${marks3}</g>`;
     });
     const key2 = methods.map(
       ([name, { mark, label }]) => html`<li class="carts-cost-of-${name}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label} <span class="carts-cost-digit carts-quiet" data-of=${name}>${digitText(digits[name])}</span></li>`
@@ -10694,21 +10694,21 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
   var UNITS2 = { v: " m/s", x: " m", last: " s", count: "" };
   var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
   function measure(what) {
-    const { kind, name } = parts(what);
-    if (kind === "v" || kind === "x") {
+    const { kind: kind2, name } = parts(what);
+    if (kind2 === "v" || kind2 === "x") {
       const [last, first] = name.split("-");
-      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name}`;
+      return first ? `${kind2} of ${last} − ${kind2} of ${first}` : `${kind2} of ${name}`;
     }
-    return NAMES[kind] ?? (kind === "work" ? `work of ${name}` : kind);
+    return NAMES[kind2] ?? (kind2 === "work" ? `work of ${name}` : kind2);
   }
   function parts(what) {
-    const [kind = "", ...rest] = what.split(".");
-    return { kind, name: rest.join(".") };
+    const [kind2 = "", ...rest] = what.split(".");
+    return { kind: kind2, name: rest.join(".") };
   }
   function amount(what, value, figures2) {
-    const { kind } = parts(what);
-    if (kind === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS2[kind] ?? " J");
+    const { kind: kind2 } = parts(what);
+    if (kind2 === "count") return String(Math.round(value));
+    return short(value, figures2) + (UNITS2[kind2] ?? " J");
   }
   function cameOut(wanted, got, figures2) {
     let worst = "";
@@ -10757,7 +10757,7 @@ ${rows.map(row)}</tbody>
 </div>`;
   }
   function row({ name, sentence, why, wanted, known: known2, yaml, commands }) {
-    const lines3 = expectedLines(wanted).map((line, k) => html`${k > 0 && html`<br>`}${line}`);
+    const lines3 = expectedLines(wanted).map((line2, k) => html`${k > 0 && html`<br>`}${line2}`);
     const heads = Object.values(METHODS2);
     const cells2 = known2.stepped.map((one, k) => {
       const [verdict, off] = steppedCell(wanted, one);
@@ -10879,13 +10879,13 @@ ${rows.map(row)}</tbody>
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines3, count, factor, next, line) {
+  function between(values, lines3, count, factor, next, line2) {
     const fine = (count - 1) * factor + 1;
     const found = new Float64Array(lines3 * fine);
     for (let i = 0; i < lines3; i += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count - 2);
-        const at = i * line + left * next;
+        const at = i * line2 + left * next;
         const part = (k - left * factor) / factor;
         found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
@@ -10909,15 +10909,15 @@ ${rows.map(row)}</tbody>
   }
   function lines(bands, width, { count, zero }) {
     const places = bands.slice();
-    const line = 2 * count + 1;
+    const line2 = 2 * count + 1;
     const compare = (at, other) => {
       const own = Number(bands[at]);
       const next = Number(bands[other]);
       if (next === own || own === count) return;
       if (next !== count && own >= zero !== next >= zero) {
-        places[at] = line;
-        places[other] = line;
-      } else if (places[at] !== line) places[at] = count + 1 + own;
+        places[at] = line2;
+        places[other] = line2;
+      } else if (places[at] !== line2) places[at] = count + 1 + own;
     };
     for (let at = 0; at < bands.length; at += 1) {
       if ((at + 1) % width) compare(at, at + 1);
@@ -11076,10 +11076,10 @@ ${table2(facts, draw)}
   function over(facts, draw) {
     const height = heightOf(facts);
     const all = draw.values.map((value) => value ?? Number.NaN);
-    const line = facts.axes.length === 1 ? curve(facts, facts.axes[0]?.values ?? [], all) : "";
+    const line2 = facts.axes.length === 1 ? curve(facts, facts.axes[0]?.values ?? [], all) : "";
     return html`<svg class="carts-map-over" viewBox="0 0 ${WIDTH3} ${height}" width=${WIDTH3} height=${height} aria-hidden="true" focusable="false">
 <rect class="carts-map-edge" x=${LEFT3} y=${TOP3} width=${RIGHT3 - LEFT3} height=${BOTTOM3 - TOP3}/>
-<path data-part="curve" class="carts-curve" d=${line}/>
+<path data-part="curve" class="carts-curve" d=${line2}/>
 <g data-part="cross"><path data-part="lines" class="carts-map-cross" d=""/><circle data-part="point" class="carts-map-point" r="6" cx="0" cy="0" visibility="hidden"/></g>
 </svg>`;
   }
@@ -11175,8 +11175,8 @@ ${second && across3}
 
   // ../view/measured/table.js
   var PLACES = 4;
-  function tableOf2({ kind, names, tracks }, residuals) {
-    const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+  function tableOf2({ kind: kind2, names, tracks }, residuals) {
+    const [letter, unit] = kind2 === "length" ? ["x", "m"] : ["F", "N"];
     const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
     if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
     const found = /* @__PURE__ */ new Map();
@@ -11237,11 +11237,11 @@ ${table3(facts)}
 </div>`;
   }
   function source({ name, units, offered, read }) {
-    const choices = UNITS3.map(([kind, text3], k) => {
-      const options = offered[kind].map(
-        (unit) => html`<option value=${unit}${units?.[kind] === unit && html` selected`}>${unit}</option>`
+    const choices = UNITS3.map(([kind2, text3], k) => {
+      const options = offered[kind2].map(
+        (unit) => html`<option value=${unit}${units?.[kind2] === unit && html` selected`}>${unit}</option>`
       );
-      return html`${k > 0 && " "}<label>${text3} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
+      return html`${k > 0 && " "}<label>${text3} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
     });
     const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
     return html`<div class="carts-measured-source">
@@ -11282,16 +11282,34 @@ ${table3(facts)}
   }
 
   // ../view/bodies.js
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
   function isWall(name) {
     return name === "left" || name === "right";
   }
-  function body(name) {
-    if (name === "left") return tr("the left wall");
-    return name === "right" ? tr("the right wall") : name;
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
   }
-  function brief(name) {
-    if (name === "left") return tr("left wall");
-    return name === "right" ? tr("right wall") : name;
+  function body(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "body");
+    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+  }
+  function brief(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "brief");
+    return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+  }
+  function kind(name, track) {
+    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
   }
   function forceOn(on, by) {
     return tr("force on {on} by {by}", { on, by });
@@ -11301,6 +11319,9 @@ ${table3(facts)}
     if (second === void 0) return first;
     const rest = names.slice(0, -1).join(", ");
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+  function bodiesOf(names, track) {
+    return listed(names.map((name) => body(name, track)));
   }
 
   // ../effects/drag/view.js
@@ -11343,7 +11364,7 @@ ${table3(facts)}
     },
     pieces: rough
   };
-  function rough({ carts }, { key: key2, header: { bodies, track }, layout, face, centre }) {
+  function rough({ carts }, { key: key2, header: { bodies, track }, layout, face: face2, centre }) {
     const piece = { cls: "carts-rough", behind: true };
     if (carts.length < bodies.length) {
       return carts.map((name) => {
@@ -11352,8 +11373,8 @@ ${table3(facts)}
         return { ...piece, key: `${key2} ${name}`, d: d2 };
       });
     }
-    const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const start = track.left === "wall" ? face2("left", "right") : -layout.width;
+    const end2 = track.right === "wall" ? face2("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
     const d = teeth(first, Math.min(end2, layout.width) - first, layout.track);
@@ -11426,17 +11447,17 @@ ${table3(facts)}
     apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
-    pieces({ between: between2 }, { key: key2, layout, face }) {
+    pieces({ between: between2 }, { key: key2, layout, face: face2 }) {
       const [a, b] = between2 ?? ["", ""];
       return [
-        ...poles(`${key2} ${a}`, face(a, "right"), -1, layout),
-        ...poles(`${key2} ${b}`, face(b, "left"), 1, layout)
+        ...poles(`${key2} ${a}`, face2(a, "right"), -1, layout),
+        ...poles(`${key2} ${b}`, face2(b, "left"), 1, layout)
       ];
     }
   };
-  function poles(key2, x, way, { kind, track }) {
+  function poles(key2, x, way, { kind: kind2, track }) {
     const top = track - 40;
-    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+    return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
@@ -11717,11 +11738,11 @@ ${table3(facts)}
       stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces(effect, { key: key2, run, t, layout, face }) {
+    pieces(effect, { key: key2, run, t, layout, face: face2 }) {
       const [a, b] = effect.between ?? ["", ""];
       const [begun2, ended] = pushes(effect, run);
       const low = layout.track - ABOVE2;
-      const ends2 = [face(a, "right"), face(b, "left")].map(Number);
+      const ends2 = [face2(a, "right"), face2(b, "left")].map(Number);
       if (t > ended) {
         const there = edge2(run, a, ended) - edge2(run, a, t);
         const start2 = Number(ends2[0]) + there * layout.scale - HALF;
@@ -11742,9 +11763,9 @@ ${table3(facts)}
   function pushes({ between: between2, numbers: { at = 0 } }, { header, trajectory }) {
     const pair = between2?.join("-");
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
-    const begun2 = mine.find(({ kind, t }) => kind === "release" && t === at);
+    const begun2 = mine.find(({ kind: kind2, t }) => kind2 === "release" && t === at);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun2.t);
+    const ended = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
     return [begun2.t, ended?.t ?? Infinity];
   }
   function edge2({ header, trajectory }, name, t, way = 1) {
@@ -11766,9 +11787,9 @@ ${table3(facts)}
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
     },
-    pieces({ numbers, between: between2 }, { key: key2, layout, face }) {
+    pieces({ numbers, between: between2 }, { key: key2, layout, face: face2 }) {
       const [a, b] = between2 ?? ["", ""];
-      const [start, end2] = [face(a, "right"), face(b, "left")];
+      const [start, end2] = [face2(a, "right"), face2(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
       const middle = (start + end2) / 2;
       const low = a === "left" ? start : b === "right" ? end2 - length : middle - length / 2;
@@ -11794,12 +11815,12 @@ ${table3(facts)}
 
   // ../view/effects.js
   var LAST = 100;
-  function viewOf(kind) {
-    return { name: kind, row: LAST, ...VIEWS[kind] };
+  function viewOf(kind2) {
+    return { name: kind2, row: LAST, ...VIEWS[kind2] };
   }
-  function nameOf({ kind, called }) {
-    const name = VIEWS[kind]?.name ?? (called && told2(called));
-    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+  function nameOf({ kind: kind2, called }) {
+    const name = VIEWS[kind2]?.name ?? (called && told2(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind2}”`);
     return name;
   }
   function agent(effect) {
@@ -11810,7 +11831,7 @@ ${table3(facts)}
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
   }
   function kindsOnOne({ effects }) {
-    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
+    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind: kind2 }) => kind2));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
   function isLink(effect) {
@@ -11822,7 +11843,7 @@ ${table3(facts)}
   }
   function pairsApart({ effects }) {
     return effects.flatMap(
-      ({ kind, active, between: between2 }) => active && between2 && viewOf(kind).apart ? [between2] : []
+      ({ kind: kind2, active, between: between2 }) => active && between2 && viewOf(kind2).apart ? [between2] : []
     );
   }
   function linkOf({ effects }, pair) {
@@ -11834,7 +11855,7 @@ ${table3(facts)}
   function effectOf(target, { effects }) {
     const owner = target.slice(0, target.lastIndexOf("."));
     return effects.find(
-      ({ kind, index: index2 }) => [kind, `effects.${index2}`, `effects.${index2}.${kind}`].includes(owner)
+      ({ kind: kind2, index: index2 }) => [kind2, `effects.${index2}`, `effects.${index2}.${kind2}`].includes(owner)
     );
   }
 
@@ -11870,10 +11891,10 @@ ${table3(facts)}
   function isRest(velocity2, scale) {
     return Math.abs(velocity2) < NOISE * scale;
   }
-  function eventSentence(event, telling, laws, bare) {
+  function eventSentence(event, telling, laws, bare, track) {
     const { decimals, scale, camera, forces: forces2 } = telling;
     const names = event.bodies;
-    const pair = capital(listed(names.map(body)));
+    const pair = capital(bodiesOf(names, track));
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name) => !isWall(name) && name in (event.after ?? {})).map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after2 = speeds.length ? `${speeds.join(". ")}.` : "";
@@ -11890,7 +11911,10 @@ ${table3(facts)}
           return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} touches {other}.", { mover: String(mover), other: body(String(other)) });
+        return tr("{mover} touches {other}.", {
+          mover: String(mover),
+          other: body(String(other), track)
+        });
       }
       case "peak":
         if (laws[names.join("-")] === APART) {
@@ -11904,7 +11928,7 @@ ${table3(facts)}
         return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
         if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
-        const ended = { pair: listed(names.map(body)) };
+        const ended = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay = tr("The push between {pair} has ended; they stay together.", ended);
@@ -11974,38 +11998,38 @@ ${table3(facts)}
   var FEW = 3;
   function forcesAt({ header, trajectory }, t, always = false) {
     const found = [];
-    for (const kind of kindsOnOne(header)) {
+    for (const kind2 of kindsOnOne(header)) {
       const acting = header.effects.filter(
-        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+        (effect) => effect.kind === kind2 && (always ? effect.active : actsAt(effect, t))
       );
       for (const { name } of header.bodies) {
         const own = acting.filter((effect) => effect.carts.includes(name));
-        const column = trajectory.E[`${kind} ${name}`];
+        const column = trajectory.E[`${kind2} ${name}`];
         if (!own.length || !column?.length) continue;
         const peak = greatest(column);
         const on = own.some((effect) => actsAt(effect, t));
         const exact = on ? valueAt2(trajectory.t, column, null, t) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found.push({ kind, on: name, by: listed([...new Set(own.map(agent))]), value, size });
+        found.push({ kind: kind2, on: name, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
     return found;
   }
   function partsOf(header, run, name) {
-    return kindsOnOne(header).flatMap((kind) => {
+    return kindsOnOne(header).flatMap((kind2) => {
       const own = header.effects.filter(
-        (effect) => effect.kind === kind && effect.active && effect.carts.includes(name)
+        (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(name)
       );
-      const column = run.E[`${kind} ${name}`];
+      const column = run.E[`${kind2} ${name}`];
       return own.length && column?.length ? [{ by: listed([...new Set(own.map(agent))]), column }] : [];
     });
   }
-  function labels({ kind, on, by, size }) {
+  function labels({ kind: kind2, on, by, size }) {
     const told3 = { on, by, size };
     const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
+      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -12013,15 +12037,19 @@ ${table3(facts)}
   }
   function outside(header) {
     const { effects, track } = header;
-    const walls = track.left === "wall" || track.right === "wall";
+    const sides = (
+      /** @type {const} */
+      ["left", "right"]
+    );
+    const walls = sides.filter((side2) => track[side2] === "wall").map((side2) => kind(side2, track));
     const kinds = kindsOnOne(header).map(viewOf);
     const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
     const others = effects.map((effect) => {
       const { around } = viewOf(effect.kind);
       return typeof around === "function" ? around(effect, agent(effect)) : "";
     });
-    const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
-    const parts2 = [walls ? tr("wall") : "", ...media, ...others, earth];
+    const earth = walls.length || kinds.some((view) => view.earth) ? tr("Earth") : "";
+    const parts2 = [...walls, ...media, ...others, earth];
     return [...new Set(parts2.filter(Boolean))].join(" + ");
   }
   var known = /* @__PURE__ */ new WeakMap();
@@ -12069,9 +12097,9 @@ ${bars(baked)}`
     const touches2 = run.header.contacts.some(({ stiffness, pair }) => stiffness || linked.has(pair));
     return fence.forces === "shown" && touches2;
   }
-  function frame({ fence }, kinds, inside6) {
+  function frame({ fence }, kinds, inside7) {
     return html`<div class=${kinds}${fence.predict && html` hidden`}>
-${inside6}
+${inside7}
 </div>`;
   }
   var closed = ({ fence }, view) => !fence.opened.includes(view) && html` hidden`;
@@ -12134,20 +12162,20 @@ ${rows}</tbody></table></div>
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
-    const inside6 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
-    const model3 = tr("In this model: {effects}.", { effects: inside6 });
+    const inside7 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
+    const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).leftOut ?? viewOf(kind2).name);
+    const model3 = tr("In this model: {effects}.", { effects: inside7 });
     if (!leftOut.length) return model3;
     const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
     return `${model3} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
-    const { kind, carts, between: between2 } = effect;
-    const view = viewOf(kind);
+    const { kind: kind2, carts, between: between2 } = effect;
+    const view = viewOf(kind2);
     const told3 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
-      both: listed((between2 ?? carts).map(body)),
+      both: bodiesOf(between2 ?? carts, header.track),
       agent: agent(effect),
       seen: (text3) => numbers ? text3 : ""
     };
@@ -12288,7 +12316,7 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 </div>`;
   }
   function plot(clip, isForce, growing) {
-    const inside6 = html`clip-path="url(#${clip})"`;
+    const inside7 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
     const room = html`<rect x=${LEFT4} y=${TOP4 - 4} width=${RIGHT4 - LEFT4 + 1} height=${BOTTOM4 - TOP4 + 8}/>`;
     const seen = `${clip}-seen`;
@@ -12298,8 +12326,8 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT4} y=${HEIGHT4 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside6}></g>
-<g data-part="cursor" ${inside6}><path class="carts-cursor" d="M0 ${TOP4}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
+<g data-part="curves" ${inside7}></g>
+<g data-part="cursor" ${inside7}><path class="carts-cursor" d="M0 ${TOP4}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
 </svg>`;
   }
 
@@ -12486,7 +12514,7 @@ ${spec.sure && certainty(id)}
     ]);
     const rows = asked.map(({ pair, on, by }, k) => {
       const i = header.bodies.findIndex(({ name }) => name === on);
-      const force = forceOn(body(on), body(by));
+      const force = forceOn(body(on, header.track), body(by, header.track));
       const label = tr("{force}, length of the arrow", { force });
       const id = `${fence.id}-guess-${k + 1}`;
       return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label}${!numbers && html` id=${id}`} disabled>${numbers && html`<span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p>`}</div>
@@ -12696,8 +12724,8 @@ ${layout && layout.tape > 0 && ruler(layout)}
     const [from, to] = ends(layout);
     const y = px(layout.tape);
     const numbers = layout.track + layout.beam;
-    const line = `M0 ${px(layout.track - 36)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
-    const end2 = (key2, x) => html`<g class="carts-tape-end" data-end=${key2} transform="translate(${at(x)} 0)"><path d=${line}/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
+    const line2 = `M0 ${px(layout.track - 36)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
+    const end2 = (key2, x) => html`<g class="carts-tape-end" data-end=${key2} transform="translate(${at(x)} 0)"><path d=${line2}/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
     const middle = at((from + to) / 2);
     return html`<g class="carts-tape" data-origin=${px(layout.origin, 4)} data-scale=${px(layout.scale, 4)} data-y=${y}><path data-part="tape" d="M${at(from)} ${y}H${at(to)}"/>${end2("from", from)}${end2("to", to)}<text data-part="length" x=${middle} y=${px(layout.tape + 5)} text-anchor="middle">${fixed(to - from, decimalsOf(stepOf(layout)))} m</text></g>`;
   }
@@ -12719,11 +12747,11 @@ ${layout && layout.tape > 0 && ruler(layout)}
   var BEYOND = 60;
   function stage(baked, layout) {
     const { fence, run } = baked;
-    const { kind, width, height } = layout;
+    const { kind: kind2, width, height } = layout;
     const forces2 = fence.forces === "shown";
-    const hatch = `${fence.id}-${kind}-hatch`;
+    const hatch = `${fence.id}-${kind2}-hatch`;
     const size = html`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
-    return html`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+    return html`<svg class="carts-stage carts-stage-${kind2}" data-kind=${kind2} ${size} aria-hidden="true">
 <defs>
 <pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
 </defs>
@@ -12749,8 +12777,8 @@ ${legend(baked, layout)}
       /** @type {import("../skins.js").Skin} */
       SKINS[skin]
     );
-    const face = (side2) => html`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
+    const face2 = (side2) => html`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face2("left")}${face2("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
   }
   function pushes2({ run: { header } }) {
@@ -13180,7 +13208,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var LOW = { top: 8, bottom: 104 };
   var ROOM2 = 0.06;
   var HEAD = 1.15;
-  var unitOf = ({ kind }) => kind === "length" ? "x in m" : "F in N";
+  var unitOf = ({ kind: kind2 }) => kind2 === "length" ? "x in m" : "F in N";
   function reach(lists) {
     let [low, high] = [Infinity, -Infinity];
     for (const list of lists) {
@@ -13360,7 +13388,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const style = styleOf(i);
       const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
       const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
-        label: tr("on {on} by {by}", { on: brief(name), by }),
+        label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
         style,
         over: true,
         values: column,
@@ -13398,6 +13426,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
   function forces(header, run, signed) {
     const styles = new Map(header.bodies.map((body2, i) => [body2.name, styleOf(i)]));
+    const label = (on, by) => tr("on {on} by {by}", { on: brief(on, header.track), by: brief(by, header.track) });
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
@@ -13411,14 +13440,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       const [left, right] = contact.bodies;
       curves.push({
-        label: tr("on {on} by {by}", { on: brief(left), by: brief(right) }),
+        label: label(left, right),
         style: styles.get(left) ?? "wall",
         over: false,
         values: Float64Array.from(force, (f) => sign * f),
         slopes: Float64Array.from(slope, (s) => sign * s)
       });
       curves.push({
-        label: tr("on {on} by {by}", { on: brief(right), by: brief(left) }),
+        label: label(right, left),
         style: styles.get(right) ?? "wall",
         over: true,
         values: force,
@@ -13501,7 +13530,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
-        name: forceOn(name, body(by)),
+        name: forceOn(name, body(by, run.header.track)),
         on: name,
         by,
         way: (
@@ -13520,8 +13549,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }).sort((a, b) => a.side < b.side ? -1 : 1);
   }
   function effectForces(run, name, t) {
-    return forcesAt(run, t, true).filter(({ on }) => on === name).map(({ kind, on, by, value, size }) => {
-      const { forceName: forceName2 = forceOn, side: side2 } = viewOf(kind);
+    return forcesAt(run, t, true).filter(({ on }) => on === name).map(({ kind: kind2, on, by, value, size }) => {
+      const { forceName: forceName2 = forceOn, side: side2 } = viewOf(kind2);
       const at = side2?.(value) ?? "middle";
       return { name: forceName2(on, by), on, by, way: "along", side: at, value, size };
     });
@@ -13655,12 +13684,221 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return [side2 === "left" ? BOX.left : BOX.right, AXIS];
   }
 
+  // ../view/deformation/bubbles.js
+  var APART3 = 13;
+  var RADIUS = 3.5;
+  var SMALL = 0.6;
+  function bubbles(front, back, depth, [top, foot], size = 1) {
+    const columns = Math.max(2, Math.round(depth / (APART3 * size)));
+    const rows = Math.max(2, Math.floor((foot - top) / (APART3 * size)));
+    let d = "";
+    for (let row2 = 0; row2 < rows; row2 += 1) {
+      const y = top + (row2 + 0.5) * (foot - top) / rows;
+      const room = back - front(y);
+      const squeezed = Math.min(1, Math.abs(room) / depth);
+      for (let column = 0; column < columns; column += 1) {
+        const x = front(y) + room * (column + (row2 % 2 ? 0.7 : 0.3)) / columns;
+        d += bubble(x, y, size * RADIUS * ((row2 + column) % 3 ? 1 : SMALL), squeezed);
+      }
+    }
+    return d;
+  }
+  function bubble(x, y, radius, squeezed) {
+    const wide = px(radius * squeezed);
+    const across3 = px(2 * radius * squeezed);
+    const half = `a${wide} ${px(radius)} 0 1 0`;
+    return `M${px(x - Number(wide))} ${px(y)}${half} ${across3} 0${half} -${across3} 0`;
+  }
+
+  // ../view/deformation/things.js
+  var ROOM3 = 0.5;
+  var LEAST = 30;
+  var MOST2 = 60;
+  var SHALLOW = 0.6;
+  var SOLID = 8;
+  var THICK = 2e3;
+  var ABOVE3 = 3;
+  var SEEN = 1;
+  var ARM = 12;
+  var PLATE = 4;
+  var PLANK = 8;
+  var PITCH = 9;
+  var HIGH2 = 13;
+  var MADE2 = {
+    foam(place2) {
+      const { x, heights, back, depth } = place2;
+      const [top, foot] = endsOf(heights);
+      const above = `M${px(x(top))} ${px(top)}H${px(back)}`;
+      const inside7 = bubbles(x, back, depth, [top, foot]);
+      return { own: [...face(place2), [back, foot], [back, top]], lines: above + inside7 };
+    },
+    spring(place2) {
+      const { x, heights, back, depth } = place2;
+      const [top, foot] = endsOf(heights);
+      const [from, to] = [x(top, PLATE), back].sort((a, b) => a - b);
+      const turns = Math.round(depth / PITCH);
+      const wire = coil(Number(from), Number(to), (top + foot) / 2, turns, HIGH2);
+      const plate = slab(place2, PLATE);
+      return { own: plate, lines: area(plate) + wire };
+    },
+    board(place2) {
+      const plank = slab(place2, PLANK);
+      return { own: plank, lines: area(plank) + line(face(place2, PLANK / 2)) };
+    }
+  };
+  function depthOf(what, { edge: edge3, way }, { width }) {
+    const beyond = way > 0 ? width - edge3 : edge3;
+    const depth = Math.max(LEAST, Math.min(MOST2, ROOM3 * beyond));
+    return what === "board" ? SHALLOW * depth : depth;
+  }
+  function thingPaths(what, wall, layout, dent, height) {
+    const place2 = pressed(what, wall, layout, dent, height);
+    const { own, lines: lines3 } = (
+      /** @type {(place: Place) => Made} */
+      MADE2[what](place2)
+    );
+    const inner = mounting(what, wall, layout, place2.back);
+    const far = wall.edge + wall.way * THICK;
+    const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
+    const [begin = 0] = place2.heights.slice(-3);
+    return {
+      body: behind + area(own),
+      hatch: behind,
+      face: line(face(place2)) + line(inner),
+      was: dent < SEEN ? "" : `M${px(wall.edge)} ${px(begin)}V${px(layout.track)}`,
+      lines: lines3
+    };
+  }
+  function pressed(what, wall, layout, dent, height) {
+    const { edge: edge3, way, top } = wall;
+    const foot = layout.track;
+    const depth = depthOf(what, wall, layout);
+    const back = edge3 + way * Math.max(depth, dent + SOLID);
+    const place2 = (heights, give) => ({
+      x: (y, behind = 0) => edge3 + way * (give(y) + behind),
+      heights,
+      back,
+      depth
+    });
+    if (what === "spring" || dent === 0) return place2([top, foot], () => dent);
+    const high = Math.max(top, foot - height - ABOVE3);
+    const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
+    const part = (y) => y < high ? (y - shoulder) / (high - shoulder) : 1;
+    return place2([top, shoulder, high, foot], (y) => dent * Math.max(0, part(y)));
+  }
+  function mounting(what, { edge: edge3, way, top }, { track, beam }, back) {
+    const held = edge3 + way * PLANK;
+    const arm = what === "board" ? [
+      [back, top + ARM],
+      [held, top + ARM],
+      [held, top]
+    ] : [[back, top]];
+    return [[edge3, track + beam], [edge3, track], [back, track], ...arm];
+  }
+  function endsOf(heights) {
+    return [Math.min(...heights), Math.max(...heights)];
+  }
+  function face({ x, heights }, behind = 0) {
+    return heights.map((y) => [x(y, behind), y]);
+  }
+  function slab(place2, thick) {
+    return [...face(place2), ...face(place2, thick).reverse()];
+  }
+  function line(points) {
+    return `M${points.map(([x, y]) => `${px(x)} ${px(y)}`).join("L")}`;
+  }
+  function area(points) {
+    return `${line(points)}Z`;
+  }
+
+  // ../view/deformation/walls.js
+  var LEAST2 = 64;
+  var THICK2 = 2e3;
+  var ROOM4 = 3;
+  var SEEN2 = 1;
+  function wallAt(side2, length, layout, tallest) {
+    const x = side2 === "left" ? 0 : Number(length);
+    const edge3 = layout.origin + x * layout.scale;
+    return { edge: edge3, way: side2 === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST2) };
+  }
+  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM4);
+    const shoulder = Math.max(top, high - dent);
+    const pressed2 = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
+    const face2 = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
+    const was = dent < SEEN2 ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face2}h${way * THICK2}V${px(top)}Z`, face: face2, was };
+  }
+
+  // src/scene/beside/lens-thing.js
+  var TOP7 = 22;
+  var FOOT = 88;
+  var ARM2 = 12;
+  var THICK3 = (
+    /** @type {Record<string, number>} */
+    { spring: 12, board: 24 }
+  );
+  var SOLID2 = 12;
+  var FAR = 720;
+  var PITCH2 = 16;
+  var HIGH3 = 20;
+  var BUBBLE = 1.4;
+  function drawThing(group, what, thing) {
+    const rect = need(group, '[data-part="body"]');
+    const parts2 = ["mounting", "thing"].map((name) => group.querySelector(`[data-part="${name}"]`));
+    if (what === "wall") {
+      for (const part of parts2) part?.remove();
+      put(rect, "width", String(FAR));
+      return;
+    }
+    const [mounting2, lines3] = parts2[0] && parts2[1] ? parts2 : added(rect);
+    const { end: end2, was, out, depth } = thing;
+    const back = was + out * Math.max(depth, Math.abs(end2 - was) + (THICK3[what] ?? 0) + SOLID2);
+    const thick = THICK3[what] ?? Math.abs(back - end2);
+    put(rect, "x", px(out > 0 ? end2 : end2 - thick));
+    put(rect, "width", px(thick));
+    const behind = end2 + out * thick;
+    const from = what === "board" ? `M${px(back)} ${TOP7 + ARM2}H${px(behind)}V${TOP7}` : `M${px(back)} ${TOP7}`;
+    put(
+      /** @type {Element} */
+      mounting2,
+      "d",
+      `${from}h${out * FAR}V${FOOT}H${px(back)}Z`
+    );
+    put(
+      /** @type {Element} */
+      lines3,
+      "class",
+      what === "spring" ? "carts-coil" : "carts-fine"
+    );
+    put(
+      /** @type {Element} */
+      lines3,
+      "d",
+      inside6(what, { ...thing, back, behind })
+    );
+  }
+  function inside6(what, { end: end2, depth, back, behind }) {
+    if (what === "board") return `M${px((end2 + behind) / 2)} ${TOP7}V${FOOT}`;
+    if (what === "foam") return bubbles(() => end2, back, depth, [TOP7, FOOT], BUBBLE);
+    const [low, high] = [Math.min(behind, back), Math.max(behind, back)];
+    return coil(low, high, (TOP7 + FOOT) / 2, Math.round(depth / PITCH2), HIGH3);
+  }
+  function added(rect) {
+    const mounting2 = svg("path", { "data-part": "mounting", class: "carts-box" });
+    const lines3 = svg("path", { "data-part": "thing" });
+    rect.after(mounting2, lines3);
+    return [mounting2, lines3];
+  }
+
   // src/scene/beside/lens.js
   var TIMES3 = [10, 5, 2, 1];
   var MARGIN = 16;
   var WIDTH7 = 360;
   var TRACK = 96;
   var BAR = 70;
+  var NAME = 42;
+  var ABOVE4 = 16;
   var SCALE = 3;
   var Lens = class {
     #run = null;
@@ -13675,6 +13913,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     constructor(root, baked, redraw) {
       this.root = root;
       this.view = baked.view;
+      [this.layout] = baked.view.layouts;
       this.scene = /** @type {HTMLElement} */
       root.closest("carts-scene");
       this.plot = need(root, "svg");
@@ -13690,6 +13929,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         const [shown2, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown2 || !own) continue;
         const unit = shown2 / layout.width * (WIDTH7 / own);
+        this.layout = layout;
         this.#picture = layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -13727,11 +13967,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const overlap = Math.max(0, left.face - right.face);
       const give = Math.min(overlap, left.bumper + right.bumper);
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
-      const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
-      const faces = [left.face - share, Math.max(right.face, left.face - share)];
+      const touched = isWall(left.name) ? right.face + give : left.face - share;
+      const middle = overlap > 0 ? touched : (left.face + right.face) / 2;
+      const faces = overlap > 0 ? [touched, touched] : [left.face, right.face];
       const force = contactForce(run, touch.pair, t, NOISE * (this.view.force || 1));
       [left, right].forEach((side2, k) => {
-        this.#draw(k, side2, Number(faces[k]), middle, force);
+        this.#draw(run, k, side2, Number(faces[k]), middle, force);
       });
       const pushed = touch.loose && t >= touch.start && t <= touch.end;
       const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
@@ -13740,7 +13981,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(need(this.root, '[data-part="was"]'), "d", was);
       const wire = coil(at(left.face), at(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
-      const pair = listed(touch.bodies.map(body));
+      const pair = bodiesOf(touch.bodies, run.header.track);
       const gap = right.face - left.face;
       const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
       const size = fixed(force, this.view.decimals.F ?? 2);
@@ -13757,32 +13998,42 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const { t, x, v } = trajectory;
       const centre = valueAt2(t, x[name] ?? [], v[name] ?? [], this.#t);
       const way = k === 0 ? 1 : -1;
-      const face = centre + way * cart2.length / 2;
-      return { name, face, edge: face - way * cart2.bumper_length, bumper: cart2.bumper_length };
+      const face2 = centre + way * cart2.length / 2;
+      return { name, face: face2, edge: face2 - way * cart2.bumper_length, bumper: cart2.bumper_length };
     }
-    #draw(k, side2, face, middle, force) {
+    #draw(run, k, side2, face2, middle, force) {
       const at = (x) => WIDTH7 / 2 + (x - middle) * this.#perMetre;
       const group = need(this.root, `[data-side="${k}"]`);
-      const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side2.name) ?? -1;
+      const { bodies, track } = run.header;
+      const index2 = bodies.findIndex(({ name: name2 }) => name2 === side2.name);
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
-      const end2 = at(face);
+      const end2 = at(face2);
       const edge3 = index2 < 0 ? end2 : at(side2.edge);
       const rect = need(group, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH7 : edge3));
+      const what = index2 < 0 ? whatIs(side2.name, track) : "wall";
+      const depth = this.#depth(side2.name, what, track.length);
+      drawThing(group, what, { end: end2, was: at(side2.face), out: way > 0 ? -1 : 1, depth });
       const bent = need(group, '[data-part="spring"]');
       put(bent, "d", side2.bumper ? spring(edge3 / SCALE, end2 / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end2 - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside6 = Math.min(WIDTH7 - 34, Math.max(34, edge3 - 22 * way));
-      put(name, "x", px(inside6));
-      say(name, index2 < 0 ? tr("wall") : side2.name);
+      const inside7 = Math.min(WIDTH7 - 34, Math.max(34, edge3 - 22 * way));
+      put(name, "x", px(inside7));
+      put(name, "y", String(what === "wall" ? NAME : ABOVE4));
+      say(name, index2 < 0 ? kind(side2.name, track) : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
       const length = -way * arrowLength(force, this.view.force, this.#perForce);
       put(arrow, "d", (cut ? cutArrow : blockArrow)(end2, TRACK - 46, length));
+    }
+    #depth(side2, what, length) {
+      if (!this.layout || what === "wall") return 0;
+      const wall = wallAt(side2 === "left" ? "left" : "right", length, this.layout, 0);
+      return depthOf(what, wall, this.layout) / this.layout.scale * this.#perMetre;
     }
   };
   function wallGives({ header: { bodies, track }, trajectory: { x } }) {
@@ -13820,8 +14071,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
           /** @type {HTMLElement} */
           section
         );
-        const kind = KINDS[element.dataset.view ?? ""];
-        if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
+        const kind2 = KINDS[element.dataset.view ?? ""];
+        if (kind2) this.#views.push(new kind2[1](element, baked, () => this.#again()));
       }
     }
     get choices() {
@@ -13867,25 +14118,25 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   function drawAxes(root, plane) {
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
-    marks2(need(root, '[data-part="times"]'), times2.length, (line, text3, i) => {
+    marks2(need(root, '[data-part="times"]'), times2.length, (line2, text3, i) => {
       const { at, textX, label } = (
         /** @type {(typeof times)[number]} */
         times2[i]
       );
-      put(line, "class", "carts-grid");
-      put(line, "d", `M${at} ${TOP4}V${BOTTOM4}`);
+      put(line2, "class", "carts-grid");
+      put(line2, "d", `M${at} ${TOP4}V${BOTTOM4}`);
       put(text3, "class", "carts-tick-x");
       put(text3, "x", textX);
       put(text3, "y", String(BOTTOM4 + 15));
       say(text3, label);
     });
-    marks2(need(root, '[data-part="values"]'), rows.length, (line, text3, i) => {
+    marks2(need(root, '[data-part="values"]'), rows.length, (line2, text3, i) => {
       const { at, textY, label, zero } = (
         /** @type {(typeof rows)[number]} */
         rows[i]
       );
-      put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT4} ${at}H${RIGHT4}`);
+      put(line2, "class", zero ? "carts-zero" : "carts-grid");
+      put(line2, "d", `M${LEFT4} ${at}H${RIGHT4}`);
       put(text3, "class", "carts-tick-y");
       put(text3, "x", String(LEFT4 - 5));
       put(text3, "y", textY);
@@ -13907,7 +14158,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
 
   // ../view/impulse.js
-  function area({ trajectory }, pair, from, to) {
+  function area2({ trajectory }, pair, from, to) {
     const { t, F, dF } = trajectory;
     const [values, slopes] = [F[pair] ?? [], dF[pair] ?? []];
     let sum = 0;
@@ -13970,8 +14221,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         "d",
         outline(-1)
       );
-      const impulse = area(run, touch.pair, touch.start, end2);
-      const [names, amount2] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const impulse = area2(run, touch.pair, touch.start, end2);
+      const names = touch.bodies.map((name) => brief(name, run.header.track)).join("–");
+      const amount2 = fixed(impulse, this.decimals);
       const parts2 = changes(run, this.windows, touch, end2).filter(({ change }) => change !== null).map(
         ({ name, change }) => tr("m Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) })
       );
@@ -14013,9 +14265,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     const made = html2("span", `carts-${style}`);
     const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
     const sample2 = svg("svg", size);
-    const line = { class: `carts-curve carts-${style}${over2 ? " carts-over" : ""}`, d: "M0 5H26" };
+    const line2 = { class: `carts-curve carts-${style}${over2 ? " carts-over" : ""}`, d: "M0 5H26" };
     const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
-    sample2.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
+    sample2.append(svg("path", line2), svg("path", { ...marker, transform: "translate(13 5)" }));
     made.append(sample2, label);
     return made;
   }
@@ -14114,9 +14366,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     bands.push({ ...warm, label: warmed(header) });
     return bands;
   }
-  function stored(kind, { effects }) {
-    const { lasts, stored: where = "" } = viewOf(kind);
-    return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
+  function stored(kind2, { effects }) {
+    const { lasts, stored: where = "" } = viewOf(kind2);
+    return !lasts || effects.some((one) => one.kind === kind2 && lasts(one)) ? where : "";
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
@@ -14433,11 +14685,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const group = need(this.root, '[data-part="curves"]');
       fit(group, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve3, i) => {
-        const line = (
+        const line2 = (
           /** @type {Element} */
           group.children[i]
         );
-        put(line, "class", `carts-curve carts-${curve3.style}${curve3.over ? " carts-over" : ""}`);
+        put(line2, "class", `carts-curve carts-${curve3.style}${curve3.over ? " carts-over" : ""}`);
       });
       this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
@@ -14457,11 +14709,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #lines(run) {
       const group = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve3, i) => {
-        const line = (
+        const line2 = (
           /** @type {Element} */
           group.children[i]
         );
-        put(line, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
+        put(line2, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
       const end2 = Math.min(RIGHT4, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
@@ -14595,11 +14847,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     const { seen } = viewOf(effect.kind);
     return seen ? effect.active && seen(effect, t) : actsAt(effect, t);
   }
-  function props(run, layout, t, face, centre) {
+  function props(run, layout, t, face2, centre) {
     const { header } = run;
     return header.effects.filter((effect) => isSeen(effect, t)).flatMap((effect) => {
       const key2 = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key: key2, header, run, t, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key: key2, header, run, t, layout, face: face2, centre }) ?? [];
     });
   }
 
@@ -14629,10 +14881,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     show(run) {
       this.#run = run;
     }
-    at(t, face, centre) {
+    at(t, face2, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run, this.layout, t, face, centre);
+      const pieces = props(run, this.layout, t, face2, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows2(run, this.layout, this.full, t, centre));
       const seen = new Set(pieces.map(({ key: key2 }) => key2));
       for (const [key2, element] of this.#drawn) {
@@ -14741,7 +14993,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         }
       });
     }
-    at(t, face) {
+    at(t, face2) {
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
@@ -14755,7 +15007,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         const size = Math.max(...sizes);
         const y = layout.track - PUSH;
         const [left, right] = push2.bodies;
-        const ends2 = [face(left, "right"), face(right, "left")];
+        const ends2 = [face2(left, "right"), face2(right, "left")];
         push2.groups.forEach((group, side2) => {
           const way = side2 === 0 ? -1 : 1;
           const draw = isCut(Number(sizes[side2]), view.force) ? cutArrow : blockArrow;
@@ -14807,9 +15059,13 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     #named({ push: push2, sizes, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));
+      const { track } = (
+        /** @type {Run} */
+        this.#run.header
+      );
       const labels2 = push2.bodies.map((on, side2) => {
         const by = push2.bodies[1 - side2] ?? "";
-        const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+        const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
         return `${name}${through}: ${this.#value(Number(sizes[side2]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
@@ -14861,26 +15117,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     say(text3, label);
   }
 
-  // ../view/deformation/walls.js
-  var LEAST = 64;
-  var THICK = 2e3;
-  var ROOM3 = 3;
-  var SEEN = 1;
-  function wallAt(side2, length, layout, tallest) {
-    const x = side2 === "left" ? 0 : Number(length);
-    const edge3 = layout.origin + x * layout.scale;
-    return { edge: edge3, way: side2 === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
-  }
-  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
-    const high = Math.max(top, track - height - ROOM3);
-    const shoulder = Math.max(top, high - dent);
-    const pressed = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
-    const face = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed : ""}V${px(track + beam)}`;
-    const was = dent < SEEN ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
-    return { body: `${face}h${way * THICK}V${px(top)}Z`, face, was };
-  }
-
   // src/scene/walls.js
+  var THING = '[data-part="thing"]';
   var Walls = class {
     #walls = [];
     constructor(root, layout, { run: { header }, view }) {
@@ -14888,8 +15126,17 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
         const side2 = group.getAttribute("data-wall") === "left" ? "left" : "right";
-        return { side: side2, wall: wallAt(side2, header.track.length, layout, view.tallest), group };
+        const wall = wallAt(side2, header.track.length, layout, view.tallest);
+        return { side: side2, what: "wall", wall, group };
       });
+    }
+    show(track) {
+      for (const one of this.#walls) {
+        one.what = whatIs(one.side, track);
+        const drawn = one.group.querySelector(THING);
+        if (one.what === "wall") drawn?.remove();
+        else if (!drawn) one.group.append(svg("path", { "data-part": "thing" }));
+      }
     }
     faces(shift) {
       const at = (side2) => {
@@ -14898,17 +15145,22 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       };
       return { left: at("left"), right: at("right") };
     }
-    at(pressed, shift) {
-      const lines3 = this.#walls.map(({ side: side2, wall, group }) => {
-        const { dent, height } = pressed[side2];
-        const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
-        put(need(group, ".carts-wall"), "d", body2);
-        put(need(group, "[fill]"), "d", body2);
-        put(need(group, ".carts-wall-face"), "d", face);
-        return was;
-      });
+    at(pressed2, shift) {
+      const lines3 = this.#walls.map((one) => this.#draw(one, pressed2[one.side]));
       put(this.was, "d", lines3.join(""));
       put(this.was, "transform", `translate(${px(-shift)} 0)`);
+    }
+    #draw({ what, wall, group }, { dent, height }) {
+      const { body: body2, hatch, face: face2, was, lines: lines3 } = what === "wall" ? { ...wallPaths(wall, this.layout, dent, height), hatch: null, lines: "" } : thingPaths(what, wall, this.layout, dent, height);
+      put(need(group, ".carts-wall"), "d", body2);
+      put(need(group, "[fill]"), "d", hatch ?? body2);
+      put(need(group, ".carts-wall-face"), "d", face2);
+      if (lines3) {
+        const thing = need(group, THING);
+        put(thing, "class", what === "spring" ? "carts-coil" : "carts-fine");
+        put(thing, "d", lines3);
+      }
+      return was;
     }
   };
 
@@ -14967,6 +15219,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
+      this.#walls.show(run.header.track);
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
@@ -15018,7 +15271,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         );
         this.#velocity(cart2, header.bodies[i]?.name ?? "", centre, t);
       });
-      const face = (name, side2) => {
+      const face2 = (name, side2) => {
         const i = header.bodies.findIndex((body2) => body2.name === name);
         if (i < 0) {
           const wall = name === "left" ? 0 : header.track.length ?? 0;
@@ -15029,10 +15282,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         const centre = Number(centres[i]);
         return side2 === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
       };
-      this.#pushes.at(t, face);
+      this.#pushes.at(t, face2);
       this.#effects.at(
         t,
-        face,
+        face2,
         (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
@@ -15158,7 +15411,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     sentences.push(...contactSentences(header));
     if (header.contacts.some(({ stiffness }) => stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).name);
     if (leftOut.length) {
       sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
     }
@@ -15174,7 +15427,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     return [...alike.values()].map((contacts) => {
       const [one] = contacts;
-      const names = contacts.map(({ bodies }) => listed(bodies.map(body))).join("; ");
+      const names = contacts.map(({ bodies }) => bodiesOf(bodies, header.track)).join("; ");
       const how = one?.stiffness ? tr("bumpers push like springs, the harder the more they are squeezed") : one?.restitution === null ? tr("whoever touches stays together") : tr("a hit takes no time");
       return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
     });
@@ -15223,7 +15476,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
-          sentence: eventSentence(event, this.telling, laws, bare)
+          sentence: eventSentence(event, this.telling, laws, bare, header.track)
         })),
         ...exits(run, this.layout, this.telling.camera).map((exit) => ({
           t: exit.t,
@@ -15322,12 +15575,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         put(band4, "width", at(Math.min(end2, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
-      events.forEach(({ t, kind }, k) => {
+      events.forEach(({ t, kind: kind2 }, k) => {
         const mark = (
           /** @type {Element} */
           this.marks.children[k]
         );
-        put(mark, "class", `carts-event carts-event-${kind}`);
+        put(mark, "class", `carts-event carts-event-${kind2}`);
         put(mark, "x1", at(t));
         put(mark, "x2", at(t));
       });
@@ -15430,7 +15683,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
       if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
       const options = begun2.map(({ bodies, start }, i) => {
-        const names = bodies.map(brief).join("–");
+        const names = bodies.map((name) => brief(name, this.run.header.track)).join("–");
         const option = html2(
           "option",
           "",
@@ -15470,7 +15723,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
   function picture({ baked: raw, at }) {
     const baked = bakedOf(raw);
-    const narrow = baked.view.layouts.filter(({ kind }) => kind === "narrow");
+    const narrow = baked.view.layouts.filter(({ kind: kind2 }) => kind2 === "narrow");
     const root = filled2("div", narrow.map((layout) => stage(baked, layout).text).join(""));
     const drawing = new Stage(need(root, ".carts-stage"), baked);
     drawing.show(baked.run, windowsOf(baked.run));
@@ -15507,10 +15760,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     document2.body.replaceChildren(root);
     return root;
   }
-  globalThis.cartsDraw = (kind, values) => {
-    const draw = KINDS2[kind];
+  globalThis.cartsDraw = (kind2, values) => {
+    const draw = KINDS2[kind2];
     globalThis.document = document2;
-    if (!draw) throw new Error(`nothing draws “${kind}”`);
+    if (!draw) throw new Error(`nothing draws “${kind2}”`);
     return draw(values);
   };
 })();

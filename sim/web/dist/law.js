@@ -16,10 +16,10 @@
   function at(index) {
     return this[index < 0 ? this.length + index : index];
   }
-  for (const kind of [Array, Float64Array, Uint8Array]) {
-    add(kind.prototype, "findLast", findLast);
-    add(kind.prototype, "findLastIndex", findLastIndex);
-    add(kind.prototype, "at", at);
+  for (const kind2 of [Array, Float64Array, Uint8Array]) {
+    add(kind2.prototype, "findLast", findLast);
+    add(kind2.prototype, "findLastIndex", findLastIndex);
+    add(kind2.prototype, "at", at);
   }
   add(String.prototype, "at", at);
   add(
@@ -255,12 +255,26 @@
   }
 
   // ../view/bodies.js
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
   function isWall(name) {
     return name === "left" || name === "right";
   }
-  function brief(name) {
-    if (name === "left") return tr("left wall");
-    return name === "right" ? tr("right wall") : name;
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
+  }
+  function brief(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "brief");
+    return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
   }
   function listed(names) {
     const [first = "", second] = names;
@@ -504,7 +518,7 @@
     },
     pieces: rough
   };
-  function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
+  function rough({ carts }, { key, header: { bodies, track }, layout, face: face2, centre }) {
     const piece = { cls: "carts-rough", behind: true };
     if (carts.length < bodies.length) {
       return carts.map((name) => {
@@ -513,8 +527,8 @@
         return { ...piece, key: `${key} ${name}`, d: d2 };
       });
     }
-    const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const start = track.left === "wall" ? face2("left", "right") : -layout.width;
+    const end2 = track.right === "wall" ? face2("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
     const d = teeth(first, Math.min(end2, layout.width) - first, layout.track);
@@ -587,17 +601,17 @@
     apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
-    pieces({ between }, { key, layout, face }) {
+    pieces({ between }, { key, layout, face: face2 }) {
       const [a, b] = between ?? ["", ""];
       return [
-        ...poles(`${key} ${a}`, face(a, "right"), -1, layout),
-        ...poles(`${key} ${b}`, face(b, "left"), 1, layout)
+        ...poles(`${key} ${a}`, face2(a, "right"), -1, layout),
+        ...poles(`${key} ${b}`, face2(b, "left"), 1, layout)
       ];
     }
   };
-  function poles(key, x, way, { kind, track }) {
+  function poles(key, x, way, { kind: kind2, track }) {
     const top = track - 40;
-    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+    return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
@@ -709,11 +723,11 @@
       stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at2) })
     ],
-    pieces(effect, { key, run, t, layout, face }) {
+    pieces(effect, { key, run, t, layout, face: face2 }) {
       const [a, b] = effect.between ?? ["", ""];
       const [begun2, ended] = pushes(effect, run);
       const low = layout.track - ABOVE2;
-      const ends3 = [face(a, "right"), face(b, "left")].map(Number);
+      const ends3 = [face2(a, "right"), face2(b, "left")].map(Number);
       if (t > ended) {
         const there = edge(run, a, ended) - edge(run, a, t);
         const start2 = Number(ends3[0]) + there * layout.scale - HALF;
@@ -734,9 +748,9 @@
   function pushes({ between, numbers: { at: at2 = 0 } }, { header, trajectory }) {
     const pair = between?.join("-");
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
-    const begun2 = mine.find(({ kind, t }) => kind === "release" && t === at2);
+    const begun2 = mine.find(({ kind: kind2, t }) => kind2 === "release" && t === at2);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun2.t);
+    const ended = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
     return [begun2.t, ended?.t ?? Infinity];
   }
   function edge({ header, trajectory }, name, t, way = 1) {
@@ -758,9 +772,9 @@
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
     },
-    pieces({ numbers, between }, { key, layout, face }) {
+    pieces({ numbers, between }, { key, layout, face: face2 }) {
       const [a, b] = between ?? ["", ""];
-      const [start, end2] = [face(a, "right"), face(b, "left")];
+      const [start, end2] = [face2(a, "right"), face2(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
       const middle = (start + end2) / 2;
       const low = a === "left" ? start : b === "right" ? end2 - length : middle - length / 2;
@@ -786,12 +800,12 @@
 
   // ../view/effects.js
   var LAST = 100;
-  function viewOf(kind) {
-    return { name: kind, row: LAST, ...VIEWS[kind] };
+  function viewOf(kind2) {
+    return { name: kind2, row: LAST, ...VIEWS[kind2] };
   }
-  function nameOf({ kind, called }) {
-    const name = VIEWS[kind]?.name ?? (called && told(called));
-    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+  function nameOf({ kind: kind2, called }) {
+    const name = VIEWS[kind2]?.name ?? (called && told(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind2}”`);
     return name;
   }
   function agent(effect) {
@@ -802,7 +816,7 @@
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
   }
   function kindsOnOne({ effects }) {
-    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
+    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind: kind2 }) => kind2));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
   function isLink(effect) {
@@ -814,7 +828,7 @@
   }
   function pairsApart({ effects }) {
     return effects.flatMap(
-      ({ kind, active, between }) => active && between && viewOf(kind).apart ? [between] : []
+      ({ kind: kind2, active, between }) => active && between && viewOf(kind2).apart ? [between] : []
     );
   }
   function linkOf({ effects }, pair) {
@@ -1017,8 +1031,8 @@
     const [from, to] = ends2(layout);
     const y = px(layout.tape);
     const numbers = layout.track + layout.beam;
-    const line = `M0 ${px(layout.track - 36)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
-    const end2 = (key, x) => html2`<g class="carts-tape-end" data-end=${key} transform="translate(${at2(x)} 0)"><path d=${line}/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
+    const line2 = `M0 ${px(layout.track - 36)}V${px(numbers + 8)}M0 ${px(numbers + 27)}V${y}`;
+    const end2 = (key, x) => html2`<g class="carts-tape-end" data-end=${key} transform="translate(${at2(x)} 0)"><path d=${line2}/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
     const middle = at2((from + to) / 2);
     return html2`<g class="carts-tape" data-origin=${px(layout.origin, 4)} data-scale=${px(layout.scale, 4)} data-y=${y}><path data-part="tape" d="M${at2(from)} ${y}H${at2(to)}"/>${end2("from", from)}${end2("to", to)}<text data-part="length" x=${middle} y=${px(layout.tape + 5)} text-anchor="middle">${fixed(to - from, decimalsOf(stepOf(layout)))} m</text></g>`;
   }
@@ -1040,11 +1054,11 @@
   var BEYOND = 60;
   function stage(baked, layout) {
     const { fence, run } = baked;
-    const { kind, width, height } = layout;
+    const { kind: kind2, width, height } = layout;
     const forces = fence.forces === "shown";
-    const hatch = `${fence.id}-${kind}-hatch`;
+    const hatch = `${fence.id}-${kind2}-hatch`;
     const size = html2`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
-    return html2`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+    return html2`<svg class="carts-stage carts-stage-${kind2}" data-kind=${kind2} ${size} aria-hidden="true">
 <defs>
 <pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
 </defs>
@@ -1070,8 +1084,8 @@ ${legend(baked, layout)}
       /** @type {import("../skins.js").Skin} */
       SKINS[skin]
     );
-    const face = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
+    const face2 = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face2("left")}${face2("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
   }
   function pushes2({ run: { header } }) {
@@ -1273,29 +1287,29 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var FEW = 3;
   function forcesAt({ header, trajectory }, t, always = false) {
     const found2 = [];
-    for (const kind of kindsOnOne(header)) {
+    for (const kind2 of kindsOnOne(header)) {
       const acting = header.effects.filter(
-        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+        (effect) => effect.kind === kind2 && (always ? effect.active : actsAt(effect, t))
       );
       for (const { name } of header.bodies) {
         const own = acting.filter((effect) => effect.carts.includes(name));
-        const column = trajectory.E[`${kind} ${name}`];
+        const column = trajectory.E[`${kind2} ${name}`];
         if (!own.length || !column?.length) continue;
         const peak = greatest2(column);
         const on = own.some((effect) => actsAt(effect, t));
         const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name, by: listed([...new Set(own.map(agent))]), value, size });
+        found2.push({ kind: kind2, on: name, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
     return found2;
   }
-  function labels({ kind, on, by, size }) {
+  function labels({ kind: kind2, on, by, size }) {
     const told2 = { on, by, size };
     const brief2 = { ...told2, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
+      viewOf(kind2).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -1316,11 +1330,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     const { seen } = viewOf(effect.kind);
     return seen ? effect.active && seen(effect, t) : actsAt(effect, t);
   }
-  function props(run, layout, t, face, centre) {
+  function props(run, layout, t, face2, centre) {
     const { header } = run;
     return header.effects.filter((effect) => isSeen(effect, t)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t, layout, face: face2, centre }) ?? [];
     });
   }
 
@@ -1350,10 +1364,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     show(run) {
       this.#run = run;
     }
-    at(t, face, centre) {
+    at(t, face2, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run, this.layout, t, face, centre);
+      const pieces = props(run, this.layout, t, face2, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
@@ -1462,7 +1476,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       });
     }
-    at(t, face) {
+    at(t, face2) {
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
@@ -1476,7 +1490,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         const size = Math.max(...sizes);
         const y = layout.track - PUSH;
         const [left, right] = push.bodies;
-        const ends3 = [face(left, "right"), face(right, "left")];
+        const ends3 = [face2(left, "right"), face2(right, "left")];
         push.groups.forEach((group, side) => {
           const way = side === 0 ? -1 : 1;
           const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
@@ -1528,9 +1542,13 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     #named({ push, sizes, x }, through) {
       const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
+      const { track } = (
+        /** @type {Run} */
+        this.#run.header
+      );
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+        const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
         return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
@@ -1582,26 +1600,154 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     say(text, label);
   }
 
-  // ../view/deformation/walls.js
-  var LEAST = 64;
+  // ../view/deformation/bubbles.js
+  var APART = 13;
+  var RADIUS = 3.5;
+  var SMALL = 0.6;
+  function bubbles(front, back, depth, [top, foot], size = 1) {
+    const columns = Math.max(2, Math.round(depth / (APART * size)));
+    const rows = Math.max(2, Math.floor((foot - top) / (APART * size)));
+    let d = "";
+    for (let row = 0; row < rows; row += 1) {
+      const y = top + (row + 0.5) * (foot - top) / rows;
+      const room = back - front(y);
+      const squeezed = Math.min(1, Math.abs(room) / depth);
+      for (let column = 0; column < columns; column += 1) {
+        const x = front(y) + room * (column + (row % 2 ? 0.7 : 0.3)) / columns;
+        d += bubble(x, y, size * RADIUS * ((row + column) % 3 ? 1 : SMALL), squeezed);
+      }
+    }
+    return d;
+  }
+  function bubble(x, y, radius, squeezed) {
+    const wide = px(radius * squeezed);
+    const across = px(2 * radius * squeezed);
+    const half = `a${wide} ${px(radius)} 0 1 0`;
+    return `M${px(x - Number(wide))} ${px(y)}${half} ${across} 0${half} -${across} 0`;
+  }
+
+  // ../view/deformation/things.js
+  var ROOM2 = 0.5;
+  var LEAST = 30;
+  var MOST = 60;
+  var SHALLOW = 0.6;
+  var SOLID = 8;
   var THICK = 2e3;
-  var ROOM2 = 3;
+  var ABOVE3 = 3;
   var SEEN = 1;
+  var ARM = 12;
+  var PLATE = 4;
+  var PLANK = 8;
+  var PITCH = 9;
+  var HIGH2 = 13;
+  var MADE = {
+    foam(place3) {
+      const { x, heights, back, depth } = place3;
+      const [top, foot] = endsOf(heights);
+      const above = `M${px(x(top))} ${px(top)}H${px(back)}`;
+      const inside = bubbles(x, back, depth, [top, foot]);
+      return { own: [...face(place3), [back, foot], [back, top]], lines: above + inside };
+    },
+    spring(place3) {
+      const { x, heights, back, depth } = place3;
+      const [top, foot] = endsOf(heights);
+      const [from, to] = [x(top, PLATE), back].sort((a, b) => a - b);
+      const turns = Math.round(depth / PITCH);
+      const wire = coil(Number(from), Number(to), (top + foot) / 2, turns, HIGH2);
+      const plate = slab(place3, PLATE);
+      return { own: plate, lines: area(plate) + wire };
+    },
+    board(place3) {
+      const plank = slab(place3, PLANK);
+      return { own: plank, lines: area(plank) + line(face(place3, PLANK / 2)) };
+    }
+  };
+  function depthOf(what, { edge: edge2, way }, { width }) {
+    const beyond = way > 0 ? width - edge2 : edge2;
+    const depth = Math.max(LEAST, Math.min(MOST, ROOM2 * beyond));
+    return what === "board" ? SHALLOW * depth : depth;
+  }
+  function thingPaths(what, wall, layout, dent, height) {
+    const place3 = pressed(what, wall, layout, dent, height);
+    const { own, lines: lines2 } = (
+      /** @type {(place: Place) => Made} */
+      MADE[what](place3)
+    );
+    const inner = mounting(what, wall, layout, place3.back);
+    const far = wall.edge + wall.way * THICK;
+    const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
+    const [begin = 0] = place3.heights.slice(-3);
+    return {
+      body: behind + area(own),
+      hatch: behind,
+      face: line(face(place3)) + line(inner),
+      was: dent < SEEN ? "" : `M${px(wall.edge)} ${px(begin)}V${px(layout.track)}`,
+      lines: lines2
+    };
+  }
+  function pressed(what, wall, layout, dent, height) {
+    const { edge: edge2, way, top } = wall;
+    const foot = layout.track;
+    const depth = depthOf(what, wall, layout);
+    const back = edge2 + way * Math.max(depth, dent + SOLID);
+    const place3 = (heights, give) => ({
+      x: (y, behind = 0) => edge2 + way * (give(y) + behind),
+      heights,
+      back,
+      depth
+    });
+    if (what === "spring" || dent === 0) return place3([top, foot], () => dent);
+    const high = Math.max(top, foot - height - ABOVE3);
+    const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
+    const part = (y) => y < high ? (y - shoulder) / (high - shoulder) : 1;
+    return place3([top, shoulder, high, foot], (y) => dent * Math.max(0, part(y)));
+  }
+  function mounting(what, { edge: edge2, way, top }, { track, beam }, back) {
+    const held = edge2 + way * PLANK;
+    const arm = what === "board" ? [
+      [back, top + ARM],
+      [held, top + ARM],
+      [held, top]
+    ] : [[back, top]];
+    return [[edge2, track + beam], [edge2, track], [back, track], ...arm];
+  }
+  function endsOf(heights) {
+    return [Math.min(...heights), Math.max(...heights)];
+  }
+  function face({ x, heights }, behind = 0) {
+    return heights.map((y) => [x(y, behind), y]);
+  }
+  function slab(place3, thick) {
+    return [...face(place3), ...face(place3, thick).reverse()];
+  }
+  function line(points) {
+    return `M${points.map(([x, y]) => `${px(x)} ${px(y)}`).join("L")}`;
+  }
+  function area(points) {
+    return `${line(points)}Z`;
+  }
+
+  // ../view/deformation/walls.js
+  var LEAST2 = 64;
+  var THICK2 = 2e3;
+  var ROOM3 = 3;
+  var SEEN2 = 1;
   function wallAt(side, length, layout, tallest) {
     const x = side === "left" ? 0 : Number(length);
     const edge2 = layout.origin + x * layout.scale;
-    return { edge: edge2, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+    return { edge: edge2, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST2) };
   }
   function wallPaths({ edge: edge2, way, top }, { track, beam }, dent, height) {
-    const high = Math.max(top, track - height - ROOM2);
+    const high = Math.max(top, track - height - ROOM3);
     const shoulder = Math.max(top, high - dent);
-    const pressed = `V${px(shoulder)}L${px(edge2 + way * dent)} ${px(high)}V${px(track)}H${px(edge2)}`;
-    const face = `M${px(edge2)} ${px(top)}${dent > 0 ? pressed : ""}V${px(track + beam)}`;
-    const was = dent < SEEN ? "" : `M${px(edge2)} ${px(shoulder)}V${px(track)}`;
-    return { body: `${face}h${way * THICK}V${px(top)}Z`, face, was };
+    const pressed2 = `V${px(shoulder)}L${px(edge2 + way * dent)} ${px(high)}V${px(track)}H${px(edge2)}`;
+    const face2 = `M${px(edge2)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
+    const was = dent < SEEN2 ? "" : `M${px(edge2)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face2}h${way * THICK2}V${px(top)}Z`, face: face2, was };
   }
 
   // src/scene/walls.js
+  var THING = '[data-part="thing"]';
   var Walls = class {
     #walls = [];
     constructor(root, layout, { run: { header }, view }) {
@@ -1609,8 +1755,17 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
         const side = group.getAttribute("data-wall") === "left" ? "left" : "right";
-        return { side, wall: wallAt(side, header.track.length, layout, view.tallest), group };
+        const wall = wallAt(side, header.track.length, layout, view.tallest);
+        return { side, what: "wall", wall, group };
       });
+    }
+    show(track) {
+      for (const one of this.#walls) {
+        one.what = whatIs(one.side, track);
+        const drawn = one.group.querySelector(THING);
+        if (one.what === "wall") drawn?.remove();
+        else if (!drawn) one.group.append(svg("path", { "data-part": "thing" }));
+      }
     }
     faces(shift) {
       const at2 = (side) => {
@@ -1619,17 +1774,22 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       };
       return { left: at2("left"), right: at2("right") };
     }
-    at(pressed, shift) {
-      const lines2 = this.#walls.map(({ side, wall, group }) => {
-        const { dent, height } = pressed[side];
-        const { body: body2, face, was } = wallPaths(wall, this.layout, dent, height);
-        put(need(group, ".carts-wall"), "d", body2);
-        put(need(group, "[fill]"), "d", body2);
-        put(need(group, ".carts-wall-face"), "d", face);
-        return was;
-      });
+    at(pressed2, shift) {
+      const lines2 = this.#walls.map((one) => this.#draw(one, pressed2[one.side]));
       put(this.was, "d", lines2.join(""));
       put(this.was, "transform", `translate(${px(-shift)} 0)`);
+    }
+    #draw({ what, wall, group }, { dent, height }) {
+      const { body: body2, hatch, face: face2, was, lines: lines2 } = what === "wall" ? { ...wallPaths(wall, this.layout, dent, height), hatch: null, lines: "" } : thingPaths(what, wall, this.layout, dent, height);
+      put(need(group, ".carts-wall"), "d", body2);
+      put(need(group, "[fill]"), "d", hatch ?? body2);
+      put(need(group, ".carts-wall-face"), "d", face2);
+      if (lines2) {
+        const thing = need(group, THING);
+        put(thing, "class", what === "spring" ? "carts-coil" : "carts-fine");
+        put(thing, "d", lines2);
+      }
+      return was;
     }
   };
 
@@ -1688,6 +1848,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
+      this.#walls.show(run.header.track);
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }
@@ -1739,7 +1900,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         );
         this.#velocity(cart2, header.bodies[i]?.name ?? "", centre, t);
       });
-      const face = (name, side) => {
+      const face2 = (name, side) => {
         const i = header.bodies.findIndex((body2) => body2.name === name);
         if (i < 0) {
           const wall = name === "left" ? 0 : header.track.length ?? 0;
@@ -1750,10 +1911,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         const centre = Number(centres[i]);
         return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
       };
-      this.#pushes.at(t, face);
+      this.#pushes.at(t, face2);
       this.#effects.at(
         t,
-        face,
+        face2,
         (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
@@ -2105,19 +2266,19 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.box.value = text;
       this.box.rows = Math.min(24, Math.max(8, text.split("\n").length + 1));
     }
-    go(line) {
+    go(line2) {
       const lines2 = this.box.value.split("\n");
-      const start = lines2.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
+      const start = lines2.slice(0, line2 - 1).reduce((sum, one) => sum + one.length + 1, 0);
       this.box.focus();
-      this.box.setSelectionRange(start, start + (lines2[line - 1] ?? "").length);
+      this.box.setSelectionRange(start, start + (lines2[line2 - 1] ?? "").length);
     }
     #key(event) {
       if (event.key !== "Enter" || event.shiftKey || event.ctrlKey || event.metaKey) return;
       if (event.altKey || event.isComposing) return;
       const { value, selectionStart } = this.box;
-      const line = value.slice(value.lastIndexOf("\n", selectionStart - 1) + 1, selectionStart);
-      const indent = /^ */.exec(line)?.[0] ?? "";
-      const more = /:\s*(#.*)?$/.test(line) ? STEP2 : "";
+      const line2 = value.slice(value.lastIndexOf("\n", selectionStart - 1) + 1, selectionStart);
+      const indent = /^ */.exec(line2)?.[0] ?? "";
+      const more = /:\s*(#.*)?$/.test(line2) ? STEP2 : "";
       event.preventDefault();
       if (document.execCommand("insertText", false, `
 ${indent}${more}`)) return;
@@ -3312,8 +3473,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           this.note,
           ""
         );
-        const line = LINE2.exec(message);
-        if (message && line) this.editor?.go(Number(line[1]));
+        const line2 = LINE2.exec(message);
+        if (message && line2) this.editor?.go(Number(line2[1]));
       }
       #working(on) {
         for (const one of [this.run, this.judge]) if (one) one.disabled = on;

@@ -130,12 +130,37 @@
     return `M${[...up, ...down].join("L")}Z`;
   }
 
+  // ../view/bodies.js
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
+  }
+  function body(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "body");
+    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
+  }
+
   // src/proof/rows.js
   var MANY = 8;
   var MORE = 3;
   var FINEST = 17;
-  function rows({ final, events }) {
-    const times = events.filter(({ kind }) => kind !== "end").map(({ t, kind, bodies }) => row(tr("t: {event}", { event: named(kind, bodies) }), t, "s"));
+  function rows({ final, events }, track) {
+    const times = events.filter(({ kind }) => kind !== "end").map(
+      ({ t, kind, bodies }) => row(tr("t: {event}", { event: named(kind, bodies, track) }), t, "s")
+    );
     const ends = Object.keys(final.x).flatMap((cart) => [
       row(
         tr("x of {cart} at the end", { cart }),
@@ -152,8 +177,10 @@
     ]);
     return [...times, ...ends];
   }
-  function named(kind, bodies) {
-    const names = bodies.map((name) => name === "left" || name === "right" ? tr("the wall") : name);
+  function named(kind, bodies, track) {
+    const names = bodies.map(
+      (name) => isWall(name) && whatIs(name, track) === "wall" ? tr("the wall") : body(name, track)
+    );
     const [one = "", other = ""] = names;
     if (kind === "contact") return tr("{one} and {other} touch", { one, other });
     if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });
@@ -287,7 +314,7 @@
       say(this.note, lines.filter(Boolean).join(" "));
       this.table.hidden = !known && certificate.events.length === 0;
       this.count.textContent = band ? tr("digits that the tolerance leaves") : tr("sure digits");
-      this.body.replaceChildren(...rows(certificate));
+      this.body.replaceChildren(...rows(certificate, this.view.run.header.track));
       this.#show(band);
     }
   };
@@ -301,7 +328,7 @@
     line.append(tr("How it is proved, and a second program for it: page “Certificates”."));
     return line;
   }
-  function tableWith(body, count) {
+  function tableWith(body2, count) {
     const table = html("table", "carts-table carts-proof-told");
     const head = html("tr");
     for (const text of ["", tr("not less than"), tr("not more than")]) {
@@ -312,7 +339,7 @@
     head.append(count);
     const heads = html("thead");
     heads.append(head);
-    table.append(heads, body);
+    table.append(heads, body2);
     return table;
   }
 

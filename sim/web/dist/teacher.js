@@ -1455,8 +1455,8 @@ ${second && across2}
 
   // ../view/measured/table.js
   var PLACES = 4;
-  function tableOf2({ kind, names, tracks }, residuals) {
-    const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+  function tableOf2({ kind: kind2, names, tracks }, residuals) {
+    const [letter, unit] = kind2 === "length" ? ["x", "m"] : ["F", "N"];
     const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
     if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
     const found = /* @__PURE__ */ new Map();
@@ -1517,11 +1517,11 @@ ${table2(facts)}
 </div>`;
   }
   function source({ name, units, offered, read }) {
-    const choices = UNITS.map(([kind, text2], k) => {
-      const options = offered[kind].map(
-        (unit) => html2`<option value=${unit}${units?.[kind] === unit && html2` selected`}>${unit}</option>`
+    const choices = UNITS.map(([kind2, text2], k) => {
+      const options = offered[kind2].map(
+        (unit) => html2`<option value=${unit}${units?.[kind2] === unit && html2` selected`}>${unit}</option>`
       );
-      return html2`${k > 0 && " "}<label>${text2} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
+      return html2`${k > 0 && " "}<label>${text2} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
     });
     const own = html2`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
     return html2`<div class="carts-measured-source">
@@ -1562,9 +1562,29 @@ ${table2(facts)}
   }
 
   // ../view/bodies.js
-  function body(name) {
-    if (name === "left") return tr("the left wall");
-    return name === "right" ? tr("the right wall") : name;
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
+  }
+  function body(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "body");
+    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+  }
+  function kind(name, track) {
+    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
   }
   function forceOn(on, by) {
     return tr("force on {on} by {by}", { on, by });
@@ -1707,9 +1727,9 @@ ${table2(facts)}
       ];
     }
   };
-  function poles(key, x, way, { kind, track }) {
+  function poles(key, x, way, { kind: kind2, track }) {
     const top = track - 40;
-    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+    return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
@@ -1930,9 +1950,9 @@ ${table2(facts)}
   function pushes({ between: between2, numbers: { at = 0 } }, { header, trajectory }) {
     const pair = between2?.join("-");
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
-    const begun2 = mine.find(({ kind, t }) => kind === "release" && t === at);
+    const begun2 = mine.find(({ kind: kind2, t }) => kind2 === "release" && t === at);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun2.t);
+    const ended = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
     return [begun2.t, ended?.t ?? Infinity];
   }
   function edge2({ header, trajectory }, name, t, way = 1) {
@@ -1982,12 +2002,12 @@ ${table2(facts)}
 
   // ../view/effects.js
   var LAST = 100;
-  function viewOf(kind) {
-    return { name: kind, row: LAST, ...VIEWS[kind] };
+  function viewOf(kind2) {
+    return { name: kind2, row: LAST, ...VIEWS[kind2] };
   }
-  function nameOf({ kind, called }) {
-    const name = VIEWS[kind]?.name ?? (called && told(called));
-    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+  function nameOf({ kind: kind2, called }) {
+    const name = VIEWS[kind2]?.name ?? (called && told(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind2}”`);
     return name;
   }
   function agent(effect) {
@@ -1995,7 +2015,7 @@ ${table2(facts)}
     return viewOf(effect.kind).agent?.(effect) ?? (named3 ? told(named3) : nameOf(effect));
   }
   function kindsOnOne({ effects }) {
-    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
+    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind: kind2 }) => kind2));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
   function isLink(effect) {
@@ -2008,7 +2028,7 @@ ${table2(facts)}
   function effectOf(target, { effects }) {
     const owner = target.slice(0, target.lastIndexOf("."));
     return effects.find(
-      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
+      ({ kind: kind2, index }) => [kind2, `effects.${index}`, `effects.${index}.${kind2}`].includes(owner)
     );
   }
 
@@ -2040,15 +2060,19 @@ ${table2(facts)}
   // ../view/effects-forces.js
   function outside(header) {
     const { effects, track } = header;
-    const walls = track.left === "wall" || track.right === "wall";
+    const sides = (
+      /** @type {const} */
+      ["left", "right"]
+    );
+    const walls = sides.filter((side2) => track[side2] === "wall").map((side2) => kind(side2, track));
     const kinds = kindsOnOne(header).map(viewOf);
     const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
     const others = effects.map((effect) => {
       const { around } = viewOf(effect.kind);
       return typeof around === "function" ? around(effect, agent(effect)) : "";
     });
-    const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
-    const parts = [walls ? tr("wall") : "", ...media, ...others, earth];
+    const earth = walls.length || kinds.some((view) => view.earth) ? tr("Earth") : "";
+    const parts = [...walls, ...media, ...others, earth];
     return [...new Set(parts.filter(Boolean))].join(" + ");
   }
 
@@ -2381,7 +2405,7 @@ ${spec.sure && certainty(id)}
     ]);
     const rows = asked.map(({ pair, on, by }, k) => {
       const i = header.bodies.findIndex(({ name }) => name === on);
-      const force = forceOn(body(on), body(by));
+      const force = forceOn(body(on, header.track), body(by, header.track));
       const label = tr("{force}, length of the arrow", { force });
       const id = `${fence.id}-guess-${k + 1}`;
       return html2`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label}${!numbers && html2` id=${id}`} disabled>${numbers && html2`<span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p>`}</div>
@@ -2614,11 +2638,11 @@ ${layout && layout.tape > 0 && ruler(layout)}
   var BEYOND = 60;
   function stage(baked, layout) {
     const { fence, run } = baked;
-    const { kind, width, height } = layout;
+    const { kind: kind2, width, height } = layout;
     const forces = fence.forces === "shown";
-    const hatch = `${fence.id}-${kind}-hatch`;
+    const hatch = `${fence.id}-${kind2}-hatch`;
     const size = html2`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
-    return html2`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+    return html2`<svg class="carts-stage carts-stage-${kind2}" data-kind=${kind2} ${size} aria-hidden="true">
 <defs>
 <pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
 </defs>
@@ -3143,7 +3167,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.root = html("div", "carts-teach-fields");
     }
     show(fields, findings) {
-      const form2 = JSON.stringify(fields.map(({ path: path2, kind, group }) => [path2, kind, group]));
+      const form2 = JSON.stringify(fields.map(({ path: path2, kind: kind2, group }) => [path2, kind2, group]));
       if (form2 !== this.#form) this.#build(fields);
       this.#form = form2;
       for (const field of fields) {
@@ -3397,9 +3421,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
   };
   var place3 = (piece) => piece.kind === "top" ? "Facts" : "Text";
-  function titleOf({ kind, text: text2, title, id }) {
-    if (kind === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
-    if (kind === "block") return short2(seen(title || id || text2.split("\n")[0] || ""));
+  function titleOf({ kind: kind2, text: text2, title, id }) {
+    if (kind2 === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
+    if (kind2 === "block") return short2(seen(title || id || text2.split("\n")[0] || ""));
     const heading = /^#+ +(.+)/m.exec(text2)?.[1];
     return short2((heading ?? text2).split("\n").map(seen).find(Boolean) ?? "(no text yet)");
   }
@@ -3662,7 +3686,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.root.dataset.state = "unchecked";
     }
   };
-  var shape = (pieces) => pieces.map(({ kind, name, id }) => `${kind} ${name} ${id}`).join("\n");
+  var shape = (pieces) => pieces.map(({ kind: kind2, name, id }) => `${kind2} ${name} ${id}`).join("\n");
   var plain = (text2) => text2.replace(/\r\n?/g, "\n");
 
   // src/shared/bring.js

@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.scene.given.against_ends import AT_PEAK
 from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
@@ -36,7 +37,6 @@ FOAM: dict[str, Any] = {
         {"set": "contact.stiffness", "from": "30 N/m", "to": "2000 N/m", "step": "10 N/m"}
     ],
 }
-AT_PEAK = "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t;"
 DRAWN = """const places = ["wide", "narrow"].map((kind) => {
   const stage = el.querySelector(`.carts-stage-${kind}`);
   const part = (name) => stage.querySelector(`.carts-${name}`).getAttribute("d") ?? "";

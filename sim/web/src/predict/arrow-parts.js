@@ -8,26 +8,22 @@ export const ALIKE = 0.06; // of the longer arrow: nearer than this two were mea
 export const LONG = 120; // units of the comparison that stand for the full scale
 
 /**
- * Which force a row of the form asks for, and its slider.
- * @param {HTMLElement} element @param {import("../../../view/types.js").Contact[]} contacts
+ * Which force a row of the form asks for, its name, and its slider.
+ * @param {HTMLElement} element @param {import("../../../view/types.js").Header} header
  */
-export function asked(element, contacts) {
+export function asked(element, { contacts, track }) {
   const { pair = "", on = "" } = element.dataset;
   const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
   const side = /** @type {"left" | "right"} */ (bodies[0] === on ? "left" : "right");
+  const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
   return {
     pair,
     on,
-    by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
+    name: forceOn(body(on, track), body(by, track)),
     side,
     style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
     slider: /** @type {HTMLInputElement} */ (need(element, 'input[type="range"]')),
   };
-}
-
-/** @param {{on: string, by: string}} row */
-export function name({ on, by }) {
-  return forceOn(body(on), body(by));
 }
 
 /** Greatest contact force of a pair in N. @param {import("../../../view/types.js").Run} run @param {string} pair */

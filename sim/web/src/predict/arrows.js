@@ -5,10 +5,10 @@ import { fixed, short } from "../../../view/numbers.js";
 import { arrowLength, isCut } from "../../../view/shapes.js";
 import { html, need, say } from "../shared/dom.js";
 import { readTyped } from "../shared/typed.js";
-import { asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
+import { asked, greatest, LONG, pulled } from "./arrow-parts.js";
 
 /** @typedef {{pair: string, on: string, side: "left" | "right", size: number | null, slider: HTMLInputElement}} Guess size in N, null: not set yet; side of the pair */
-/** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
+/** @typedef {{pair: string, on: string, name: string, side: "left" | "right", style: string, size: number | null,
  *   good: number | null, slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
 
 const MOST = 10; // full scales; a longer arrow than the slider's is typed, and drawn cut
@@ -25,11 +25,11 @@ export class ArrowsForm {
     this.full = baked.view.force || 10;
     this.decimals = baked.view.decimals.F ?? 2;
     this.draw = draw;
-    const contacts = baked.run.header.contacts;
+    const { header } = baked.run;
     const elements = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-guess"));
     this.#rows = [...elements].map((element) => {
       const row = {
-        ...asked(element, contacts),
+        ...asked(element, header),
         size: null,
         good: null, // the last size that was not taken back: half-typed numbers do not count
         box: /** @type {HTMLInputElement} */ (need(element, 'input[type="text"]')),
@@ -51,7 +51,7 @@ export class ArrowsForm {
   /** @returns {string} */
   get said() {
     const rows = this.#rows.filter(({ size }) => size !== null);
-    return rows.map((row) => `${name(row)}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
+    return rows.map((row) => `${row.name}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
   }
 
   set value(value) {
@@ -80,12 +80,12 @@ export class ArrowsForm {
     if (!missing.length) return null;
     const refused = missing.filter((row) => row.box.value.trim());
     if (refused.length) {
-      const names = refused.map(name).join(", ");
+      const names = refused.map(({ name }) => name).join(", ");
       const problem = tr("This number does not work yet: {names}.", { names });
       return `${problem} ${this.#range()}`;
     }
     return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
-      names: missing.map(name).join(", "),
+      names: missing.map(({ name }) => name).join(", "),
     });
   }
 
@@ -100,7 +100,7 @@ export class ArrowsForm {
       const newtons = (/** @type {number} */ size) => `${fixed(size, this.decimals)} N`;
       const spoken = rows.map((row) =>
         tr("{force}: you {yours}, the run {actual}.", {
-          force: name(row),
+          force: row.name,
           yours: newtons(row.size ?? 0),
           actual: newtons(actual),
         }),
@@ -109,7 +109,7 @@ export class ArrowsForm {
       grid.setAttribute("aria-label", spoken.join(" "));
       grid.append(
         html("span"),
-        ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
+        ...rows.map((row) => html("b", `${row.style} ${row.side}`, row.name)),
       );
       for (const [who, style] of /** @type {const} */ ([
         [tr("you"), "carts-guessed"],

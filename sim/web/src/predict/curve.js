@@ -99,7 +99,7 @@ export class CurveForm {
     const other = touch.bodies.find((name) => name !== this.cart) ?? "";
     const title = tr(
       "Force on {cart} by {other}: dashed is yours, solid is the run. Only the shape counts.",
-      { cart: this.cart, other: body(other) },
+      { cart: this.cart, other: body(other, header.track) },
     );
     return { values, title };
   }

@@ -50,7 +50,7 @@ export class FindForces {
     this.#run = run;
     this.#means = meanForces(run);
     const names = this.#means.map(({ cart, other }) =>
-      tr("{cart}, while it touches {other}", { cart, other: body(other) }),
+      tr("{cart}, while it touches {other}", { cart, other: body(other, run.header.track) }),
     );
     const same = [...this.which.options].map((one) => one.text).join() === names.join();
     if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
@@ -100,7 +100,7 @@ export class FindForces {
     if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
     const said = tr("mean force on {cart} by {other}: {force} N", {
       cart: mean.cart,
-      other: body(mean.other),
+      other: body(mean.other, this.#run.header.track),
       force: short(mean.value),
     });
     this.#found.set(JSON.stringify([mean.cart, mean.other]), said);

@@ -5,10 +5,10 @@
 
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
-import { ALIKE, asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
+import { ALIKE, asked, greatest, LONG, pulled } from "./arrow-parts.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
-/** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, share: number | null, slider: HTMLInputElement}} Row share: of the longest arrow */
+/** @typedef {{pair: string, on: string, name: string, side: "left" | "right", style: string, share: number | null, slider: HTMLInputElement}} Row share: of the longest arrow */
 
 export class RelativeArrows {
   /** @type {Row[]} */
@@ -23,11 +23,11 @@ export class RelativeArrows {
     this.full = baked.view.force || 10; // N, of the longest arrow of the picture
     this.draw = draw;
     this.relation = need(root, ".carts-relation");
-    const { contacts } = baked.run.header;
+    const { header } = baked.run;
     const elements = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-guess"));
     this.#rows = [...elements].map((element) => {
       /** @type {Row} */
-      const row = { ...asked(element, contacts), share: null };
+      const row = { ...asked(element, header), share: null };
       row.slider.addEventListener("input", () => {
         row.share = row.slider.valueAsNumber;
         this.#show();
@@ -69,7 +69,7 @@ export class RelativeArrows {
   /** An arrow that was left alone may be forgotten, or an idea: that there is no such force. */
   problem() {
     const missing = this.#rows.filter(({ share }) => share === null);
-    const names = missing.map(name).join(", ");
+    const names = missing.map(({ name }) => name).join(", ");
     const told = names === this.#told;
     this.#told = names;
     if (!names) return null;
@@ -97,7 +97,7 @@ export class RelativeArrows {
       );
       grid.append(
         html("span"),
-        ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
+        ...rows.map((row) => html("b", `${row.style} ${row.side}`, row.name)),
         html("span", "", tr("you")),
         ...rows.map((row) => cell(row, most ? (row.share ?? 0) / most : 0, "carts-guessed")),
         html("span", "", tr("the run")),
@@ -140,8 +140,8 @@ function relation(rows, of) {
   if (!most) return tr("no force on either.");
   if (Math.abs(a - b) <= ALIKE * most) return tr("both forces are equally large.");
   const [large, small] = a > b ? [one, other] : [other, one];
-  if (!Math.min(a, b)) return tr("only the {force}.", { force: name(large) });
-  return tr("the {large} is larger than the {small}.", { large: name(large), small: name(small) });
+  if (!Math.min(a, b)) return tr("only the {force}.", { force: large.name });
+  return tr("the {large} is larger than the {small}.", { large: large.name, small: small.name });
 }
 
 /** @param {Row} row @param {number} part of the longest arrow @param {string} look */

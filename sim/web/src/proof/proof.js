@@ -114,7 +114,7 @@ export class Proof {
     say(this.note, lines.filter(Boolean).join(" "));
     this.table.hidden = !known && certificate.events.length === 0;
     this.count.textContent = band ? tr("digits that the tolerance leaves") : tr("sure digits");
-    this.body.replaceChildren(...rows(certificate));
+    this.body.replaceChildren(...rows(certificate, this.view.run.header.track));
     this.#show(band);
   }
 }

@@ -1,8 +1,10 @@
 /** The rows of a certificate: what it is of, its two bounds, and how many digits they agree in. */
 
+import { body, isWall, whatIs } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { html } from "../shared/dom.js";
 
+/** @typedef {import("../../../view/types.js").Track} Track */
 /** @typedef {[string, string]} Bounds decimal text, never rounded inwards */
 /**
  * @typedef {{final: {x: Record<string, Bounds>, v: Record<string, Bounds>}, order: string, reason: any,
@@ -13,11 +15,13 @@ const MANY = 8; // sure digits: all of a bound is shown
 const MORE = 3; // digits beside the sure ones
 const FINEST = 17; // digits that tell one double from the next
 
-/** @param {Certificate} certificate @returns {Element[]} events in their order, then the end */
-export function rows({ final, events }) {
+/** @param {Certificate} certificate @param {Track} track @returns {Element[]} events in their order, then the end */
+export function rows({ final, events }, track) {
   const times = events
     .filter(({ kind }) => kind !== "end")
-    .map(({ t, kind, bodies }) => row(tr("t: {event}", { event: named(kind, bodies) }), t, "s"));
+    .map(({ t, kind, bodies }) =>
+      row(tr("t: {event}", { event: named(kind, bodies, track) }), t, "s"),
+    );
   const ends = Object.keys(final.x).flatMap((cart) => [
     row(tr("x of {cart} at the end", { cart }), /** @type {Bounds} */ (final.x[cart]), "m"),
     row(tr("v of {cart} at the end", { cart }), /** @type {Bounds} */ (final.v[cart]), "m/s"),
@@ -25,9 +29,11 @@ export function rows({ final, events }) {
   return [...times, ...ends];
 }
 
-/** @param {string} kind @param {string[]} bodies */
-function named(kind, bodies) {
-  const names = bodies.map((name) => (name === "left" || name === "right" ? tr("the wall") : name));
+/** @param {string} kind @param {string[]} bodies @param {Track} track */
+function named(kind, bodies, track) {
+  const names = bodies.map((name) =>
+    isWall(name) && whatIs(name, track) === "wall" ? tr("the wall") : body(name, track),
+  );
   const [one = "", other = ""] = names;
   if (kind === "contact") return tr("{one} and {other} touch", { one, other });
   if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });

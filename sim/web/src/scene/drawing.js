@@ -109,7 +109,7 @@ export class Drawing {
     const begun = this.windows.filter(({ start }) => start <= this.#seen);
     if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
     const options = begun.map(({ bodies, start }, i) => {
-      const names = bodies.map(brief).join("–");
+      const names = bodies.map((name) => brief(name, this.run.header.track)).join("–");
       const option = html(
         "option",
         "",

@@ -1,5 +1,6 @@
 /** Ready-made settings: which of them is on screen, which were watched. A reader who pressed four shall see both. */
 
+import { whatIs } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { put, say } from "../shared/dom.js";
 import { valueIn } from "./controls.js";
@@ -52,7 +53,10 @@ export class Presets {
       const numbers = this.numbers[button.dataset.preset ?? ""];
       const asked = values.every(([target, value]) => settings[target] === value);
       // Before anything was pressed: what the lesson begins with may be one of them.
-      const same = values.every(([target]) => valueIn(header, target) === numbers?.[target]);
+      const same = values.every(([target, value]) => {
+        const what = thingIn(header, target);
+        return what ? what === value : valueIn(header, target) === numbers?.[target];
+      });
       put(button, "aria-pressed", String(values.length > 0 && (asked || same)));
     }
   }
@@ -68,4 +72,10 @@ export class Presets {
     const left = this.left.join(", ");
     say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
   }
+}
+
+/** What a run says stands at an end of the track; "" for another target. @param {import("../../../view/types.js").Header} header @param {string} target */
+function thingIn({ track }, target) {
+  const side = /^track\.(left|right)_is$/.exec(target)?.[1];
+  return side ? whatIs(side, track) : "";
 }

@@ -135,9 +135,10 @@ export class Pushes {
   /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
   #named({ push, sizes, x }, through) {
     const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
+    const { track } = /** @type {Run} */ (this.#run).header;
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
-      const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+      const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
       return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
     });
     const [left, right] = labels.map((label) => label.length * PER_CHARACTER);

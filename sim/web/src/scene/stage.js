@@ -78,6 +78,7 @@ export class Stage {
         velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
       };
     });
+    this.#walls.show(run.header.track);
     this.#pushes.show(run, windows);
     this.#effects.show(run);
   }

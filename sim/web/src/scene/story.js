@@ -51,7 +51,7 @@ export class Story {
       ...(isTold(run) ? marks(header, this.telling.forces) : []),
       ...header.events.map((event) => ({
         t: event.t,
-        sentence: eventSentence(event, this.telling, laws, bare),
+        sentence: eventSentence(event, this.telling, laws, bare, header.track),
       })),
       ...exits(run, this.layout, this.telling.camera).map((exit) => ({
         t: exit.t,

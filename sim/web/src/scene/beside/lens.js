@@ -5,7 +5,9 @@
  * less, so that the line where the wall was stays in view.
  */
 
-import { body, isWall, listed } from "../../../../view/bodies.js";
+import { bodiesOf, isWall, kind, whatIs } from "../../../../view/bodies.js";
+import { depthOf } from "../../../../view/deformation/things.js";
+import { wallAt } from "../../../../view/deformation/walls.js";
 import { contactForce } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, px, short } from "../../../../view/numbers.js";
@@ -13,6 +15,7 @@ import { niceAbove } from "../../../../view/scales.js";
 import { arrowLength, blockArrow, coil, cutArrow, isCut, spring } from "../../../../view/shapes.js";
 import { valueAt } from "../../../../view/trajectory.js";
 import { need, onResize, put, say } from "../../shared/dom.js";
+import { drawThing } from "./lens-thing.js";
 
 /** @typedef {import("../../../../view/types.js").Run} Run */
 /** @typedef {import("../../../../view/windows.js").Touch} Touch */
@@ -23,6 +26,8 @@ const MARGIN = 16; // units that the line where a wall was keeps from the edge
 const WIDTH = 360;
 const TRACK = 96; // y of the track
 const BAR = 70; // units, the longest that the bar of lengths may be
+const NAME = 42; // y of the name of a body
+const ABOVE = 16; // of that of a thing, whose lines would lie under it
 const SCALE = 3; // the springs are drawn so much taller than in the picture
 
 export class Lens {
@@ -39,6 +44,7 @@ export class Lens {
   constructor(root, baked, redraw) {
     this.root = root;
     this.view = baked.view;
+    [this.layout] = baked.view.layouts; // of the picture that is seen
     this.scene = /** @type {HTMLElement} */ (root.closest("carts-scene"));
     this.plot = need(root, "svg");
     this.note = need(root, ".carts-lens-note");
@@ -55,6 +61,7 @@ export class Lens {
       const [shown, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
       if (!shown || !own) continue;
       const unit = (shown / layout.width) * (WIDTH / own);
+      this.layout = layout;
       this.#picture = layout.scale * unit;
       this.#perForce = layout.force * unit;
     }
@@ -98,11 +105,12 @@ export class Lens {
     const overlap = Math.max(0, left.face - right.face);
     const give = Math.min(overlap, left.bumper + right.bumper);
     const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
-    const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
-    const faces = [left.face - share, Math.max(right.face, left.face - share)];
+    const touched = isWall(left.name) ? right.face + give : left.face - share;
+    const middle = overlap > 0 ? touched : (left.face + right.face) / 2;
+    const faces = overlap > 0 ? [touched, touched] : [left.face, right.face];
     const force = contactForce(run, touch.pair, t, NOISE * (this.view.force || 1));
     [left, right].forEach((side, k) => {
-      this.#draw(k, side, Number(faces[k]), middle, force);
+      this.#draw(run, k, side, Number(faces[k]), middle, force);
     });
     const pushed = touch.loose && t >= touch.start && t <= touch.end;
     const at = (/** @type {number} */ x) => WIDTH / 2 + (x - middle) * this.#perMetre;
@@ -111,7 +119,7 @@ export class Lens {
     put(need(this.root, '[data-part="was"]'), "d", was); // where its surface is when nothing pushes it
     const wire = coil(at(left.face), at(right.face), TRACK - 14, undefined, 6);
     put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
-    const pair = listed(touch.bodies.map(body));
+    const pair = bodiesOf(touch.bodies, run.header.track);
     const gap = right.face - left.face;
     const apart =
       gap > 0
@@ -137,17 +145,21 @@ export class Lens {
     return { name, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
   }
 
-  /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
-  #draw(k, side, face, middle, force) {
+  /** @param {Run} run @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
+  #draw(run, k, side, face, middle, force) {
     const at = (/** @type {number} */ x) => WIDTH / 2 + (x - middle) * this.#perMetre;
     const group = need(this.root, `[data-side="${k}"]`);
-    const index = this.#run?.header.bodies.findIndex(({ name }) => name === side.name) ?? -1;
+    const { bodies, track } = run.header;
+    const index = bodies.findIndex(({ name }) => name === side.name);
     put(group, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
     const way = k === 0 ? 1 : -1;
     const end = at(face);
     const edge = index < 0 ? end : at(side.edge); // a wall gives way where it is touched
     const rect = need(group, '[data-part="body"]');
     put(rect, "x", px(k === 0 ? edge - 2 * WIDTH : edge));
+    const what = index < 0 ? whatIs(side.name, track) : "wall";
+    const depth = this.#depth(side.name, what, track.length);
+    drawThing(group, what, { end, was: at(side.face), out: way > 0 ? -1 : 1, depth });
     const bent = need(group, '[data-part="spring"]');
     put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
     put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
@@ -156,11 +168,19 @@ export class Lens {
     const name = need(group, '[data-part="name"]');
     const inside = Math.min(WIDTH - 34, Math.max(34, edge - 22 * way));
     put(name, "x", px(inside));
-    say(name, index < 0 ? tr("wall") : side.name);
+    put(name, "y", String(what === "wall" ? NAME : ABOVE));
+    say(name, index < 0 ? kind(side.name, track) : side.name);
     const arrow = need(group, '[data-part="arrow"]');
     const cut = isCut(force, this.view.force);
     const length = -way * arrowLength(force, this.view.force, this.#perForce);
     put(arrow, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+  }
+
+  /** @param {string} side @param {string} what @param {number | null} length of the track in m @returns {number} units from what stands there to its mounting, enlarged as all else */
+  #depth(side, what, length) {
+    if (!this.layout || what === "wall") return 0;
+    const wall = wallAt(side === "left" ? "left" : "right", length, this.layout, 0);
+    return (depthOf(what, wall, this.layout) / this.layout.scale) * this.#perMetre;
   }
 }
 

@@ -41,7 +41,8 @@ export class ImpulseLayer {
     put(/** @type {Element} */ (paths[0]), "d", outline(1));
     if (signed) put(/** @type {Element} */ (paths[1]), "d", outline(-1));
     const impulse = area(run, touch.pair, touch.start, end);
-    const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+    const names = touch.bodies.map((name) => brief(name, run.header.track)).join("–");
+    const amount = fixed(impulse, this.decimals);
     const parts = changes(run, this.windows, touch, end)
       .filter(({ change }) => change !== null)
       .map(({ name, change }) =>

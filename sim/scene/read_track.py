@@ -1,0 +1,60 @@
+"""The track: how long it is, which of its ends are open, and what stands at the others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from sim.scene.ends import OPEN, SIDES, WALL, WHAT
+from sim.scene.fields import TRACK_LENGTH
+from sim.scene.model import Track
+from sim.scene.problem import Problem, did_you_mean
+from sim.scene.tables import mapping, number, unknown_keys
+
+HINT = "track: {length: 2.4 m, left: open, right: wall}"
+NAMED = tuple(f"{side}_is" for side in SIDES)
+KEYS = (TRACK_LENGTH.key, *SIDES, *NAMED)
+
+
+def read_track(value: object, problems: list[Problem]) -> tuple[Track | None, Fraction | None]:
+    """The track, and its exact length in m; None and problems where it makes no sense."""
+    table = mapping(value, ("track",), problems, HINT)
+    if table is None:
+        return None, None
+    before = len(problems)
+    unknown_keys(table, KEYS, ("track",), problems)
+    for side in SIDES:
+        if table.get(side, OPEN) not in (OPEN, WALL):
+            told = f"{side} must be open or wall (got {table[side]})"
+            hint = did_you_mean(table[side], (OPEN, WALL), HINT)
+            problems.append(Problem(("track", side), "not-a-choice", told, hint))
+        elif f"{side}_is" in table:
+            _check_named(side, table, problems)
+    length = number(TRACK_LENGTH, table, ("track",), problems)
+    if table.get("right") == WALL and length is None and len(problems) == before:
+        told = "a wall on the right needs the track's length"
+        problems.append(Problem(("track",), "missing", told, HINT))
+    if len(problems) > before:
+        return None, None
+    return Track(
+        left=table.get("left", OPEN),
+        right=table.get("right", OPEN),
+        length=None if length is None else float(length),
+        left_is=table.get("left_is", WALL),
+        right_is=table.get("right_is", WALL),
+    ), length
+
+
+def _check_named(side: str, table: Mapping[str, Any], problems: list[Problem]) -> None:
+    """What stands at an end has a name that is known, and there is something that stands there."""
+    key = f"{side}_is"
+    what = table[key]
+    if what not in WHAT:
+        told = f"{key} must be {', '.join(WHAT[:-1])} or {WHAT[-1]} (got {str(what)[:40]})"
+        hint = did_you_mean(what, WHAT, f"track: {{right: wall, {key}: foam}}")
+        problems.append(Problem(("track", key), "not-a-choice", told, hint))
+    elif table.get(side, OPEN) != WALL:
+        told = f"{key} says what stands on the {side}, but the track is open there"
+        hint = f"track: {{length: 2.4 m, {side}: wall, {key}: {what}}}, or remove {key}"
+        problems.append(Problem(("track", key), "no-wall", told, hint))
