@@ -43,6 +43,7 @@ _BEFORE_EVERYTHING = 40
 _AFTER_EVERYTHING = -10
 _AFTER_TEXT = 15  # when the text within has become HTML (20), before it is written out
 _AFTER_ATTRIBUTES = 5  # when {: … } of a heading has become attributes (8)
+_WIDE = "carts-wide"  # a note that holds a scene is as wide as one
 _WORD = "cartsblock"
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
@@ -81,6 +82,7 @@ class _TakeOut(Preprocessor):
 
     def run(self, lines: list[str]) -> list[str]:
         self.put_in.html.clear()
+        self.put_in.scenes.clear()
         page = _page.get() or Page(Lesson("lesson"))
         page.title = title_of(lines)
         kept: list[str] = []
@@ -109,6 +111,8 @@ class _TakeOut(Preprocessor):
                 page.late[stub] = html
                 html = stub
             self.put_in.html[word] = html
+            if block.name == "scene":
+                self.put_in.scenes.add(word)
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
         _hold(lines, plain, done, len(lines), page)
@@ -141,6 +145,8 @@ class _HoldBack(Treeprocessor):
             if not scene or page is None:
                 continue
             classes.remove(scene)
+            if not self.put_in.scenes.isdisjoint(map(str.strip, note.itertext())):
+                classes.append(_WIDE)
             note.tag = "carts-after"
             note.set("class", " ".join(classes))
             note.set("data-after", scene.removeprefix(MARK))
@@ -185,6 +191,7 @@ class _PutIn(Postprocessor):
     def __init__(self, md: Markdown) -> None:
         super().__init__(md)
         self.html: dict[str, str] = {}
+        self.scenes: set[str] = set()  # the words among these that stand for a scene
 
     def run(self, text: str) -> str:
         for word, block in self.html.items():

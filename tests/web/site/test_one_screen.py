@@ -71,11 +71,15 @@ def all_shown(page: Page) -> None:
 
 def opened(site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int]) -> Page:
     width, height = screen
-    return open_page(
+    page = open_page(
         site / "worksheets" / f"{lesson}.html",
         folder=site,
         viewport={"width": width, "height": height},
     )
+    page.evaluate(
+        "document.dispatchEvent(new Event('carts-open-questions'))"
+    )  # by the teacher's key
+    return page
 
 
 def turned(page: Page, screen: tuple[int, int]) -> None:
