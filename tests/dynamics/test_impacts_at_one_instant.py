@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import itertools
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
+from sim.dynamics.loop.run import run
 from sim.dynamics.motion.hit_in_turn import at_once_for_ever, for_ever
 from sim.dynamics.motion.locked import impulses
+from sim.scene import read_scene
 
 ROWS = {
     "three alike": ([1, 1, 1], [1, 1], [Fraction(1, 2)] * 2),
@@ -63,3 +66,44 @@ def test_for_ever_whichever_is_first_asks_both_sides() -> None:
     assert at_once_for_ever([1.0, 1.0, 1.0], [1.0, 1.0], [0.05, 0.05])
     assert not at_once_for_ever([1.0, 1.0, 1.0], [1.0, 1.0], [0.3, 0.3])
     assert not at_once_for_ever([1.0, 0.0, 1.0], [1.0, 1.0], [0.0, 0.0])
+
+
+TIGHT = {"A": {"mass": 1, "position": "0.1", "velocity": 1, "length": "0.2"}}
+TWO_TIGHT = TIGHT | {"B": {"mass": 3, "position": "0.3", "velocity": -1, "length": "0.2"}}
+
+
+@pytest.mark.parametrize(("carts", "length"), [(TIGHT, "0.2"), (TWO_TIGHT, "0.4")])
+@pytest.mark.parametrize("restitution", [1, 0.5])
+def test_carts_without_room_between_two_walls_rattle_to_rest_or_are_told_to_have_no_end(
+    carts: dict[str, Any], length: str, restitution: float
+) -> None:
+    """Where nothing is lost the rounds come again with the same speeds: no million of them."""
+    found = run(
+        read_scene({
+            "carts": carts, "track": {"left": "wall", "right": "wall", "length": length},
+            "contact": {"law": "instant", "restitution": restitution}, "until": 1,
+        })
+    )  # fmt: skip
+    assert len(found.record.events) < 2000
+    if restitution == 1:
+        assert found.outcome.kind == "too-many-events"
+        assert "without room between what is hit in turn for ever" in found.outcome.sentence
+    else:
+        assert found.outcome.kind == "came-to-rest"
+
+
+def test_a_light_cart_between_a_heavy_one_and_a_wall_has_many_impacts_and_an_end() -> None:
+    """As many as pi divided by the angle: 4e6 to 1 gives 6283 (Galperin 2003), and no round is
+    ever quite the same."""
+    found = run(
+        read_scene({
+            "carts": {
+                "A": {"mass": 4e6, "position": "0.1", "velocity": 1, "length": "0.2"},
+                "B": {"mass": 1, "position": "0.3", "length": "0.2"},
+            },
+            "track": {"right": "wall", "length": "0.4"},
+            "contact": {"law": "instant", "restitution": 1}, "until": 1,
+        })
+    )  # fmt: skip
+    assert found.outcome.kind == "reached-end"
+    assert sum(event.kind == "contact" for event in found.record.events) == 6283

@@ -145,7 +145,7 @@ def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress
     """Event after event until the end, or until there were too many."""
     entries, gaps, bodies = sim.calendar.entries, sim.chain.gaps, sim.chain.bodies
     last, moved, outside, told = sim.end[0], sim.calendar.moved, sim.calendar.outside, 0
-    most_steps = min(STEPS_PER_EVENT * max_events, max_steps)
+    most_steps, hits = min(STEPS_PER_EVENT * max_events, max_steps), sim.strikes.hits
     while entries and entries[0][0] <= last:
         hi, lo, key, turn = heapq.heappop(entries)
         now = (hi, lo)
@@ -157,6 +157,9 @@ def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress
             continue
         if sim.happened >= max_events:
             return _result(sim, now, stopped=f"{max_events} events")
+        if hits.endless:
+            stopped = f"{sim.happened} events, without room between what is hit in turn for ever"
+            return _result(sim, now, stopped=stopped)
         if sim.steps >= most_steps:
             stopped = f"{sim.steps} short steps of contacts that push each other"
             return _result(sim, now, stopped=stopped)

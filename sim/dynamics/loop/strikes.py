@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Collection
 
-from sim.dynamics.loop import collapse, impacts
+from sim.dynamics.loop import collapse, impacts, rounds
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
@@ -31,7 +31,7 @@ class Strikes:
         self.chain, self.record, self.ledger = chain, record, ledger
         self.instant, self.counts = instant, counts
         self.fastest = 0.0  # m/s, greatest approach so far
-        self.hits = collapse.Hits()
+        self.hits = rounds.Hits()
 
     @property
     def parts(self) -> float:
