@@ -10,8 +10,8 @@ from sim.dynamics.report.document import energy_parts
 from sim.dynamics.report.warnings import warnings
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import Trajectory
-from sim.scene.ends import SIDES, WALL, body_name, named_ends
 from sim.scene.model import Track
+from sim.scene.track import SIDES, WALL, body_name, named_ends
 
 UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N", "on": "N"}
 NAMES = {"kinetic": "in motion", "bumpers": "in bumpers", "incline": "height on the incline"}

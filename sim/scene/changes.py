@@ -13,7 +13,7 @@ from typing import Any
 from sim.scene.effects import kinds
 from sim.scene.fields import CART
 from sim.scene.problem import Path, Problem, SceneError, nearest
-from sim.scene.read_track import KEYS as TRACK_KEYS
+from sim.scene.track import KEYS as TRACK_KEYS
 
 SCALARS = ("until", "gravity")
 TABLES = ("contact", "track")

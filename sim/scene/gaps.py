@@ -6,10 +6,10 @@ import itertools
 from collections.abc import Mapping
 from fractions import Fraction
 
-from sim.scene.ends import thing_at
 from sim.scene.model import Track
 from sim.scene.problem import Problem
 from sim.scene.said import said
+from sim.scene.track import thing_at
 
 
 def gaps_of(

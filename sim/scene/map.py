@@ -15,12 +15,12 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from sim.scene.controls import Control, read_controls
-from sim.scene.ends import wall_or_name
 from sim.scene.model import Scene
 from sim.scene.presentation import ID
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.tables import mapping, unknown_keys
+from sim.scene.track import wall_or_name
 
 MAP_KEYS = ("id", "of", "over", "show", "points", "controls")
 MOST_CONTROLS = 2

@@ -14,9 +14,9 @@ from sim.scene.model import Cart, Scene
 from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
-from sim.scene.read_track import read_track
 from sim.scene.read_written import read_written
 from sim.scene.tables import mapping, number, unknown_keys
+from sim.scene.track import read_track
 
 SCENE_KEYS = (
     *("title", "carts", "track", "contact", "effects", "until", "gravity", "start"),

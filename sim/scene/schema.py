@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Any
 
 from sim.scene.effects import EffectKind, kinds
-from sim.scene.ends import WHAT
 from sim.scene.fields import (
     CART,
     GRAVITY,
@@ -25,6 +24,7 @@ from sim.scene.laws import FILE, WRITTEN, laws
 from sim.scene.predict import READ as READ_IN_PREDICT
 from sim.scene.prose import MARK, NAMED
 from sim.scene.quantity import exact
+from sim.scene.track import WHAT
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 NAME = "^[A-Za-z][A-Za-z0-9_-]{0,15}$"

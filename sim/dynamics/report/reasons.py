@@ -11,9 +11,9 @@ from sim.dynamics.motion.flight import Flight
 from sim.dynamics.result.record import Solved
 from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
-from sim.scene.ends import body_name
 from sim.scene.model import Scene
 from sim.scene.said import listed, said, template
+from sim.scene.track import body_name
 
 if TYPE_CHECKING:
     from sim.dynamics.motion.coupled_group import CoupledGroup

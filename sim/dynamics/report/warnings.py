@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
 from sim.laws.lookup import contact_law
-from sim.scene.ends import wall_or_name
 from sim.scene.laws import law_kind
 from sim.scene.said import said, template
+from sim.scene.track import wall_or_name
 
 BOTH = (
     template(
