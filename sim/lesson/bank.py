@@ -12,7 +12,7 @@ from sim.lesson.problems import LessonError
 from sim.lesson.question import Question
 from sim.lesson.read import collect_question
 from sim.scene.presentation import ID
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import mapping, unknown_keys
 
 BANK_KEYS = (
@@ -101,8 +101,7 @@ def known_items(
     """One problem for each id that the bank does not have, or that stands there twice."""
     for k, identity in enumerate(ids):
         if items and identity not in items:
-            near = nearest(identity, items)
-            hint = f"did you mean “{near}”?" if near else "look at the ids in the bank"
+            hint = did_you_mean(identity, items, "look at the ids in the bank")
             message = f"the bank has no item “{identity[:40]}”"
             problems.append(Problem((*path, k), "unknown-item", message, hint))
         elif identity in ids[:k]:

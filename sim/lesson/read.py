@@ -17,7 +17,7 @@ from sim.lesson.kinds.table import Table
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.problems import LessonError
 from sim.lesson.question import COMMON_KEYS, Question, read_common
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import mapping, unknown_keys
 
 KINDS: dict[str, type[Question]] = {
@@ -58,8 +58,7 @@ def _kind(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> type
     name = table.get("type")
     kind = KINDS.get(name) if isinstance(name, str) else None
     if kind is None:
-        near = nearest(str(name), KINDS) if name else None
-        hint = f"did you mean “{near}”?" if near else f"type: one of {', '.join(KINDS)}"
+        hint = did_you_mean(name or "", KINDS, f"type: one of {', '.join(KINDS)}")
         given = "type" in table
         message = f"there is no type “{str(name)[:40]}”" if given else "type is missing"
         where = (*path, "type") if given else path

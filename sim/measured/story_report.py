@@ -66,11 +66,8 @@ def by_velocities(
     base = base_report(measured, story, story.outcome, None)
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
     said = [*base["sentences"], *_momentum_said(story, masses)]
-    said += (
-        [of_balance(ratio, masses, names, synthetic=measured.synthetic)]
-        if len(masses) == 2 and ratio
-        else []
-    )
+    if balance := of_balance(ratio, masses, names, synthetic=measured.synthetic):
+        said.append(balance)
     model: dict[str, Any] = {}
     if made is not None:
         told = {one.key: one for one in known}

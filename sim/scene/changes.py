@@ -12,7 +12,7 @@ from typing import Any
 
 from sim.scene.effects import kinds
 from sim.scene.fields import CART
-from sim.scene.problem import Path, Problem, SceneError, nearest
+from sim.scene.problem import Path, Problem, SceneError, did_you_mean
 from sim.scene.track import KEYS as TRACK_KEYS
 
 SCALARS = ("until", "gravity")
@@ -32,10 +32,8 @@ def apply_changes(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[
     for target, value in changes.items():
         path = resolve(plain, str(target))
         if path is None:
-            close = nearest(str(target), targets(plain))
-            hint = (
-                f"did you mean “{close}”?" if close else "for example A.mass or contact.restitution"
-            )
+            example = "for example A.mass or contact.restitution"
+            hint = did_you_mean(target, targets(plain), example)
             problems.append(
                 Problem(
                     ("set", str(target)),

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from sim.scene.effects import Effect, kinds
 from sim.scene.fields import Field
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.said import said
 
 
@@ -93,8 +93,7 @@ def _unknown(path: Path, target: str, effects: Sequence[Effect]) -> Problem:
         )
         return Problem(path, "unknown-path", f"the scene does not list {target}", hint)
     listed = [effect.kind for effect in effects]
-    close = nearest(target, listed)
-    hint = f"did you mean “{close}”?" if close else f"effects of this scene: {', '.join(listed)}"
+    hint = did_you_mean(target, listed, f"effects of this scene: {', '.join(listed)}")
     if not listed:
         hint = "a switch turns an effect of the scene on and off: list it under effects"
     return Problem(path, "unknown-path", f"no effect is called “{target[:40]}”", hint)

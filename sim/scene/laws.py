@@ -72,10 +72,15 @@ def is_written(name: object) -> bool:
     return isinstance(name, str) and FILE.fullmatch(name) is not None
 
 
+def power_of(name: object) -> float:
+    """Of the overlap, to which the spring of this law grows; 1 for what is no law."""
+    kind = law_kind(name)
+    return 1.0 if kind is None else kind.power
+
+
 def has_formulas(name: object) -> bool:
     """Whether a run with this law never calls for an integrator, and for what one is made of."""
-    kind = law_kind(name)
-    return kind is None or kind.power == 1.0
+    return power_of(name) == 1.0
 
 
 def law_kind(name: object) -> LawKind | None:

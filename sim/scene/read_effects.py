@@ -8,7 +8,7 @@ from typing import Any
 
 from sim.scene.effects import Effect, EffectKind, kinds
 from sim.scene.model import Track
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import mapping, number, unknown_keys
 
 MOST_EFFECTS = 2000
@@ -79,8 +79,7 @@ def _entry(
     name, body = next(iter(entry.items()))
     kind = kinds().get(name)
     if kind is None:
-        close = nearest(str(name), kinds())
-        hint = f"did you mean “{close}”?" if close else f"effects: {', '.join(kinds())}"
+        hint = did_you_mean(name, kinds(), f"effects: {', '.join(kinds())}")
         problems.append(Problem((*path, name), "unknown-effect", f"unknown effect “{name}”", hint))
         return None
     path = (*path, kind.name)

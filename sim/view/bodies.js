@@ -62,6 +62,16 @@ export function listed(names) {
   return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
 }
 
+/** @param {string} on @param {string} by @param {Track} track @returns {string} a force, as a label names both bodies */
+export function onBy(on, by, track) {
+  return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+}
+
+/** @param {string[]} names @param {Track} track @returns {string} “A–B”: bodies of a contact, as a label names them */
+export function dashed(names, track) {
+  return names.map((name) => brief(name, track)).join("–");
+}
+
 /** @param {string[]} names @param {Track} track @returns {string} bodies of a contact, as a sentence names them */
 export function bodiesOf(names, track) {
   return listed(names.map((name) => body(name, track)));

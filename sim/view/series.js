@@ -1,6 +1,6 @@
 /** The curves of each graph. */
 
-import { brief } from "./bodies.js";
+import { brief, onBy } from "./bodies.js";
 import { outside, partsOf } from "./effects-forces.js";
 import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
@@ -106,8 +106,6 @@ function total(curves) {
 /** @param {Header} header @param {Trajectory} run @param {boolean} signed @returns {Series[]} */
 function forces(header, run, signed) {
   const styles = new Map(header.bodies.map((body, i) => [body.name, styleOf(i)]));
-  const label = (/** @type {string} */ on, /** @type {string} */ by) =>
-    tr("on {on} by {by}", { on: brief(on, header.track), by: brief(by, header.track) });
   const sign = signed ? -1 : 1;
   /** @type {Series[]} */
   const curves = [];
@@ -122,14 +120,14 @@ function forces(header, run, signed) {
     }
     const [left, right] = contact.bodies;
     curves.push({
-      label: label(left, right),
+      label: onBy(left, right, header.track),
       style: styles.get(left) ?? "wall",
       over: false,
       values: Float64Array.from(force, (f) => sign * f),
       slopes: Float64Array.from(slope, (s) => sign * s),
     });
     curves.push({
-      label: label(right, left),
+      label: onBy(right, left, header.track),
       style: styles.get(right) ?? "wall",
       over: true,
       values: force,

@@ -16,7 +16,7 @@ from typing import Any, ClassVar, Literal
 
 from sim.scene.fields import Field
 from sim.scene.model import Scene
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import mapping, number, unknown_keys
 
 FOLDER = "sim.worlds.kinds"
@@ -84,8 +84,7 @@ def _entry(entry: object, path: Path, problems: list[Problem]) -> World | None:
         name, body = next(iter(entry.items()))
     kind = kinds().get(name) if isinstance(name, str) else None
     if kind is None:
-        close = nearest(str(name), kinds())
-        hint = f"did you mean “{close}”?" if close else f"worlds: {', '.join(kinds())}"
+        hint = did_you_mean(name, kinds(), f"worlds: {', '.join(kinds())}")
         problems.append(Problem(path, "unknown-world", f"unknown world “{str(name)[:40]}”", hint))
         return None
     path = (*path, kind.name)

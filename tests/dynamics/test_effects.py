@@ -14,10 +14,6 @@ import sim.effects
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
 from sim.dynamics.report.plan import packages, plan
-from sim.dynamics.stepping.methods import Way
-from sim.dynamics.stepping.recorded import stepped
-from sim.effects.forces import BodyForce
-from sim.effects.push.force import Push
 from sim.pages.bake import bake
 from sim.scene import apply_changes, read_scene
 from sim.scene.effects import kinds
@@ -224,28 +220,3 @@ def test_friction_and_drag_only_take():
 def test_two_carts_alone_get_no_momentum_from_what_is_between_them():
     for name in ("spring-pair", "magnets-repel", "magnets-collision", "release-explosion"):
         assert run(registry.scene(name)).ledger.impulses == {}
-
-
-def test_effects_are_checked_once_in_a_run_and_not_where_it_is_read(monkeypatch):
-    asked = []
-    monkeypatch.setattr("sim.effects.forces._refuse_drift", lambda one, _: asked.append(one.kind))
-    scene = registry.scene("push-against-friction")
-    listed_once = [effect.kind for effect in scene.effects]
-    report(run(scene))
-    assert asked == listed_once
-    asked.clear()
-    report(stepped(scene, Way("rk4", step=0.01)).run)
-    assert asked == listed_once
-
-
-def test_a_force_that_changes_where_no_switch_is_named_is_refused_and_not_frozen(monkeypatch):
-    class Shaking(Push):
-        def body_force(self, cart, t):
-            return BodyForce("push", steady=math.cos(2 * math.pi * t))
-
-    monkeypatch.setattr("sim.effects.push.force.act", Shaking)
-    with pytest.raises(TypeError, match=r"push: its force on cart 0 changes from 0 to 1 s"):
-        run(read_scene({
-            "carts": {"A": {"mass": 1, "position": 0}}, "until": 1,
-            "effects": [{"push": {"cart": "A", "force": 1}}],
-        }))  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 from sim.lesson import keys
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import PROSE, Key
-from sim.scene.problem import Path, Problem, nearest
+from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import unknown_keys
 
 LETTERS = "abcdefghijkl"
@@ -138,8 +138,7 @@ def read_belief(table: Mapping[str, Any], path: Path, problems: list[Problem]) -
     """The belief tag of a wrong answer, one of `BELIEFS`; empty where there is none."""
     belief = keys.text(table, "belief", path, problems) or ""
     if belief and belief not in BELIEFS:
-        near = nearest(belief, BELIEFS)
-        hint = f"did you mean “{near}”?" if near else f"one of: {', '.join(sorted(BELIEFS))}"
+        hint = did_you_mean(belief, BELIEFS, f"one of: {', '.join(sorted(BELIEFS))}")
         message = f"there is no belief “{belief[:40]}”"
         problems.append(Problem((*path, "belief"), "unknown-belief", message, hint))
     return belief

@@ -27,7 +27,7 @@ from sim.pages.scene_block import Lesson, SiteIds, load_block
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, Source
 from sim.scene.presentation import ID
-from sim.scene.problem import nearest
+from sim.scene.problem import did_you_mean
 from sim.scene.prose import PROSE
 
 KEYS = ("id", "title", "data", "units", "law", "synthetic")
@@ -89,8 +89,7 @@ class _Reader:
     def unknown_keys(self) -> None:
         for key in self.source.plain:
             if key not in KEYS:
-                near = nearest(key, KEYS)
-                hint = f"did you mean “{near}”?" if near else f"a block has {', '.join(KEYS)}"
+                hint = did_you_mean(key, KEYS, f"a block has {', '.join(KEYS)}")
                 self.refuse((key,), "unknown-key", f"{key}: unknown key “{key}”", hint, key=True)
 
     def identity(self) -> str:

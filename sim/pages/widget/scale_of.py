@@ -14,7 +14,7 @@ from sim.pages.widget.effects_scale import greatest_force, kept_apart
 from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
-from sim.scene.laws import law_kind
+from sim.scene.laws import power_of
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
 ROOM_TO_GUESS = 1.7  # a prediction's longest arrow, over the estimate: the scale tells nothing
@@ -141,7 +141,6 @@ def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> flo
     inverse = sum(1 / masses[name] for name in contact["bodies"] if name in masses)
     walled = any(name not in masses for name in contact["bodies"])
     closing = max(map(abs, speeds)) if walled else max(speeds) - min(speeds)
-    kind = law_kind(contact["law"])
-    p = kind.power if kind else 1.0
+    p = power_of(contact["law"])
     squeeze = ((p + 1.0) * closing**2 / (2.0 * k * inverse)) ** (1.0 / (p + 1.0))
     return float(k * squeeze**p)

@@ -6,6 +6,7 @@
 import { px } from "../numbers.js";
 import { coil } from "../shapes.js";
 import { bubbles } from "./bubbles.js";
+import { ROOM, SEEN, THICK } from "./walls.js";
 
 /** @typedef {import("../types.js").Layout} Layout */
 /** @typedef {import("./walls.js").Wall} Wall */
@@ -13,14 +14,11 @@ import { bubbles } from "./bubbles.js";
 /** @typedef {{own: Point[], lines: string}} Made the outline of a thing, and thin lines on it */
 /** @typedef {{x: (y: number, behind?: number) => number, heights: number[], back: number, depth: number}} Place `x` of what is touched at a height, or of what lies so far behind it; `heights` of its corners, from above; `back`: x of the mounting, `depth`: how far that is while nothing pushes */
 
-const ROOM = 0.5; // of the picture beyond the end of the track, for the thing
+const SHARE = 0.5; // of the picture beyond the end of the track, for the thing
 const LEAST = 30; // units that it takes in any case
 const MOST = 60;
 const SHALLOW = 0.6; // of that, for a board
 const SOLID = 8; // units that are left of what is squeezed most: further the mounting gives way
-const THICK = 2000; // units of the mounting: it has no other side
-const ABOVE = 3; // units between the top of a cart and the part of the face that gives way
-const SEEN = 1; // units: a smaller dent has no line where the face was
 const ARM = 12; // units of the mounting that a board hangs from
 const PLATE = 4; // units, before a spring
 const PLANK = 8;
@@ -54,7 +52,7 @@ const MADE = {
 /** @param {string} what @param {Wall} wall @param {Layout} layout @returns {number} units from its face to its mounting while nothing pushes */
 export function depthOf(what, { edge, way }, { width }) {
   const beyond = way > 0 ? width - edge : edge;
-  const depth = Math.max(LEAST, Math.min(MOST, ROOM * beyond));
+  const depth = Math.max(LEAST, Math.min(MOST, SHARE * beyond));
   return what === "board" ? SHALLOW * depth : depth;
 }
 
@@ -91,7 +89,7 @@ function pressed(what, wall, layout, dent, height) {
     depth,
   });
   if (what === "spring" || dent === 0) return place([top, foot], () => dent);
-  const high = Math.max(top, foot - height - ABOVE);
+  const high = Math.max(top, foot - height - ROOM);
   const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
   const part = (/** @type {number} */ y) => (y < high ? (y - shoulder) / (high - shoulder) : 1);
   return place([top, shoulder, high, foot], (y) => dent * Math.max(0, part(y)));

@@ -6,9 +6,9 @@ import { px } from "../numbers.js";
 /** @typedef {{edge: number, way: 1 | -1, top: number}} Wall `edge`: x of its face when nothing pushes it, `way`: 1 where it stands on the right; in units of the picture */
 
 const LEAST = 64; // units above the track
-const THICK = 2000; // units: it has no other side
-const ROOM = 3; // units between the top of a cart and the part of the face that gives way
-const SEEN = 1; // units: a smaller dent has no line where the face was
+export const THICK = 2000; // units: it has no other side
+export const ROOM = 3; // units between the top of a cart and the part of the face that gives way
+export const SEEN = 1; // units: a smaller dent has no line where the face was
 
 /** @param {"left" | "right"} side @param {number | null} length of the track in m @param {Layout} layout @param {number} tallest box @returns {Wall} */
 export function wallAt(side, length, layout, tallest) {

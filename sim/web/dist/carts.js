@@ -1505,6 +1505,12 @@
     const rest = names.slice(0, -1).join(", ");
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
+  function onBy(on, by, track) {
+    return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+  }
+  function dashed(names, track) {
+    return names.map((name) => brief(name, track)).join("–");
+  }
   function bodiesOf(names, track) {
     return listed(names.map((name) => body(name, track)));
   }
@@ -4454,7 +4460,6 @@
   }
   function forces(header, run, signed) {
     const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
-    const label = (on, by) => tr("on {on} by {by}", { on: brief(on, header.track), by: brief(by, header.track) });
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
@@ -4468,14 +4473,14 @@
       }
       const [left, right] = contact.bodies;
       curves.push({
-        label: label(left, right),
+        label: onBy(left, right, header.track),
         style: styles.get(left) ?? "wall",
         over: false,
         values: Float64Array.from(force2, (f2) => sign * f2),
         slopes: Float64Array.from(slope, (s3) => sign * s3)
       });
       curves.push({
-        label: label(right, left),
+        label: onBy(right, left, header.track),
         style: styles.get(right) ?? "wall",
         over: true,
         values: force2,
@@ -7671,15 +7676,31 @@ ${lines4.join("\n")}
     return `M${px(x2 - Number(wide))} ${px(y2)}${half} ${across2} 0${half} -${across2} 0`;
   }
 
+  // ../view/deformation/walls.js
+  var LEAST = 64;
+  var THICK = 2e3;
+  var ROOM2 = 3;
+  var SEEN = 1;
+  function wallAt(side, length, layout, tallest) {
+    const x2 = side === "left" ? 0 : Number(length);
+    const edge3 = layout.origin + x2 * layout.scale;
+    return { edge: edge3, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+  }
+  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM2);
+    const shoulder = Math.max(top, high - dent);
+    const pressed2 = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
+    const face2 = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
+    const was = dent < SEEN ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face2}h${way * THICK}V${px(top)}Z`, face: face2, was };
+  }
+
   // ../view/deformation/things.js
-  var ROOM2 = 0.5;
-  var LEAST = 30;
+  var SHARE = 0.5;
+  var LEAST2 = 30;
   var MOST5 = 60;
   var SHALLOW = 0.6;
   var SOLID = 8;
-  var THICK = 2e3;
-  var ABOVE3 = 3;
-  var SEEN = 1;
   var ARM = 12;
   var PLATE = 4;
   var PLANK = 8;
@@ -7709,7 +7730,7 @@ ${lines4.join("\n")}
   };
   function depthOf(what, { edge: edge3, way }, { width }) {
     const beyond = way > 0 ? width - edge3 : edge3;
-    const depth = Math.max(LEAST, Math.min(MOST5, ROOM2 * beyond));
+    const depth = Math.max(LEAST2, Math.min(MOST5, SHARE * beyond));
     return what === "board" ? SHALLOW * depth : depth;
   }
   function thingPaths(what, wall, layout, dent, height) {
@@ -7742,7 +7763,7 @@ ${lines4.join("\n")}
       depth
     });
     if (what === "spring" || dent === 0) return place4([top, foot], () => dent);
-    const high = Math.max(top, foot - height - ABOVE3);
+    const high = Math.max(top, foot - height - ROOM2);
     const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
     const part = (y2) => y2 < high ? (y2 - shoulder) / (high - shoulder) : 1;
     return place4([top, shoulder, high, foot], (y2) => dent * Math.max(0, part(y2)));
@@ -7772,30 +7793,11 @@ ${lines4.join("\n")}
     return `${line2(points)}Z`;
   }
 
-  // ../view/deformation/walls.js
-  var LEAST2 = 64;
-  var THICK2 = 2e3;
-  var ROOM3 = 3;
-  var SEEN2 = 1;
-  function wallAt(side, length, layout, tallest) {
-    const x2 = side === "left" ? 0 : Number(length);
-    const edge3 = layout.origin + x2 * layout.scale;
-    return { edge: edge3, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST2) };
-  }
-  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
-    const high = Math.max(top, track - height - ROOM3);
-    const shoulder = Math.max(top, high - dent);
-    const pressed2 = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
-    const face2 = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
-    const was = dent < SEEN2 ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
-    return { body: `${face2}h${way * THICK2}V${px(top)}Z`, face: face2, was };
-  }
-
   // src/scene/beside/lens-thing.js
   var TOP5 = 22;
   var FOOT = 88;
   var ARM2 = 12;
-  var THICK3 = (
+  var THICK2 = (
     /** @type {Record<string, number>} */
     { spring: 12, board: 24 }
   );
@@ -7814,8 +7816,8 @@ ${lines4.join("\n")}
     }
     const [mounting2, lines4] = parts2[0] && parts2[1] ? parts2 : added(rect);
     const { end: end2, was, out, depth } = thing;
-    const back = was + out * Math.max(depth, Math.abs(end2 - was) + (THICK3[what] ?? 0) + SOLID2);
-    const thick = THICK3[what] ?? Math.abs(back - end2);
+    const back = was + out * Math.max(depth, Math.abs(end2 - was) + (THICK2[what] ?? 0) + SOLID2);
+    const thick = THICK2[what] ?? Math.abs(back - end2);
     put(rect, "x", px(out > 0 ? end2 : end2 - thick));
     put(rect, "width", px(thick));
     const behind = end2 + out * thick;
@@ -7859,7 +7861,7 @@ ${lines4.join("\n")}
   var TRACK = 96;
   var BAR = 70;
   var NAME = 42;
-  var ABOVE4 = 16;
+  var ABOVE3 = 16;
   var SCALE = 3;
   var Lens = class {
     #run = null;
@@ -7984,7 +7986,7 @@ ${lines4.join("\n")}
       const name = need(group2, '[data-part="name"]');
       const inside2 = Math.min(WIDTH5 - 34, Math.max(34, edge3 - 22 * way));
       put(name, "x", px(inside2));
-      put(name, "y", String(what === "wall" ? NAME : ABOVE4));
+      put(name, "y", String(what === "wall" ? NAME : ABOVE3));
       say(name, index < 0 ? kind(side.name, track) : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
       const cut = isCut(force2, this.view.force);
@@ -8326,7 +8328,7 @@ ${lines4.join("\n")}
         outline2(-1)
       );
       const impulse = area2(run, touch.pair, touch.start, end2);
-      const names = touch.bodies.map((name) => brief(name, run.header.track)).join("–");
+      const names = dashed(touch.bodies, run.header.track);
       const amount3 = fixed(impulse, this.decimals);
       const parts2 = changes(run, this.windows, touch, end2).filter(({ change: change2 }) => change2 !== null).map(
         ({ name, change: change2 }) => tr("m Δv of {name}: {change}", { name, change: fixed(change2 ?? 0, this.decimals) })
@@ -9248,8 +9250,7 @@ ${lines4.join("\n")}
       );
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
-        return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
+        return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -9866,7 +9867,7 @@ ${lines4.join("\n")}
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
       if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
       const options = begun2.map(({ bodies, start }, i2) => {
-        const names = bodies.map((name) => brief(name, this.run.header.track)).join("–");
+        const names = dashed(bodies, this.run.header.track);
         const option2 = html(
           "option",
           "",

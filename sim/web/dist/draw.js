@@ -11320,6 +11320,12 @@ ${table3(facts)}
     const rest = names.slice(0, -1).join(", ");
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
+  function onBy(on, by, track) {
+    return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+  }
+  function dashed(names, track) {
+    return names.map((name) => brief(name, track)).join("–");
+  }
   function bodiesOf(names, track) {
     return listed(names.map((name) => body(name, track)));
   }
@@ -13426,7 +13432,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
   function forces(header, run, signed) {
     const styles = new Map(header.bodies.map((body2, i) => [body2.name, styleOf(i)]));
-    const label = (on, by) => tr("on {on} by {by}", { on: brief(on, header.track), by: brief(by, header.track) });
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
@@ -13440,14 +13445,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       const [left, right] = contact.bodies;
       curves.push({
-        label: label(left, right),
+        label: onBy(left, right, header.track),
         style: styles.get(left) ?? "wall",
         over: false,
         values: Float64Array.from(force, (f) => sign * f),
         slopes: Float64Array.from(slope, (s) => sign * s)
       });
       curves.push({
-        label: label(right, left),
+        label: onBy(right, left, header.track),
         style: styles.get(right) ?? "wall",
         over: true,
         values: force,
@@ -13710,15 +13715,31 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return `M${px(x - Number(wide))} ${px(y)}${half} ${across3} 0${half} -${across3} 0`;
   }
 
+  // ../view/deformation/walls.js
+  var LEAST = 64;
+  var THICK = 2e3;
+  var ROOM3 = 3;
+  var SEEN = 1;
+  function wallAt(side2, length, layout, tallest) {
+    const x = side2 === "left" ? 0 : Number(length);
+    const edge3 = layout.origin + x * layout.scale;
+    return { edge: edge3, way: side2 === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+  }
+  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM3);
+    const shoulder = Math.max(top, high - dent);
+    const pressed2 = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
+    const face2 = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
+    const was = dent < SEEN ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face2}h${way * THICK}V${px(top)}Z`, face: face2, was };
+  }
+
   // ../view/deformation/things.js
-  var ROOM3 = 0.5;
-  var LEAST = 30;
+  var SHARE = 0.5;
+  var LEAST2 = 30;
   var MOST2 = 60;
   var SHALLOW = 0.6;
   var SOLID = 8;
-  var THICK = 2e3;
-  var ABOVE3 = 3;
-  var SEEN = 1;
   var ARM = 12;
   var PLATE = 4;
   var PLANK = 8;
@@ -13748,7 +13769,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   };
   function depthOf(what, { edge: edge3, way }, { width }) {
     const beyond = way > 0 ? width - edge3 : edge3;
-    const depth = Math.max(LEAST, Math.min(MOST2, ROOM3 * beyond));
+    const depth = Math.max(LEAST2, Math.min(MOST2, SHARE * beyond));
     return what === "board" ? SHALLOW * depth : depth;
   }
   function thingPaths(what, wall, layout, dent, height) {
@@ -13781,7 +13802,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       depth
     });
     if (what === "spring" || dent === 0) return place2([top, foot], () => dent);
-    const high = Math.max(top, foot - height - ABOVE3);
+    const high = Math.max(top, foot - height - ROOM3);
     const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
     const part = (y) => y < high ? (y - shoulder) / (high - shoulder) : 1;
     return place2([top, shoulder, high, foot], (y) => dent * Math.max(0, part(y)));
@@ -13811,30 +13832,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return `${line(points)}Z`;
   }
 
-  // ../view/deformation/walls.js
-  var LEAST2 = 64;
-  var THICK2 = 2e3;
-  var ROOM4 = 3;
-  var SEEN2 = 1;
-  function wallAt(side2, length, layout, tallest) {
-    const x = side2 === "left" ? 0 : Number(length);
-    const edge3 = layout.origin + x * layout.scale;
-    return { edge: edge3, way: side2 === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST2) };
-  }
-  function wallPaths({ edge: edge3, way, top }, { track, beam }, dent, height) {
-    const high = Math.max(top, track - height - ROOM4);
-    const shoulder = Math.max(top, high - dent);
-    const pressed2 = `V${px(shoulder)}L${px(edge3 + way * dent)} ${px(high)}V${px(track)}H${px(edge3)}`;
-    const face2 = `M${px(edge3)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
-    const was = dent < SEEN2 ? "" : `M${px(edge3)} ${px(shoulder)}V${px(track)}`;
-    return { body: `${face2}h${way * THICK2}V${px(top)}Z`, face: face2, was };
-  }
-
   // src/scene/beside/lens-thing.js
   var TOP7 = 22;
   var FOOT = 88;
   var ARM2 = 12;
-  var THICK3 = (
+  var THICK2 = (
     /** @type {Record<string, number>} */
     { spring: 12, board: 24 }
   );
@@ -13853,8 +13855,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     const [mounting2, lines3] = parts2[0] && parts2[1] ? parts2 : added(rect);
     const { end: end2, was, out, depth } = thing;
-    const back = was + out * Math.max(depth, Math.abs(end2 - was) + (THICK3[what] ?? 0) + SOLID2);
-    const thick = THICK3[what] ?? Math.abs(back - end2);
+    const back = was + out * Math.max(depth, Math.abs(end2 - was) + (THICK2[what] ?? 0) + SOLID2);
+    const thick = THICK2[what] ?? Math.abs(back - end2);
     put(rect, "x", px(out > 0 ? end2 : end2 - thick));
     put(rect, "width", px(thick));
     const behind = end2 + out * thick;
@@ -13898,7 +13900,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var TRACK = 96;
   var BAR = 70;
   var NAME = 42;
-  var ABOVE4 = 16;
+  var ABOVE3 = 16;
   var SCALE = 3;
   var Lens = class {
     #run = null;
@@ -14023,7 +14025,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const name = need(group, '[data-part="name"]');
       const inside7 = Math.min(WIDTH7 - 34, Math.max(34, edge3 - 22 * way));
       put(name, "x", px(inside7));
-      put(name, "y", String(what === "wall" ? NAME : ABOVE4));
+      put(name, "y", String(what === "wall" ? NAME : ABOVE3));
       say(name, index2 < 0 ? kind(side2.name, track) : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
@@ -14222,7 +14224,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         outline(-1)
       );
       const impulse = area2(run, touch.pair, touch.start, end2);
-      const names = touch.bodies.map((name) => brief(name, run.header.track)).join("–");
+      const names = dashed(touch.bodies, run.header.track);
       const amount2 = fixed(impulse, this.decimals);
       const parts2 = changes(run, this.windows, touch, end2).filter(({ change }) => change !== null).map(
         ({ name, change }) => tr("m Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) })
@@ -15065,8 +15067,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       );
       const labels2 = push2.bodies.map((on, side2) => {
         const by = push2.bodies[1 - side2] ?? "";
-        const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
-        return `${name}${through}: ${this.#value(Number(sizes[side2]))}`;
+        return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side2]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -15683,7 +15684,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
       if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
       const options = begun2.map(({ bodies, start }, i) => {
-        const names = bodies.map((name) => brief(name, this.run.header.track)).join("–");
+        const names = dashed(bodies, this.run.header.track);
         const option = html2(
           "option",
           "",

@@ -282,6 +282,9 @@
     const rest = names.slice(0, -1).join(", ");
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
+  function onBy(on, by, track) {
+    return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+  }
 
   // ../view/shapes.js
   var REFERENCE_HEIGHT = 38;
@@ -1548,8 +1551,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       );
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
-        return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
+        return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -1626,15 +1628,31 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return `M${px(x - Number(wide))} ${px(y)}${half} ${across} 0${half} -${across} 0`;
   }
 
+  // ../view/deformation/walls.js
+  var LEAST = 64;
+  var THICK = 2e3;
+  var ROOM2 = 3;
+  var SEEN = 1;
+  function wallAt(side, length, layout, tallest) {
+    const x = side === "left" ? 0 : Number(length);
+    const edge2 = layout.origin + x * layout.scale;
+    return { edge: edge2, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST) };
+  }
+  function wallPaths({ edge: edge2, way, top }, { track, beam }, dent, height) {
+    const high = Math.max(top, track - height - ROOM2);
+    const shoulder = Math.max(top, high - dent);
+    const pressed2 = `V${px(shoulder)}L${px(edge2 + way * dent)} ${px(high)}V${px(track)}H${px(edge2)}`;
+    const face2 = `M${px(edge2)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
+    const was = dent < SEEN ? "" : `M${px(edge2)} ${px(shoulder)}V${px(track)}`;
+    return { body: `${face2}h${way * THICK}V${px(top)}Z`, face: face2, was };
+  }
+
   // ../view/deformation/things.js
-  var ROOM2 = 0.5;
-  var LEAST = 30;
+  var SHARE = 0.5;
+  var LEAST2 = 30;
   var MOST = 60;
   var SHALLOW = 0.6;
   var SOLID = 8;
-  var THICK = 2e3;
-  var ABOVE3 = 3;
-  var SEEN = 1;
   var ARM = 12;
   var PLATE = 4;
   var PLANK = 8;
@@ -1664,7 +1682,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   };
   function depthOf(what, { edge: edge2, way }, { width }) {
     const beyond = way > 0 ? width - edge2 : edge2;
-    const depth = Math.max(LEAST, Math.min(MOST, ROOM2 * beyond));
+    const depth = Math.max(LEAST2, Math.min(MOST, SHARE * beyond));
     return what === "board" ? SHALLOW * depth : depth;
   }
   function thingPaths(what, wall, layout, dent, height) {
@@ -1697,7 +1715,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       depth
     });
     if (what === "spring" || dent === 0) return place3([top, foot], () => dent);
-    const high = Math.max(top, foot - height - ABOVE3);
+    const high = Math.max(top, foot - height - ROOM2);
     const shoulder = Math.max(top, Math.min(high, what === "board" ? top + ARM : high - dent));
     const part = (y) => y < high ? (y - shoulder) / (high - shoulder) : 1;
     return place3([top, shoulder, high, foot], (y) => dent * Math.max(0, part(y)));
@@ -1725,25 +1743,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
   function area(points) {
     return `${line(points)}Z`;
-  }
-
-  // ../view/deformation/walls.js
-  var LEAST2 = 64;
-  var THICK2 = 2e3;
-  var ROOM3 = 3;
-  var SEEN2 = 1;
-  function wallAt(side, length, layout, tallest) {
-    const x = side === "left" ? 0 : Number(length);
-    const edge2 = layout.origin + x * layout.scale;
-    return { edge: edge2, way: side === "left" ? -1 : 1, top: layout.track - Math.max(tallest, LEAST2) };
-  }
-  function wallPaths({ edge: edge2, way, top }, { track, beam }, dent, height) {
-    const high = Math.max(top, track - height - ROOM3);
-    const shoulder = Math.max(top, high - dent);
-    const pressed2 = `V${px(shoulder)}L${px(edge2 + way * dent)} ${px(high)}V${px(track)}H${px(edge2)}`;
-    const face2 = `M${px(edge2)} ${px(top)}${dent > 0 ? pressed2 : ""}V${px(track + beam)}`;
-    const was = dent < SEEN2 ? "" : `M${px(edge2)} ${px(shoulder)}V${px(track)}`;
-    return { body: `${face2}h${way * THICK2}V${px(top)}Z`, face: face2, was };
   }
 
   // src/scene/walls.js

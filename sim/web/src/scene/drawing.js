@@ -3,7 +3,7 @@
  * `sim/view/skeleton` writes, in the page and, for the first instant, when the site is built.
  */
 
-import { brief } from "../../../view/bodies.js";
+import { dashed } from "../../../view/bodies.js";
 import { actingSentences } from "../../../view/effects-words.js";
 import { told, tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
@@ -109,7 +109,7 @@ export class Drawing {
     const begun = this.windows.filter(({ start }) => start <= this.#seen);
     if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
     const options = begun.map(({ bodies, start }, i) => {
-      const names = bodies.map((name) => brief(name, this.run.header.track)).join("–");
+      const names = dashed(bodies, this.run.header.track);
       const option = html(
         "option",
         "",

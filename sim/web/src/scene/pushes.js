@@ -4,7 +4,7 @@
  * when the contact is over.
  */
 
-import { brief, isWall } from "../../../view/bodies.js";
+import { isWall, onBy } from "../../../view/bodies.js";
 import { linkOf } from "../../../view/effects.js";
 import { tr } from "../../../view/language.js";
 import { fixed, NOISE, px } from "../../../view/numbers.js";
@@ -138,8 +138,7 @@ export class Pushes {
     const { track } = /** @type {Run} */ (this.#run).header;
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
-      const name = tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
-      return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
+      return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
     });
     const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
     if (!first || !second || !left || !right) return false;

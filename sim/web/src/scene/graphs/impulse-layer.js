@@ -1,6 +1,6 @@
 /** The shaded impulse in the force graph, with its number and m Δv of both bodies beside it. */
 
-import { brief } from "../../../../view/bodies.js";
+import { dashed } from "../../../../view/bodies.js";
 import * as g from "../../../../view/graph.js";
 import { area, changes } from "../../../../view/impulse.js";
 import { tr } from "../../../../view/language.js";
@@ -41,7 +41,7 @@ export class ImpulseLayer {
     put(/** @type {Element} */ (paths[0]), "d", outline(1));
     if (signed) put(/** @type {Element} */ (paths[1]), "d", outline(-1));
     const impulse = area(run, touch.pair, touch.start, end);
-    const names = touch.bodies.map((name) => brief(name, run.header.track)).join("–");
+    const names = dashed(touch.bodies, run.header.track);
     const amount = fixed(impulse, this.decimals);
     const parts = changes(run, this.windows, touch, end)
       .filter(({ change }) => change !== null)
