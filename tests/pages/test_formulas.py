@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -14,6 +15,9 @@ PAGE = """<p>Force <span class="arithmatex">\\(F = m\\,\\dfrac{\\Delta v}{\\Delt
 <div class="arithmatex">\\[
 \\sqrt{\\mathbf{k}/\\mu} &lt; \\left(\\tfrac12\\right)^2
 \\]</div>"""
+
+MATH = "{http://www.w3.org/1998/Math/MathML}"
+PARTS = {"mfrac": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2, "msubsup": 3, "munderover": 3}
 
 
 @pytest.fixture
@@ -52,3 +56,17 @@ def test_a_page_without_a_formula_stays_as_it_is(formulas: Formulas, tmp_path: P
     assert formulas.drawn("<p>5 &lt; 6</p>") == "<p>5 &lt; 6</p>"
     formulas.write(tmp_path)
     assert not (tmp_path / SHEET).exists()
+
+
+@pytest.mark.slow
+def test_every_formula_of_the_site_has_all_its_parts(site: Path) -> None:
+    """As MathML Core asks for; a browser draws a fraction without its lower half as a row."""
+    found = [
+        (page.name, part.tag, len(part))
+        for page in site.rglob("*.html")
+        for formula in re.findall(r"<math[ >].*?</math>", page.read_text("utf-8"), re.DOTALL)
+        for part in ElementTree.fromstring(formula).iter()
+        if part.tag.removeprefix(MATH) in PARTS
+    ]
+    assert (f"{MATH}mfrac", 2) in {(tag, parts) for _, tag, parts in found}
+    assert [one for one in found if one[2] != PARTS[one[1].removeprefix(MATH)]] == []
