@@ -185,9 +185,7 @@ def finish(
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
     # Before all sheets: a script behind one waits for it, for ever if that never comes.
     page = page.replace(_SHEET, f"<script>{watching}</script>\n{_SHEET}", 1)
-    page = _KINDS.sub(lambda html: " ".join([html[0], *kinds_of(needs)]), page, count=1)
-    # The theme's search dialog has no name for screen readers.
-    return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)
+    return _KINDS.sub(lambda html: " ".join([html[0], *kinds_of(needs)]), page, count=1)
 
 
 def kinds_of(needs: Needs) -> list[str]:

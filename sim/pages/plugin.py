@@ -44,6 +44,7 @@ from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
 from sim.pages.text.page_meta import tell_theme
+from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
 
 log = logging.getLogger("mkdocs.plugins.carts")
@@ -187,7 +188,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         return html
 
     def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:
-        """The scripts that the theme's own templates hold are the only ones to be trusted."""
+        """Only the scripts in the theme's templates are trusted; its words are in each language."""
+        speak(env, str(config.theme.get("language") or ENGLISH))
         if self.serving:
             env.bytecode_cache = self.preview
         if not self.build.trusted:

@@ -11,7 +11,8 @@ __all__ = ["make_site"]  # a fixture
 
 
 def test_a_folder_named_by_a_language_holds_lessons_that_speak_it(make_site: MakeSite) -> None:
-    """The translation keeps the ids of its lesson; the rest of the site stays English."""
+    """The translation keeps the ids of its lesson; the rest of the site stays English. The theme
+    speaks as the page does, its menu and its search too."""
     root = make_site(first=lesson())
     (root / "worksheets" / "zh-Hans").mkdir()
     text = lesson().replace("A lesson", "一课")
@@ -28,6 +29,8 @@ def test_a_folder_named_by_a_language_holds_lessons_that_speak_it(make_site: Mak
     english = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
     assert "words." not in english
     assert ">Play<" in english
+    assert 'placeholder="搜索"' in page and 'role="dialog" aria-label="查找"' in page
+    assert 'placeholder="Search"' in english and 'role="dialog" aria-label="Search"' in english
     assert "简体中文" in (site / "index.html").read_text(encoding="utf-8")
 
 
@@ -38,6 +41,7 @@ def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:
     page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
     assert '<html lang="ta"' in page
     assert (site / "assets" / "carts" / "words.ta.js").exists()
+    assert 'placeholder="தேடு"' in page
 
 
 def test_the_theme_s_language_is_that_of_every_page(make_site: MakeSite) -> None:
