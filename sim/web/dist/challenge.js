@@ -143,6 +143,7 @@
   }
 
   // src/shared/newest-first.js
+  var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value2, alone2) {
@@ -160,10 +161,11 @@
       if (flight.next) {
         flight.next.value = value2;
         flight.next.alone &&= alone2;
+        flight.next.anew ||= value2 === GONE;
         return flight.next.written;
       }
-      const next = { value: value2, alone: alone2, written: Promise.resolve() };
-      const begin = () => start(key, next.value, next.alone);
+      const next = { value: value2, alone: alone2, anew: value2 === GONE, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone || next.anew);
       next.written = flight.now.then(begin, begin);
       flight.next = next;
       return next.written;
@@ -209,22 +211,24 @@
         request.onerror = () => reject(request.error);
       });
     };
+    const put = newestFirst(
+      (key, value2, alone2) => write(begin, (answers) => {
+        if (value2 === GONE) answers.delete(key);
+        else if (alone2) {
+          answers.put(value2, key);
+          answers.transaction.commit();
+        } else {
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value2), key);
+        }
+      })
+    );
     return {
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: newestFirst(
-        (key, value2, alone2) => write(begin, (answers) => {
-          if (alone2) {
-            answers.put(value2, key);
-            answers.transaction.commit();
-            return;
-          }
-          const request = answers.get(key);
-          request.onsuccess = () => answers.put(keepEarlier(request.result, value2), key);
-        })
-      ),
-      remove: (key) => write(begin, (answers) => answers.delete(key)),
+      put,
+      remove: (key) => put(key, GONE),
       entries: async () => {
         const [keys, values] = await Promise.all([
           read((answers) => answers.getAllKeys()),

@@ -250,6 +250,7 @@
   }
 
   // src/shared/newest-first.js
+  var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put2) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value, alone2) {
@@ -267,10 +268,11 @@
       if (flight.next) {
         flight.next.value = value;
         flight.next.alone &&= alone2;
+        flight.next.anew ||= value === GONE;
         return flight.next.written;
       }
-      const next = { value, alone: alone2, written: Promise.resolve() };
-      const begin = () => start(key, next.value, next.alone);
+      const next = { value, alone: alone2, anew: value === GONE, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone || next.anew);
       next.written = flight.now.then(begin, begin);
       flight.next = next;
       return next.written;
@@ -316,22 +318,24 @@
         request.onerror = () => reject(request.error);
       });
     };
+    const put2 = newestFirst(
+      (key, value, alone2) => write(begin, (answers) => {
+        if (value === GONE) answers.delete(key);
+        else if (alone2) {
+          answers.put(value, key);
+          answers.transaction.commit();
+        } else {
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        }
+      })
+    );
     return {
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: newestFirst(
-        (key, value, alone2) => write(begin, (answers) => {
-          if (alone2) {
-            answers.put(value, key);
-            answers.transaction.commit();
-            return;
-          }
-          const request = answers.get(key);
-          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-        })
-      ),
-      remove: (key) => write(begin, (answers) => answers.delete(key)),
+      put: put2,
+      remove: (key) => put2(key, GONE),
       entries: async () => {
         const [keys, values] = await Promise.all([
           read((answers) => answers.getAllKeys()),

@@ -722,6 +722,7 @@
   }
 
   // src/shared/newest-first.js
+  var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value, alone2) {
@@ -739,10 +740,11 @@
       if (flight.next) {
         flight.next.value = value;
         flight.next.alone &&= alone2;
+        flight.next.anew ||= value === GONE;
         return flight.next.written;
       }
-      const next = { value, alone: alone2, written: Promise.resolve() };
-      const begin2 = () => start(key, next.value, next.alone);
+      const next = { value, alone: alone2, anew: value === GONE, written: Promise.resolve() };
+      const begin2 = () => start(key, next.value, next.alone || next.anew);
       next.written = flight.now.then(begin2, begin2);
       flight.next = next;
       return next.written;
@@ -788,22 +790,24 @@
         request.onerror = () => reject(request.error);
       });
     };
+    const put = newestFirst(
+      (key, value, alone2) => write2(begin2, (answers) => {
+        if (value === GONE) answers.delete(key);
+        else if (alone2) {
+          answers.put(value, key);
+          answers.transaction.commit();
+        } else {
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        }
+      })
+    );
     return {
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: newestFirst(
-        (key, value, alone2) => write2(begin2, (answers) => {
-          if (alone2) {
-            answers.put(value, key);
-            answers.transaction.commit();
-            return;
-          }
-          const request = answers.get(key);
-          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-        })
-      ),
-      remove: (key) => write2(begin2, (answers) => answers.delete(key)),
+      put,
+      remove: (key) => put(key, GONE),
       entries: async () => {
         const [keys, values] = await Promise.all([
           read((answers) => answers.getAllKeys()),

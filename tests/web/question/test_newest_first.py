@@ -32,6 +32,22 @@ while (open.length) {
 give({ at_once, began, kept, said });
 """
 
+FORGETTING = """
+const { GONE, newestFirst } = await import(source + "/shared/newest-first.js");
+let kept = [];
+const open = [];
+const put = newestFirst((key, value, alone) => new Promise((resolve) => open.push(() => {
+  kept = value === GONE ? [] : alone ? [value] : [...kept, value];
+  resolve();
+})));
+for (const value of data) put("why", value || GONE);
+while (open.length) {
+  open.shift()();
+  await new Promise((resolve) => setTimeout(resolve));
+}
+give(kept);
+"""
+
 
 def typed(*values: int, between: tuple[int, ...] = (), refused: int = 0) -> Any:
     """What a store does with values 1, 2, … of a key, its writes ending one after the other."""
@@ -58,3 +74,14 @@ def test_a_write_that_is_refused_holds_up_none_after_it() -> None:
     done = typed(1, 2, 3, 4, refused=1)
     assert done["kept"] == 4
     assert -1 in done["said"]
+
+
+@pytest.mark.parametrize(
+    ("done", "kept"),
+    [([1, 0], []), ([1, 2, 0], []), ([0, 1], [1]), ([1, 0, 2], [2]), ([1, 2, 0, 3, 4], [4])],
+)
+def test_what_is_forgotten_stays_so_and_what_is_typed_after_it_is_kept(
+    done: list[int], kept: list[int]
+) -> None:
+    """0 forgets, other values are typed: all while the first is still being written."""
+    assert in_node(FORGETTING, done) == kept

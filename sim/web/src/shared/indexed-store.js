@@ -3,7 +3,7 @@
  */
 
 import { keepEarlier } from "../answers/entry.js";
-import { newestFirst } from "./newest-first.js";
+import { GONE, newestFirst } from "./newest-first.js";
 
 /** @typedef {import("./storage.js").Opened} Opened */
 
@@ -57,22 +57,24 @@ export async function indexed(name) {
       request.onerror = () => reject(request.error);
     });
   };
+  const put = newestFirst((key, value, alone) =>
+    write(begin, (answers) => {
+      if (value === GONE) answers.delete(key);
+      else if (alone) {
+        answers.put(value, key);
+        answers.transaction.commit(); // nothing else will come
+      } else {
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+      }
+    }),
+  );
   return {
     kind: "kept",
     how: "indexed",
     get: (key) => read((answers) => answers.get(key)),
-    put: newestFirst((key, value, alone) =>
-      write(begin, (answers) => {
-        if (alone) {
-          answers.put(value, key);
-          answers.transaction.commit(); // nothing else will come
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
-    ),
-    remove: (key) => write(begin, (answers) => answers.delete(key)),
+    put,
+    remove: (key) => put(key, GONE),
     entries: async () => {
       const [keys, values] = await Promise.all([
         read((answers) => answers.getAllKeys()),
