@@ -45,7 +45,7 @@ def draft(name: str) -> str:
         f"## {done.scene.title} {{ #{name} }}\n\n(what it is about)\n\n"
         f"```scene\nid: gallery-{name}\nfile: {name}.yml\nshow: [v, F]\n```\n\n"
         f"**Expected.** {speeds}. Warmed the bumpers: {abs(round(done.ledger.warmed, 6)):.4g} J.\n"
-        f"**Plan.** {tiers}.\n"
+        f"**Plan.** {tiers}.\n{{: data-search-exclude }}\n"
     )
 
 

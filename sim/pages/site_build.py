@@ -169,7 +169,7 @@ class SiteBuild:
         """Write what can only be written when all pages are known; raises `SiteError`."""
         index = site / "search" / "search_index.json"
         if index.is_file():
-            text = f"var __index = {index.read_text(encoding='utf-8')}"
+            text = site_files.search_words(index.read_text(encoding="utf-8"))
             index.with_suffix(".js").write_text(text, encoding="utf-8")
         for language in {needs.language for needs in self.needs.values()} - {ENGLISH}:
             script = site / site_files.ASSETS / f"words.{language}.js"

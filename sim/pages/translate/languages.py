@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,6 +11,11 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.makers import Page
 from sim.pages.translate.page_line import draft_line, language_line, languages_of, with_lines
 from sim.pages.translate.translation import Translation, translations_of
+
+# Every page loads the words of the search: of a lesson in several languages it has the title and
+# the first lines in each, all else in English.
+_PART = re.compile(r"<h([2-6]) ")
+_UNSEARCHED = r"<h\1 data-search-exclude "
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,4 +61,5 @@ class Languages:
             items = {item.id for quiz in page.items.quizzes for item in quiz.form.items}
             left, parts = one.counted(items)
             lines = draft_line(page.language, draft=one.draft, left=left, parts=parts) + lines
+            html = _PART.sub(_UNSEARCHED, html)
         return with_lines(html, lines) if lines else html

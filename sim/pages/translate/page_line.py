@@ -57,4 +57,5 @@ def draft_line(language: str, *, draft: bool, left: int, parts: int) -> str:
     with speaking(words(language)):
         said = [tr("This translation is a draft: no teacher has read it yet.")] if draft else []
         said += [tr("{left} of {parts} parts are in English.", left=left, parts=parts)] * (left > 0)
-    return f'<p class="carts-draft">{escape(" ".join(said))}</p>\n' if said else ""
+    text = escape(" ".join(said))
+    return f'<p class="carts-draft" data-search-exclude>{text}</p>\n' if said else ""

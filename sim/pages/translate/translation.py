@@ -108,17 +108,17 @@ class Translation:
     def page(self, siblings: Collection[str]) -> str:
         """The Markdown of the page. `siblings`: names of lessons that have a page beside it."""
         text = _moved_links(self.lesson.made.text, siblings)
-        own = [f"language: {self.source.language}", "search: {exclude: true}"]
+        own = f"language: {self.source.language}"
         lines = text.split("\n")
         top = after_front_matter(lines)
         if top:
-            return "\n".join([*lines[: top - 1], *own, *lines[top - 1 :]])
-        return "\n".join(["---", *own, "---", *lines])
+            return "\n".join([*lines[: top - 1], own, *lines[top - 1 :]])
+        return "\n".join(["---", own, "---", *lines])
 
     def _line(self, line: int) -> int:
         """The line of the text without what `page` adds in front; lines count from 1."""
         top = after_front_matter(self.lesson.made.text.split("\n"))
-        return line - 4 if not top else line - 2 if line > top + 1 else line
+        return line - 3 if not top else line - 1 if line > top else line
 
 
 def part_of(source: Source, root: Path) -> Part:

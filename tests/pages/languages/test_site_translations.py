@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -50,7 +51,23 @@ def test_a_lesson_with_a_catalogue_has_a_page_that_speaks_its_language(make_site
     assert "Bahasa Melayu" in pages["second.html"]  # the menu
     index = (root / "site" / "search" / "search_index.json").read_text(encoding="utf-8")
     assert "galumphing" in index
-    assert "brillig" not in index
+
+
+def test_the_search_knows_the_title_and_the_first_lines_of_a_translation(
+    make_site: MakeSite,
+) -> None:
+    """All of it would be loaded by every page, in every language."""
+    part = "\n\n## A part\n\nMore words to search: frumious.\n"
+    root = three(make_site, TEXT + part)
+    write_words(root, "first.md", {**SAID, "More words to search: frumious.": "Lagi: uffish."})
+    built(root)
+    index = json.loads((root / "site" / "search" / "search_index.json").read_text("utf-8"))
+    made = [one for one in index["docs"] if one["location"].startswith("worksheets/ms/")]
+    assert [one["title"] for one in made] == ["Satu pelajaran"]
+    assert "brillig" in made[0]["text"]
+    assert "draf" not in made[0]["text"]
+    assert "frumious" in json.dumps(index)
+    assert "uffish" not in json.dumps(index)
 
 
 def test_pages_of_one_lesson_lead_to_each_other(make_site: MakeSite) -> None:
