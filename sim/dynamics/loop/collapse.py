@@ -7,7 +7,8 @@ geometric series is the time of collapse; after it they go on together, and room
 speeds are nought. (McNamara & Young, Phys. Fluids A 4 (1992) 496; three equal bodies: e < 7 − 4
 sqrt 3.)
 
-Of three that touch and are hit in turn in two gaps the limit is known at once (`hit_in_turn`).
+Of three that touch and are hit in turn in two gaps the limit is known at once (`hit_in_turn`), and
+of any number that give nothing back (`plastic`).
 
 Of more bodies, and of three that other things act on, rounds are linear maps of the relative
 speeds: whatever they begin with, the greatest eigenvalue q of one round remains. Where the same
@@ -24,6 +25,7 @@ from __future__ import annotations
 
 import math
 
+from sim.dynamics.loop import plastic
 from sim.dynamics.loop.first_struck import touches
 from sim.dynamics.loop.rounds import Hits
 from sim.dynamics.motion.hit_in_turn import at_once_for_ever, for_ever
@@ -117,6 +119,8 @@ def run_of(chain: Chain, block: list[Gap], now: Time, instant: float, hits: Hits
         often = often or gap.flips + 1 >= UNDECIDED
     if not often:
         return []
+    if row := plastic.row_of(chain, block, now):
+        return row
     for gap in block:
         hits.note(gap, now, instant)
     if (found := hits.rounds()) is not None:
