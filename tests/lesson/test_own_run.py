@@ -38,3 +38,29 @@ def test_a_reading_is_what_the_run_says() -> None:
             assert value is not None
             assert abs(value) == pytest.approx(abs(right), rel=1e-4, abs=1e-9)
     assert found[2] == pytest.approx(v_a, rel=1e-6)
+
+
+KEPT = """
+const listeners = [];
+const scene = { trajectory: null, querySelector: () => null };
+globalThis.Element = Object;
+globalThis.document = { getElementById: () => scene,
+                        addEventListener: (_, act) => listeners.push(act) };
+const { fromWire } = await import(source + "/../../view/trajectory.js");
+const { readOff } = await import(source + "/question/forms/run.js");
+const facts = { scene: "meeting", quantity: "v.A", at: 2, per: 1 };
+const earlier = { own: 9, set: { "A.mass": 9 }, value: "0.2" };
+const none = readOff(facts, { ...earlier });
+scene.trajectory = fromWire(data.header, Float64Array.from(data.numbers));
+listeners.forEach((act) => act({ target: scene, detail: { "A.mass": 0.5 } }));
+give({ none, now: readOff(facts, { ...earlier }) });
+"""
+
+
+def test_a_number_goes_with_the_run_that_is_on_the_screen_and_with_no_earlier_one() -> None:
+    scene = {key: value for key, value in MEETING.items() if key not in ("id", "controls")}
+    header, numbers = answer({"id": 0, "kind": "run", "scene": scene})
+    found = in_node(KEPT, {"header": header, "numbers": list(numbers)})
+    assert found["none"] == {"value": "0.2"}
+    assert found["now"]["own"] == pytest.approx(-0.12, rel=1e-6)
+    assert found["now"]["set"] == {"A.mass": 0.5}

@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from sim.classroom.files.keyed import KeyedForm
-from sim.classroom.report.marked import Marked
+from sim.classroom.files.keyed import KeyedForm, KeyedItem
+from sim.classroom.handouts.answered import answer_words
+from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.numerals import students as of_students
 from sim.lesson.mark import is_empty
 from sim.scene.said import joined, said
@@ -49,23 +50,30 @@ def belief_row(tag: str, says: str, students: int, sure: int | None) -> dict[str
 
 
 def word_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[str, Any]]:
-    """Questions that a person reads: every answer of the class, with the marks given so far."""
+    """Answers that a person reads, question by question, with the marks given so far: those in
+    words, and a number read off a run that its file does not tell."""
     if not form:
         return []
     rows = []
     for name, keyed in form.items.items():
-        question = keyed.question
-        if not question.free:
-            continue
         answers = [
             {
                 "student": f.who,
-                "text": f.answers[name].value,
+                "text": answer_words(keyed, f.answers[name].value),
                 "marks": f.answers[name].mark.marks,  # type: ignore[union-attr]
             }
             for f in files
-            if isinstance(f.answers[name].value, str) and not is_empty(f.answers[name].value)
+            if _is_read(keyed, f.answers[name])
         ]
-        rows.append({"id": name, "ask": keyed.ask, "worth": keyed.worth,
-                     "rubric": dict(keyed.rubric), "answers": answers})  # fmt: skip
+        if answers or keyed.question.free:
+            rows.append({"id": name, "ask": keyed.ask, "worth": keyed.worth,
+                         "rubric": dict(keyed.rubric), "answers": answers})  # fmt: skip
     return rows
+
+
+def _is_read(keyed: KeyedItem, answer: Answer) -> bool:
+    if keyed.question.free:
+        return isinstance(answer.value, str) and not is_empty(answer.value)
+    if answer.item is None or answer.foreign or not answer.worth:
+        return False
+    return keyed.mark(answer.value, answer.item.own).verdict == "open"

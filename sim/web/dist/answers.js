@@ -2596,6 +2596,12 @@
     const value = reading(run, masses(scene), facts.quantity, facts.at);
     return { own: value === null ? null : value / facts.per, set };
   }
+  function readOff(facts, entry) {
+    const { own, set } = ownReading(facts);
+    delete entry.own;
+    delete entry.set;
+    return own === null ? entry : Object.assign(entry, { own, set });
+  }
   var changes = /* @__PURE__ */ new WeakMap();
   document.addEventListener("carts-update", (event) => {
     const { target, detail } = (
@@ -2964,6 +2970,8 @@
           last: now
         };
         if (this.facts.unit) entry.unit = this.facts.unit;
+        const other = entry.value !== this.#entry.value;
+        if (this.facts.type === "reading" && other) readOff(this.facts, entry);
         if (sure) entry.sure = sure;
         this.#entry = entry;
         void this.#keep();
@@ -3001,12 +3009,11 @@
           return null;
         }
         if (this.facts.type === "reading") {
-          const { own, set } = ownReading(this.facts);
-          if (own === null) {
+          this.#entry = readOff(this.facts, { ...this.#entry });
+          if (this.#entry.own === void 0) {
             this.#complain(tr("Run the scene first: lock your prediction there."));
             return null;
           }
-          this.#entry = { ...this.#entry, own, set };
         }
         this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
         return this.#tried();

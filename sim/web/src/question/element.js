@@ -7,7 +7,7 @@ import { atTheRun, changing, checked, whenWatched } from "./beside-run.js";
 import { showEarlier, showFirstIdea } from "./earlier.js";
 import { Feedback } from "./feedback.js";
 import { FORMS } from "./forms/kinds.js";
-import { ownReading } from "./forms/run.js";
+import { readOff } from "./forms/run.js";
 import { wait } from "./gate.js";
 import { plainText } from "./plain-text.js";
 
@@ -156,6 +156,8 @@ export function questionElement(book) {
         last: now,
       };
       if (this.facts.unit) entry.unit = this.facts.unit;
+      const other = entry.value !== this.#entry.value;
+      if (this.facts.type === "reading" && other) readOff(this.facts, entry);
       if (sure) entry.sure = sure;
       this.#entry = entry;
       void this.#keep(); // first of all
@@ -199,12 +201,11 @@ export function questionElement(book) {
         return null;
       }
       if (this.facts.type === "reading") {
-        const { own, set } = ownReading(this.facts);
-        if (own === null) {
+        this.#entry = readOff(this.facts, { ...this.#entry });
+        if (this.#entry.own === undefined) {
           this.#complain(tr("Run the scene first: lock your prediction there."));
           return null;
         }
-        this.#entry = { ...this.#entry, own, set };
       }
       this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
       return this.#tried();

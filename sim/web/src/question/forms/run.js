@@ -9,13 +9,21 @@ const KILOGRAMS = { kg: 1, g: 0.001, mg: 1e-6, t: 1000 };
 
 /** What the student's own run says, in the question's unit; null: there is no run yet. */
 /** @param {Record<string, any>} facts @returns {{own: number | null, set: Record<string, unknown>}} */
-export function ownReading(facts) {
+function ownReading(facts) {
   const scene = /** @type {any} */ (document.getElementById(facts.scene));
   const run = scene?.trajectory;
   const set = setBy(scene);
   if (!run) return { own: null, set };
   const value = reading(run, masses(scene), facts.quantity, facts.at);
   return { own: value === null ? null : value / facts.per, set };
+}
+
+/** The entry with the run that its number is read off, and without an earlier one. @param {Record<string, any>} facts @param {any} entry */
+export function readOff(facts, entry) {
+  const { own, set } = ownReading(facts);
+  delete entry.own;
+  delete entry.set;
+  return own === null ? entry : Object.assign(entry, { own, set });
 }
 
 /** @type {WeakMap<Element, Record<string, unknown>>} what the student set in each scene */
