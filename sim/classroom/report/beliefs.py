@@ -63,7 +63,7 @@ def word_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[str,
                 "marks": f.answers[name].mark.marks,  # type: ignore[union-attr]
             }
             for f in files
-            if _is_read(keyed, f.answers[name])
+            if name in f.answers and _is_read(keyed, f.answers[name])
         ]
         if answers or keyed.question.free:
             rows.append({"id": name, "ask": keyed.ask, "worth": keyed.worth,
