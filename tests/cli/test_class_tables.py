@@ -64,6 +64,31 @@ def test_two_tables_are_before_and_after(tmp_path: Path) -> None:
     assert (lesson["lesson"], lesson["gains"][0]["n"]) == ("quiz-1", 9)
 
 
+def test_tables_of_one_name_are_told_apart_by_their_folders(tmp_path: Path) -> None:
+    for folder, mark in (("7a", 1), ("7b", 0)):
+        rows = "".join(f"S{folder}{k},{mark},{k % 2}\n" for k in range(8))
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "quiz.csv").write_text(f"student,pre Q1,post Q1\n{rows}")
+    result = carts("--table", str(tmp_path / "7a/quiz.csv"), "--table",
+                   str(tmp_path / "7b/quiz.csv"), "--group", "new=7a/*", "--group", "usual=7b/*",
+                   "--json")  # fmt: skip
+    assert result.exit_code == 0, result.output
+    (before, _) = json.loads(result.stdout)["lessons"][0]["forms"]
+    assert {row["group"]: row["total"] for row in before["students"]} == {"new": 1, "usual": 0}
+
+
+def test_rows_without_a_name_in_tables_of_one_name_are_no_pairs(tmp_path: Path) -> None:
+    for folder in ("before", "after"):
+        (tmp_path / folder).mkdir()
+        named = "".join(f"S{k},{k % 2}\n" for k in range(6))
+        (tmp_path / folder / "quiz.csv").write_text(f"student,Q1\n{named},1\n,0\n")
+    result = carts("--table", f"pre={tmp_path}/before/quiz.csv", "--table",
+                   f"post={tmp_path}/after/quiz.csv", "--json")  # fmt: skip
+    assert result.exit_code == 0, result.output
+    (gain,) = json.loads(result.stdout)["lessons"][0]["gains"]
+    assert gain["n"] == 6
+
+
 def test_tables_without_groups_are_put_into_them_by_name(tmp_path: Path) -> None:
     for name in ("7a", "7b"):
         lines = [f"{name}-{k},{k % 4},{k % 6}" for k in range(9)]

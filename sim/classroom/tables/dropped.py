@@ -9,6 +9,7 @@ from typing import Any
 
 from sim.classroom.report.report import WHOLE
 from sim.classroom.tables.cells import TableError
+from sim.classroom.tables.distinct import distinct
 from sim.classroom.tables.layout import form_of
 from sim.classroom.tables.marks import most_of
 from sim.classroom.tables.read import read_table
@@ -26,8 +27,9 @@ def dropped_report(
     """
     tables: list[MarkTable] = []
     bad: list[dict[str, str]] = []
-    for one in given:
-        name, form = str(one["name"]), form_of(str(one.get("form") or "")) or ""
+    names = distinct([str(one["name"]) for one in given])
+    for name, one in zip(names, given, strict=True):
+        form = form_of(str(one.get("form") or "")) or ""
         try:
             tables.append(read_table(name, b64decode(one["base64"]), form))
         except TableError as error:

@@ -10,6 +10,7 @@ import click
 from sim.classroom.report.report import WHOLE
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import MOST_BYTES, TableError
+from sim.classroom.tables.distinct import distinct
 from sim.classroom.tables.layout import form_of
 from sim.classroom.tables.marks import most_of
 from sim.classroom.tables.read import read_table
@@ -26,14 +27,14 @@ def tables_of(
     """The tables as one lesson, called `lesson` or as the first; and files that are no tables."""
     tables: list[MarkTable] = []
     bad: list[tuple[str, str]] = []
-    names: dict[str, str] = {}
-    for text in given:
-        form, path = _place(text)
+    places = [_place(text) for text in given]
+    paths = [path.as_posix() for _, path in places]
+    names = dict(zip(distinct(paths), paths, strict=True))
+    for name, (form, path) in zip(names, places, strict=True):
         lesson = lesson or path.stem
-        names[path.name] = path.as_posix()
         try:
             with path.open("rb") as file:
-                tables.append(read_table(path.name, file.read(MOST_BYTES + 1), form))
+                tables.append(read_table(name, file.read(MOST_BYTES + 1), form))
         except TableError as error:
             bad.append((path.as_posix(), reason_of(error)))
         except OSError as error:

@@ -10,6 +10,7 @@ from typing import Any
 from click.testing import CliRunner
 
 from sim.bridge.protocol import answer
+from sim.classroom.tables.distinct import distinct
 from sim.classroom.tables.dropped import dropped_report
 from sim.cli import main
 
@@ -62,3 +63,8 @@ def test_the_wire_gives_html_and_saves_what_was_dropped() -> None:
     assert "marks" in header["html"]
     saved, _ = answer(asked | {"do": "save", "what": "csv"})
     assert saved["text"].count("\n") > 16
+
+
+def test_two_tables_of_one_name_are_two_tables() -> None:
+    assert distinct(["quiz.csv", "quiz.csv", "b.csv"]) == ["quiz.csv", "quiz.csv (2)", "b.csv"]
+    assert distinct(["7a/quiz.csv", "7b/quiz.csv"]) == ["7a/quiz.csv", "7b/quiz.csv"]
