@@ -204,7 +204,7 @@
           "What you answered before could not be opened. It is not lost: close other windows and load the page again."
         );
       }
-      if (this.book.store?.how === "memory") {
+      if (!this.book.lasts) {
         return tr(
           "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave."
         );
@@ -602,11 +602,11 @@
     async take(student, found2) {
       await this.ready;
       if (!this.all) return 0;
-      const theirs = forStudent(this.all, student);
+      const mine = student === this.student;
+      const theirs = mine && this.store ? this.store : forStudent(this.all, student);
       const here = new Map(await theirs.entries());
       const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) })).filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
       await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
-      const mine = student === this.student;
       for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
@@ -617,7 +617,13 @@
     }
     async become(code, carry = false) {
       await this.ready;
-      if (!this.all) return;
+      if (!this.all) return false;
+      if (!this.lasts && (carry || this.#known.size === 0)) {
+        this.student = code;
+        this.dispatchEvent(new Event("student"));
+        this.dispatchEvent(new CustomEvent("change", { detail: null }));
+        return false;
+      }
       if (carry) {
         const mine = forStudent(this.all, this.student);
         const found2 = await mine.entries();
@@ -625,6 +631,10 @@
         for (const [key] of found2) await mine.remove(key);
       }
       await writeStudent(this.all, code);
+      return true;
+    }
+    get lasts() {
+      return this.store?.how !== "memory";
     }
     async has(code) {
       await this.ready;
@@ -1111,8 +1121,8 @@
       const found2 = readCode(box.value);
       if ("problem" in found2) return say(told, found2.problem);
       keep(found2.code);
-      await book2.become(found2.code, true);
-      setTimeout(() => location.reload(), AFTER_SAVING);
+      const anew = await book2.become(found2.code, true).catch(() => false);
+      if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
     };
     box.addEventListener("keydown", ({ key }) => {
       if (key === "Enter") void withCode();
@@ -1172,7 +1182,7 @@
       const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
       say(told, `${taken} ${where}`.trim());
       const predicted = found2.entries.some(([, entry]) => entry.locked);
-      if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
+      if (!where && changed && predicted && book2.lasts) setTimeout(() => location.reload(), 1500);
     });
     return row;
   }
@@ -1673,9 +1683,16 @@
       choices.querySelector("button")?.focus();
     }
     async function become(code, carry) {
-      await book2.become(code, carry);
-      if (!carry) forgetTab();
-      location.reload();
+      try {
+        const anew = await book2.become(code, carry);
+        if (!carry) forgetTab();
+        if (anew) location.reload();
+      } catch {
+        say(
+          told,
+          tr("This browser refuses to keep more. Press “My answers” and save your file now.")
+        );
+      }
     }
     return root;
   }
@@ -1691,8 +1708,14 @@
       book2.addEventListener("change", () => {
         if (this.root.open) this.#files?.();
       });
+      book2.addEventListener("student", () => {
+        const now = whoPart(book2);
+        this.#who?.replaceWith(now);
+        this.#who = now;
+      });
     }
     #files = null;
+    #who = null;
     async open() {
       await this.book.ready;
       await this.book.refresh();
@@ -1705,9 +1728,10 @@
       head.append(title, close);
       const files = filesPart(this.book);
       this.#files = files.draw;
+      this.#who = whoPart(this.book);
       this.root.replaceChildren(
         head,
-        whoPart(this.book),
+        this.#who,
         files.root,
         listPart(this.book),
         leavePart(this.book)

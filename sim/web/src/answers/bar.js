@@ -88,7 +88,7 @@ export class Bar {
         "What you answered before could not be opened. It is not lost: close other windows and load the page again.",
       );
     }
-    if (this.book.store?.how === "memory") {
+    if (!this.book.lasts) {
       return tr(
         "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.",
       );

@@ -80,13 +80,13 @@ export class Book extends EventTarget {
   async take(student, found) {
     await this.ready;
     if (!this.all) return 0;
-    const theirs = forStudent(this.all, student);
+    const mine = student === this.student;
+    const theirs = mine && this.store ? this.store : forStudent(this.all, student);
     const here = new Map(await theirs.entries());
     const changed = found
       .map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) }))
       .filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
     await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
-    const mine = student === this.student;
     // It may be older than an empty one that this page knows.
     for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
     await this.#read();
@@ -97,10 +97,20 @@ export class Book extends EventTarget {
     return changed.length;
   }
 
-  /** From now on another student works here. @param {string} code @param {boolean} carry with what was answered so far */
+  /**
+   * From now on another student works here. Where the browser keeps nothing, a page that is read anew has
+   * lost all: there what was answered so far only gets its name.
+   * @param {string} code @param {boolean} carry with what was answered so far @returns {Promise<boolean>} whether the page is to be read anew
+   */
   async become(code, carry = false) {
     await this.ready;
-    if (!this.all) return;
+    if (!this.all) return false;
+    if (!this.lasts && (carry || this.#known.size === 0)) {
+      this.student = code;
+      this.dispatchEvent(new Event("student"));
+      this.dispatchEvent(new CustomEvent("change", { detail: null }));
+      return false;
+    }
     if (carry) {
       const mine = forStudent(this.all, this.student);
       const found = await mine.entries();
@@ -108,6 +118,12 @@ export class Book extends EventTarget {
       for (const [key] of found) await mine.remove(key);
     }
     await writeStudent(this.all, code);
+    return true;
+  }
+
+  /** Whether the browser keeps anything beyond this page. */
+  get lasts() {
+    return this.store?.how !== "memory";
   }
 
   /** Whether a student has answers here. @param {string} code */

@@ -95,8 +95,9 @@ function askWhose(place, book, keep) {
     const found = readCode(box.value);
     if ("problem" in found) return say(told, found.problem);
     keep(found.code);
-    await book.become(found.code, true); // what was answered here belongs to this student from now on
-    setTimeout(() => location.reload(), AFTER_SAVING);
+    // What was answered here belongs to this student from now on; if the browser refuses, the file has it.
+    const anew = await book.become(found.code, true).catch(() => false);
+    if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
   };
   box.addEventListener("keydown", ({ key }) => {
     if (key === "Enter") void withCode();
@@ -162,7 +163,7 @@ function importRow(book, told) {
     say(told, `${taken} ${where}`.trim());
     // A scene takes its prediction up only when the page is read.
     const predicted = found.entries.some(([, entry]) => entry.locked);
-    if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
+    if (!where && changed && predicted && book.lasts) setTimeout(() => location.reload(), 1500);
   });
   return row;
 }

@@ -66,9 +66,16 @@ export function whoPart(book) {
 
   /** @param {string} code @param {boolean} carry */
   async function become(code, carry) {
-    await book.become(code, carry);
-    if (!carry) forgetTab();
-    location.reload();
+    try {
+      const anew = await book.become(code, carry);
+      if (!carry) forgetTab();
+      if (anew) location.reload();
+    } catch {
+      say(
+        told,
+        tr("This browser refuses to keep more. Press “My answers” and save your file now."),
+      );
+    }
   }
   return root;
 }

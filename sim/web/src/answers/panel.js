@@ -18,10 +18,17 @@ export class Panel {
     book.addEventListener("change", () => {
       if (this.root.open) this.#files?.();
     });
+    book.addEventListener("student", () => {
+      const now = whoPart(book);
+      this.#who?.replaceWith(now);
+      this.#who = now;
+    });
   }
 
   /** @type {(() => void) | null} draws the table of files anew */
   #files = null;
+  /** @type {HTMLElement | null} */
+  #who = null;
 
   async open() {
     await this.book.ready;
@@ -35,9 +42,10 @@ export class Panel {
     head.append(title, close);
     const files = filesPart(this.book);
     this.#files = files.draw;
+    this.#who = whoPart(this.book);
     this.root.replaceChildren(
       head,
-      whoPart(this.book),
+      this.#who,
       files.root,
       listPart(this.book),
       leavePart(this.book),
