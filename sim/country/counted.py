@@ -50,7 +50,7 @@ def judged(sheets: Any) -> Any:
     found = ranked.join(places, PLACE)
     once = found.claims == 1
     same = found.typed.ifelse(found.contents, found.contents_timed) == 1
-    again = found.begun == 1
+    again = (found.begun == 1) & ~found.typed
     counts = once | (same & (found["first"] == 0)) | (~same & again & (found.latest == 0))
     claim = once.ifelse("once", same.ifelse("same", again.ifelse("again", "doubled")))
     return found.mutate(counts=counts, claim=claim)

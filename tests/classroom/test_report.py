@@ -224,6 +224,17 @@ def test_typed_codes_stand_beside_files() -> None:
     assert first.startswith('p class="carts-class-lost">2 files could not be read: ')
 
 
+def test_two_codes_under_one_code_word_are_asked_about_and_not_counted() -> None:
+    """They have no times: nobody knows which was first, or whether it is one student."""
+    reading = Reading.of([Source("key.json", keys(BANK, ["pre"]).encode())])
+    pre = form("pre", BANK)
+    lines = [encode([4] * 10, [k] * 10, f"pre:{pre.hash}") for k in (1, 2)]
+    read, _ = read_codes("\n".join(f"BLUE-FOX {code}" for code in lines), reading.keys)
+    report = class_report([(r, "class") for r in read], reading.keys, [], Asked())
+    assert [flag["code"] for flag in report["flags"]] == ["doubled-id"]
+    assert report["files"]["counted"] == 0
+
+
 def test_a_code_tells_which_form_it_is_of() -> None:
     reading = Reading.of([Source("key.json", keys(BANK).encode())])
     code = encode([4] * 10, [1] * 10, f"post:{form('post', BANK).hash}")

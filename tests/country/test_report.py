@@ -12,9 +12,12 @@ from typing import Any
 import pyarrow.parquet as pq
 import pytest
 
+from sim.lesson.handin import encode
+from tests.classroom.given.makers import bank, form, keys
 from tests.country.class_command import carts, table
 from tests.country.school import KEY, lay, school_files
 
+SMALL = bank(4)
 WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
 NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered", "typed")
 """What is one student's, and what only reports on sums hold."""
@@ -37,10 +40,10 @@ def numbers(report: dict[str, Any]) -> Any:
     """All that can be equal: no names; without a key a report on files counts nobody as sure."""
     lessons = without(report, (*WHO, *NOT_IN_A_TABLE))["lessons"]
     for lesson in lessons:
-        for form in lesson["forms"]:
-            for item in form["items"]:
+        for part in lesson["forms"]:
+            for item in part["items"]:
                 item["choices"] = [
-                    {k: v for k, v in choice.items() if k != "sure" or form["has_key"]}
+                    {k: v for k, v in choice.items() if k != "sure" or part["has_key"]}
                     for choice in item["choices"]
                 ]
     return lessons
@@ -157,3 +160,15 @@ def test_spark_gives_the_same(school: Path) -> None:
     assert numbers(reported("--table", target, "--backend", "spark://local")) == numbers(
         reported("--table", target)
     )
+
+
+def test_two_codes_under_one_code_word_are_not_counted_from_a_table_either(tmp_path: Path) -> None:
+    pre = form("pre", SMALL)
+    lines = [f"FOX {encode([4] * 4, [k] * 4, f'pre:{pre.hash}')}" for k in (1, 2)]
+    lines.append(f"OWL {encode([4] * 4, [3] * 4, f'pre:{pre.hash}')}")
+    (tmp_path / "codes.txt").write_text("\n".join(lines))
+    (tmp_path / "key.json").write_text(keys(SMALL, ["pre"]))
+    carts(tmp_path / "key.json", "--codes", tmp_path / "codes.txt", "--parquet", tmp_path / "table")
+    report = reported("--table", tmp_path / "table", "--key", tmp_path / "key.json")
+    assert report["files"]["counted"] == 1
+    assert [flag["code"] for flag in report["flags"]] == ["doubled-id"]

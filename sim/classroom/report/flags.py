@@ -67,7 +67,7 @@ def _doubles(files: Sequence[Marked]) -> tuple[list[Marked], list[Marked], list[
             text = said("{who}: is this the same file {times}? It is counted once.", who=who,
                         times=_times_word(len(same)))  # fmt: skip
             flags.append(Flag("same-file", text, names))
-        elif len({file.file.created for file in same}) == 1:
+        elif not typed and len({file.file.created for file in same}) == 1:
             latest = max(same, key=lambda file: file.file.saved)
             counted.append(latest)
             aside += [file for file in same if file is not latest]
