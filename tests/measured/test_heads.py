@@ -142,3 +142,30 @@ def test_of_three_markers_two_that_move_apart_are_taken(floor: bool) -> None:
         for one, two in zip(plain.tracks, found.tracks, strict=True)
     ]
     assert all(max(shift) - min(shift) < 0.002 for shift in shifts)
+
+
+def with_frames(text: str, *, empty_until: int, head: bool) -> str:
+    """With frame and time in front; the second marker is hidden, and empty, in the first frames."""
+    lines, k = [], 0
+    for line in text.splitlines():
+        cells = line.split("\t")
+        if len(cells) == 6 and cells[0][0].isdigit():
+            if k < empty_until:
+                cells[3:] = ["", "", ""]
+            lines.append("\t".join([str(k + 1), f"{k / 250:.5f}", *cells]))
+            k += 1
+            continue
+        if head and k == 0 and cells[0] == "TRAJECTORY_TYPES":
+            line += "\nFrame\tTime\tNew 0000 X\tY\tZ\tNew 0001 X\tY\tZ"
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("head", [True, False])
+@pytest.mark.parametrize("empty_until", [0, 3])
+def test_a_marker_that_is_hidden_at_first_moves_no_columns(head: bool, empty_until: int) -> None:
+    text = motion_capture(Motion(until=2.0))
+    plain = read_measured([text])
+    found = read_measured([with_frames(text, empty_until=empty_until, head=head)])
+    for one, two in zip(plain.tracks, found.tracks, strict=True):
+        assert two.value[-1] - two.value[5] == pytest.approx(one.value[-1] - one.value[5], abs=1e-3)

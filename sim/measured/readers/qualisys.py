@@ -44,7 +44,7 @@ def read(text: str, units: Units) -> Reading:
     if not names or not rows:
         raise refuse(line, "no marker is named or none has frames", "export the 3D data as TSV")
     rate = _rate(head, line)
-    skipped = _skipped(rows[0], 3 * len(names))
+    skipped = _skipped(head, rows, 3 * len(names))
     marks = [_marks(rows, skipped + 3 * k, skipped, rate) for k in range(len(names))]
     seen = [(name, one) for name, one in zip(names, marks, strict=True) if len(one) >= FEWEST]
     notes = [
@@ -93,9 +93,12 @@ def _rate(head: dict[str, tuple[str, ...]], line: int) -> float:
     return rate
 
 
-def _skipped(row: Row, wanted: int) -> int:
-    """Columns before the first marker: none, the time, or frame and time."""
-    extra = len(row.cells) - wanted
+def _skipped(head: dict[str, tuple[str, ...]], rows: Sequence[Row], wanted: int) -> int:
+    """Columns before the first marker: none, the time, or frame and time. A row in which the last
+    marker is hidden is shorter."""
+    if (beside := head.get("FRAME")) is not None:
+        return 2 if beside and beside[0].upper().startswith("TIME") else 1
+    extra = max(len(row.cells) for row in rows) - wanted
     return extra if extra in (1, 2) else 0
 
 
