@@ -6,9 +6,14 @@ import json
 
 import pytest
 
+from sim.classroom.files.archive import shown
 from sim.classroom.files.marks_file import given_marks, pseudonym
 from sim.classroom.files.reading import Reading, Source
+from sim.classroom.report.marked import NO_CODE
 from sim.classroom.report.report import Asked, class_report
+from sim.lesson.kinds.words import MOST_MARKS
+from sim.lesson.problems import LessonError
+from sim.lesson.read import read_question
 from tests.classroom.given.makers import answers, bank, keys
 from tests.web.scene.given.widget_site import in_node
 
@@ -68,3 +73,21 @@ def test_a_code_word_that_a_teacher_typed_pairs_with_the_students_own() -> None:
 def test_a_mark_counts_under_every_way_of_writing_the_code_word() -> None:
     row = {"lesson": "carts", "form": "pre", "item": "why-0", "marks": 1, "student": "blue fox 27"}
     assert given_marks([row]) == {("carts", "pre", "BLUE-FOX-27", "why-0"): 1}
+
+
+def test_marks_of_an_answer_without_a_code_word_are_kept_however_deep_its_folders() -> None:
+    """The page writes what it reads again: one row that it refuses would lose them all."""
+    path = shown("/".join(["a folder with a long name"] * 40))
+    student = f"{NO_CODE} ({path})"
+    row = {"lesson": "carts", "form": "pre", "student": student, "item": "why-0"}
+    for marks in (0, MOST_MARKS):
+        assert given_marks([{**row, "marks": marks}]) == {
+            ("carts", "pre", pseudonym(student), "why-0"): marks
+        }
+
+
+def test_a_rubric_gives_no_more_marks_than_one_key() -> None:
+    question = {"id": "why", "type": "long", "ask": "Why?"}
+    assert read_question({**question, "rubric": {str(k): "x" for k in range(MOST_MARKS + 1)}})
+    with pytest.raises(LessonError, match="at most 9 marks"):
+        read_question({**question, "rubric": {str(k): "x" for k in range(MOST_MARKS + 2)}})

@@ -156,7 +156,7 @@ def with_frames(text: str, *, empty_until: int, head: bool) -> str:
             k += 1
             continue
         if head and k == 0 and cells[0] == "TRAJECTORY_TYPES":
-            line += "\nFrame\tTime\tNew 0000 X\tY\tZ\tNew 0001 X\tY\tZ"
+            lines.append("Frame\tTime\tNew 0000 X\tY\tZ\tNew 0001 X\tY\tZ")
         lines.append(line)
     return "\n".join(lines) + "\n"
 

@@ -11,13 +11,16 @@ from collections.abc import Mapping
 from typing import Any
 from unicodedata import normalize
 
+from sim.lesson.kinds.words import MOST_MARKS
 from sim.lesson.opening import FORMS
 
 FORMAT = 1
 KIND = "newtons-carts-marks"
 MOST = 200_000
 MOST_CHARACTERS = 30_000_000
-ALLOWED = range(10)
+ALLOWED = range(MOST_MARKS + 1)
+MOST_NAME = 400
+"""Characters. A file without a code word is named by its folders."""
 PLACE = ("lesson", "form", "student", "item")
 
 _SPACES = "\t\n\v\f\r \xa0\u1680" + "".join(map(chr, range(0x2000, 0x200B)))
@@ -76,7 +79,8 @@ def _row(row: object) -> tuple[tuple[str, str, str, str], int]:
         lesson, form, student, item = (row.get(name) for name in PLACE)
         marks = row.get("marks")
         texts = (lesson, form, student, item)
-        good = all(isinstance(text, str) and len(text) <= 200 for text in texts) and form in FORMS
+        named = all(isinstance(text, str) and len(text) <= MOST_NAME for text in texts)
+        good = named and form in FORMS
         if good and isinstance(marks, int) and not isinstance(marks, bool) and marks in ALLOWED:
             return (str(lesson), str(form), pseudonym(str(student)), str(item)), marks
     raise MarksFileError("a mark in this file is damaged")

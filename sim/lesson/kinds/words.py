@@ -33,6 +33,9 @@ _WRONG_KEYS = (
     Key("belief", "tag of the belief behind it", "mover-pushes-more", {"enum": sorted(BELIEFS)}),
     Key("feedback", "shown to who gave it", "Look at both arrows.", PROSE),
 )
+MOST_MARKS = 9
+"""Of one answer in words: one press of a key gives them."""
+
 _PUNCTUATION = re.compile(r"[\s.,;:!?“”„\"'’`()]+")
 
 
@@ -210,6 +213,9 @@ def _rubric(
         found[int(key)] = str(value)
     if sorted(found) != list(range(len(found))) or len(found) < 2:
         message = "a rubric names every number of marks from 0 up"
+        problems.append(Problem((*path, "rubric"), "out-of-range", message, hint))
+    elif max(found) > MOST_MARKS:
+        message = f"a rubric gives at most {MOST_MARKS} marks: a teacher gives them with one key"
         problems.append(Problem((*path, "rubric"), "out-of-range", message, hint))
     return dict(sorted(found.items()))
 
