@@ -20,6 +20,7 @@ from sim.pages.findings import AuthorError
 from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.quiz import read_bank_text
+from sim.pages.text.author_text import author_text
 from sim.pages.translate.catalogues import OTHERS
 from sim.pages.translate.in_languages import in_languages
 
@@ -109,7 +110,7 @@ def command(
 def _of_bank(path: Path, language: str | None) -> _Asked:
     if language:
         raise click.UsageError("--language belongs to a lesson (.md)")
-    found, findings = read_bank_text(path.read_text(encoding="utf-8"), path.as_posix())
+    found, findings = read_bank_text(author_text(path, path.as_posix()), path.as_posix())
     if found is None:
         raise AuthorError(findings)
     return _Asked(found.title, found.items, found.forms)

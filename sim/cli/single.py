@@ -11,6 +11,7 @@ from sim.cli.scene_file import fail
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError, SiteError
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
+from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.lesson_places import bank_folders, scene_folders
 
@@ -57,7 +58,7 @@ def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
         lines = ["```scene", f"id: {name if name[0].isalpha() else f'scene-{name}'}"]
         lines += [f"file: {path.name}", "```"]
     else:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = author_text(path, shown).splitlines()
     lesson = Lesson(shown, folders, bank_folders(path, root))
     found = {}
     for block in scan(lines):

@@ -10,6 +10,7 @@ from sim.cli.check import report
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.language import LANGUAGES
+from sim.pages.text.author_text import author_text
 from sim.pages.text.lesson_places import BANK_FOLDER
 from sim.pages.text.lesson_places import shown as shown_from
 from sim.pages.translate.catalogues import OTHERS, is_bank, lessons_folder, source_of
@@ -51,7 +52,11 @@ def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, .
                 f"“{path.name}” is neither a lesson (.md) nor in {BANK_FOLDER}/."
             )
         folder = lessons_folder(path)
-        text = path.read_text(encoding="utf-8")
+        try:
+            text = author_text(path, shown_from(path, root))
+        except AuthorError as error:
+            report(list(error.findings))
+            ctx.exit(1)
         units = units_of(path, text)
         for language in languages or OTHERS:
             target = source_of(path, folder, language).catalogue

@@ -23,6 +23,7 @@ from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
+from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import text_findings
@@ -147,9 +148,9 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 findings.append(_not_seen(name))
                 continue
             try:
-                text = file.read_text(encoding="utf-8")
-            except UnicodeDecodeError as error:
-                findings.append(_not_text(name, error))
+                text = author_text(file, name)
+            except AuthorError as error:
+                findings += error.findings
                 continue
             if file.suffix in LESSON_SUFFIXES:
                 lesson = described(file, root)
@@ -192,8 +193,3 @@ def _not_seen(file: str) -> Finding:
     right = file.removesuffix(".txt").rpartition("/")[2]
     message = "this is no lesson: its name ends in .txt, and many computers hide that"
     return Finding(file, 1, 1, "hidden-ending", message, f"rename it to {right}")
-
-
-def _not_text(file: str, error: UnicodeDecodeError) -> Finding:
-    line = error.object[: error.start].count(b"\n") + 1
-    return Finding(file, line, 1, "not-text", "this is not UTF-8 text", "save the file as UTF-8")

@@ -48,7 +48,10 @@ class Options:
     def given(self, files: tuple[Path, ...]) -> Given:
         """The answer files, and what belongs to them."""
         marked = [*files, *self.keys, *([self.marks] if self.marks else [])]
-        typed = self.codes.read_text(encoding="utf-8-sig") if self.codes else ""
+        try:
+            typed = self.codes.read_text(encoding="utf-8-sig") if self.codes else ""
+        except UnicodeDecodeError:
+            raise click.UsageError(f"--codes {self.codes}: save this file as UTF-8") from None
         groups, students = list(map(group, self.groups)), dict(map(student, self.students))
         return Given(marked, groups, students, typed)
 

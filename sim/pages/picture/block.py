@@ -24,6 +24,7 @@ from sim.pages.scene_block import (
     load_block,
     read_scene_block,
 )
+from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.yaml_source import Source
@@ -61,7 +62,7 @@ def read_picture_block(block: Block, lesson: Lesson, *, first_line: int) -> Pict
         path = found_in(str(source.plain["of"]), _lesson_folders(lesson), (".md",))
         if path is None:
             raise refuse("of", "no-such-file", f"there is no page “{source.plain['of']}”", _EXAMPLE)
-        blocks = scan(path.read_text(encoding="utf-8").splitlines())
+        blocks = scan(author_text(path, path.name).splitlines())
         scenes = page_scenes(blocks, Lesson(path.as_posix(), (path.parent,)))
         wanted = str(source.plain.get("scene"))
         if wanted not in scenes:

@@ -10,6 +10,7 @@ from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, bank_name, read_form
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, Places, SiteIds, load_block, yaml_findings
+from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.text.yaml_source import Plain, YamlError, load
@@ -72,8 +73,12 @@ def _bank(
         message = f"there is no bank “{name[:60]}”"
         problem = Problem(("bank",), "no-such-file", message, f"looked in: {folders or FOLDER}")
         return None, [places.finding(problem)]
-    text = lesson.texts.get(path) or path.read_text(encoding="utf-8")
-    return read_bank_text(text, f"{FOLDER}/{name}")
+    shown = f"{FOLDER}/{name}"
+    try:
+        text = lesson.texts.get(path) or author_text(path, shown)
+    except AuthorError as error:
+        return None, list(error.findings)
+    return read_bank_text(text, shown)
 
 
 def read_bank_text(text: str, file: str) -> tuple[Bank | None, list[Finding]]:

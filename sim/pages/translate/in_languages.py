@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from sim.pages.scene_block import Lesson
-from sim.pages.text.lesson_places import described
+from sim.pages.text.author_text import author_text
+from sim.pages.text.lesson_places import described, shown
 from sim.pages.translate.catalogues import lessons_folder
 from sim.pages.translate.translation import translations_of
 
@@ -15,7 +16,7 @@ def in_languages(path: Path, root: Path) -> dict[str, tuple[str, Lesson]]:
 
     Raises `AuthorError` where a catalogue cannot be read.
     """
-    found = {"": (path.read_text(encoding="utf-8"), described(path, root))}
+    found = {"": (author_text(path, shown(path, root)), described(path, root))}
     for one in translations_of(path, lessons_folder(path), root):
         found[one.source.language] = (one.lesson.made.text, one.described(root))
     return found

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import LANGUAGES
+from sim.pages.text.author_text import author_text
 from sim.pages.translate.put_in import units_alike
 from sim.pages.translate.unit import Unit
 
@@ -63,7 +64,7 @@ class Words:
 
 def read_words(path: Path, file: str) -> Words:
     """The catalogue at `path`; raises `AuthorError` with its place in `file` (as messages show)."""
-    return _words(_text(path, file), file)
+    return _words(author_text(path, file), file)
 
 
 @lru_cache(maxsize=256)  # `carts serve` asks for every catalogue at every edit
@@ -94,7 +95,7 @@ def updated(path: Path, file: str, units: Sequence[Unit], language: str, source:
     head = HEAD.format(file=source, name=LANGUAGES[language], code=language, draft=DRAFT)
     catalog = Catalog()
     if path.is_file():
-        before = _text(path, file)
+        before = author_text(path, file)
         catalog = _read(before, file)
         head = f"{_HEAD_ENDS.split(before, maxsplit=1)[0]}\n\n"
         for again in [one for one in catalog.obsolete if one in template]:
@@ -105,14 +106,6 @@ def updated(path: Path, file: str, units: Sequence[Unit], language: str, source:
     made = io.BytesIO()
     write_po(made, catalog, width=WIDTH, omit_header=True, include_previous=True)
     return head + made.getvalue().decode("utf-8").lstrip("\n")
-
-
-def _text(path: Path, file: str) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        finding = Finding(file, 1, 1, "not-text", "this is not UTF-8 text", "save it as UTF-8")
-    raise AuthorError([finding])
 
 
 def _read(text: str, file: str) -> Catalog:

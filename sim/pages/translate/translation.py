@@ -13,6 +13,7 @@ from pathlib import Path
 
 from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
+from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import without_code
@@ -123,7 +124,7 @@ class Translation:
 
 def part_of(source: Source, root: Path) -> Part:
     """A lesson or a bank with its catalogue; raises `AuthorError` for one that cannot be read."""
-    text = source.path.read_text(encoding="utf-8")
+    text = author_text(source.path, shown(source.path, root))
     words = read_words(source.catalogue, shown(source.catalogue, root))
     made = put_in(text, units_of(source.path, text), words.words)
     bank = f"{BANK_FOLDER}/{source.path.name}"

@@ -1,0 +1,19 @@
+"""The text of a file that an author wrote."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sim.pages.findings import AuthorError, Finding
+
+
+def author_text(path: Path, shown: str) -> str:
+    """The file's text; raises `AuthorError`, at its line, where it is not UTF-8 (as Notepad saves
+    “ANSI”). `shown`: what the file is called for its author."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        message, hint = "this is not UTF-8 text", "save the file as UTF-8"
+        finding = Finding(shown, line, 1, "not-text", message, hint)
+    raise AuthorError([finding])
