@@ -91,3 +91,44 @@ def test_a_rubric_gives_no_more_marks_than_one_key() -> None:
     assert read_question({**question, "rubric": {str(k): "x" for k in range(MOST_MARKS + 1)}})
     with pytest.raises(LessonError, match="at most 9 marks"):
         read_question({**question, "rubric": {str(k): "x" for k in range(MOST_MARKS + 2)}})
+
+
+def test_a_code_word_in_tamil_is_taken_whole() -> None:
+    """Its vowels are signs that stand on a letter."""
+    taken, name = in_node(
+        """globalThis.document = { documentElement: { dataset: {}, lang: "ta" },
+          getElementById: () => null };
+        const { readCode } = await import(source + "/answers/codes.js");
+        const { fileName } = await import(source + "/answers/file.js");
+        const { code } = readCode(data);
+        give([code, fileName("third-law", "pre", code, "json")]);""",
+        "நீலம் நரி 27",
+    )
+    assert taken == "நீலம்-நரி-27"
+    assert name == "third-law.pre.நீலம்-நரி-27.json"
+    assert pseudonym("நீலம் நரி 27") == taken
+
+
+NAMED = """globalThis.document = { documentElement: { dataset: {}, lang: "en" } };
+const { Classroom } = await import(source + "/class/classroom.js");
+const room = new Classroom();
+const row = (file, student) => [file, "site", "carts", "", student, "pre"];
+room.files = data.files.map((one) => ({ row: row(...one), group: 0, out: false }));
+const mark = { lesson: "carts", form: "pre", student: data.marked, item: "why-0", marks: 2 };
+room.give(mark);
+for (const typed of data.typed) room.name(room.files[0], typed);
+give([room.files[0].row[4], [...room.marks.values()].map((one) => [one.student, one.marks])]);
+"""
+
+
+@pytest.mark.parametrize("typed", [["blue fox"], ["blew fox", "blue fox"], ["owl", "blue fox"]])
+def test_marks_go_along_with_a_file_that_is_given_a_code_word(typed: list[str]) -> None:
+    """Also where the word is typed once more, to correct it."""
+    files = [["a/b.json", ""], ["c.json", ""]]
+    given = {"files": files, "marked": "no code word (a/b.json)", "typed": typed}
+    assert in_node(NAMED, given) == ["BLUE-FOX", [["BLUE-FOX", 2]]]
+
+
+def test_marks_of_somebody_else_stay_where_they_are() -> None:
+    given = {"files": [["a.json", ""], ["o.json", "OWL"]], "marked": "OWL", "typed": ["owl", "fox"]}
+    assert in_node(NAMED, given) == ["FOX", [["OWL", 2]]]

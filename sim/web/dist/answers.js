@@ -755,7 +755,7 @@
     const codes = code.split("+");
     if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
     if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
-    if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
+    if (!codes.every((part2) => /^[\p{L}\p{M}\p{N}]+(-[\p{L}\p{M}\p{N}]+)*$/u.test(part2))) {
       return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
     }
     if (codes.some((part2) => part2.length < (HAN.test(part2) ? 2 : 4))) {
@@ -849,7 +849,7 @@
     });
   }
   function fileName(lesson, form2, student, ending) {
-    const safe = (text) => text.replace(/[^\p{L}\p{N}+_-]+/gu, "-").slice(0, 80);
+    const safe = (text) => text.replace(/[^\p{L}\p{M}\p{N}+_-]+/gu, "-").slice(0, 80);
     return `${safe(lesson)}.${form2}.${safe(student) || "no-code"}.${ending}`;
   }
   function items(entry) {
@@ -1004,7 +1004,11 @@
     const first = button(text, () => ask2(true));
     const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask2(false), "carts-answers-no");
-    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    const go = () => {
+      ask2(false);
+      act();
+    };
+    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
     function ask2(on) {

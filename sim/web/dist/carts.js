@@ -450,7 +450,8 @@
     const [first] = problems;
     if (!first) return new Error(tr("This value does not work."));
     const message = told2(first.message);
-    return new Error(first.hint ? `${message}: ${told2(first.hint)}` : message);
+    const text = first.hint ? `${message}: ${told2(first.hint)}` : message;
+    return Object.assign(new Error(text), { path: first.path });
   }
 
   // ../view/markup.js

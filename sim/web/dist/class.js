@@ -53,6 +53,7 @@
 
   // src/class/classroom.js
   var WHOLE = "class";
+  var STUDENT = 4;
   var broughtAlong = () => (
     /** @type {any} */
     globalThis.__cartsKeys ?? []
@@ -89,6 +90,22 @@
     give(mark) {
       const { lesson, form: form2, student, item } = mark;
       this.marks.set(JSON.stringify([lesson, form2, codeWord(student), item]), mark);
+    }
+    name(file, typed) {
+      const before = this.#who(file);
+      file.row[STUDENT] = codeWord(typed);
+      file.named = true;
+      if (this.files.some((other) => this.#who(other) === before)) return;
+      const [, , lesson, , , form2] = file.row;
+      for (const [key, mark] of [...this.marks]) {
+        if (mark.lesson !== lesson || mark.form !== form2 || codeWord(mark.student) !== before)
+          continue;
+        this.marks.delete(key);
+        this.give({ ...mark, student: this.#who(file) });
+      }
+    }
+    #who({ row: row2 }) {
+      return codeWord(row2[STUDENT] || `no code word (${row2[0]})`);
     }
     told() {
       const { groups } = this;
@@ -132,7 +149,11 @@
     const first = button(text, () => ask(true));
     const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
-    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    const go = () => {
+      ask(false);
+      act();
+    };
+    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row2.append(first, asked);
     function ask(on) {
@@ -177,7 +198,7 @@
           );
           label.append(html("span", "carts-class-quiet", name));
           line.append(label);
-          if (!student) line.append(" ", codeFor(file, changed));
+          if (!student || file.named) line.append(" ", codeFor(classroom, file, changed));
           return line;
         })
       );
@@ -197,7 +218,7 @@
     if (!count) return tr("no key file");
     return counted("key for 1 form", "key for {n} forms", count);
   }
-  function codeFor(file, changed) {
+  function codeFor(classroom, file, changed) {
     const box = (
       /** @type {HTMLInputElement} */
       html("input", "carts-class-whose")
@@ -206,12 +227,11 @@
     box.placeholder = tr("code word");
     box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
     box.addEventListener("change", () => {
-      file.row[STUDENT] = codeWord(box.value);
+      classroom.name(file, box.value);
       changed();
     });
     return box;
   }
-  var STUDENT = 4;
   var PAUSE = 500;
   function typedIn(box, act) {
     let timer = 0;

@@ -175,7 +175,11 @@
     const first = button(text, () => ask(true));
     const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
-    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    const go = () => {
+      ask(false);
+      act();
+    };
+    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
     function ask(on) {
@@ -3164,7 +3168,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     const [first] = problems;
     if (!first) return new Error(tr("This value does not work."));
     const message = told(first.message);
-    return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
+    const text = first.hint ? `${message}: ${told(first.hint)}` : message;
+    return Object.assign(new Error(text), { path: first.path });
   }
 
   // src/law/own-python.js
@@ -3256,7 +3261,10 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/law/element.js
-  var LINE2 = /^\D*(\d+)/;
+  function lineOf({ path = [] }) {
+    const [laws, , line2] = path;
+    return laws === "laws" ? Number(line2) || 0 : 0;
+  }
   function lawElement(base) {
     return class CartsLaw extends HTMLElement {
       #facts = null;
@@ -3362,7 +3370,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#tell("");
         this.found?.replaceChildren();
         this.#first();
-        need(this, ".carts-law-again .carts-answers-no").click();
         this.editor.box.focus();
       }
       #save() {
@@ -3375,10 +3382,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#tell("");
         this.#working(true);
         this.complete = act().catch((error) => {
-          if (turn === this.#turn) this.#tell(
-            /** @type {Error} */
-            error.message
-          );
+          if (turn === this.#turn) this.#tell(error.message, lineOf(error));
         }).finally(() => {
           if (turn === this.#turn) this.#working(false);
         });
@@ -3465,7 +3469,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         );
         this.#picture(baked.run, baked, tr("The law that you begin with"));
       }
-      #tell(message) {
+      #tell(message, line2 = 0) {
         say(
           /** @type {HTMLElement} */
           this.fault,
@@ -3476,8 +3480,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           this.note,
           ""
         );
-        const line2 = LINE2.exec(message);
-        if (message && line2) this.editor?.go(Number(line2[1]));
+        if (line2) this.editor?.go(line2);
       }
       #working(on) {
         for (const one of [this.run, this.judge]) if (one) one.disabled = on;

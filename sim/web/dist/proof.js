@@ -85,7 +85,8 @@
     const [first] = problems;
     if (!first) return new Error(tr("This value does not work."));
     const message = told(first.message);
-    return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
+    const text = first.hint ? `${message}: ${told(first.hint)}` : message;
+    return Object.assign(new Error(text), { path: first.path });
   }
 
   // ../view/graph.js

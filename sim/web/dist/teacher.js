@@ -997,7 +997,11 @@
     const first = button(text2, () => ask(true));
     const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
-    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    const go = () => {
+      ask(false);
+      act();
+    };
+    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
     function ask(on) {

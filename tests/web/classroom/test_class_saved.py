@@ -60,6 +60,9 @@ def test_everything_can_be_deleted(page: Page) -> None:
     expect(page.locator(".carts-class-list > summary")).to_have_text("Files: 0, no key file")
     choose(page, [sources(random_class(BANK, 1))[0]])
     expect(page.locator(".carts-class-report")).to_contain_text("1 of 1 files")
+    # What is there now is asked about anew.
+    expect(page.get_by_role("button", name="Delete everything")).to_be_visible()
+    expect(page.get_by_role("button", name="Delete", exact=True)).to_be_hidden()
 
 
 @pytest.mark.one_browser

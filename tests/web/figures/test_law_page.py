@@ -97,7 +97,10 @@ def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
     write(page, SLOW)
     press(page, "Judge")
     expect(page.locator(".carts-law-fault")).to_contain_text("was ended")
-    assert page.get_by_label("Your law, in Python").input_value() == SLOW
+    box = page.get_by_label("Your law, in Python")
+    assert box.input_value() == SLOW
+    # The number in the message is of seconds: no line of the text is marked, to be typed over.
+    assert box.evaluate("box => box.selectionStart === box.selectionEnd")
     page.get_by_role("button", name="Judge", exact=True).click()
     page.get_by_role("button", name="Stop", exact=True).click()
     expect(page.locator(".carts-law-fault")).to_have_text("Stopped.", timeout=STARTS)

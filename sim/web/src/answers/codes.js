@@ -15,7 +15,7 @@ export function readCode(typed) {
   const codes = code.split("+");
   if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
   if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
-  if (!codes.every((part) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part))) {
+  if (!codes.every((part) => /^[\p{L}\p{M}\p{N}]+(-[\p{L}\p{M}\p{N}]+)*$/u.test(part))) {
     return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
   }
   if (codes.some((part) => part.length < (HAN.test(part) ? 2 : 4))) {

@@ -66,7 +66,7 @@ export function makeFiles(entries, { site, student }, now) {
 /** @param {string} lesson @param {string} form @param {string} student @param {string} ending */
 export function fileName(lesson, form, student, ending) {
   const safe = (/** @type {string} */ text) =>
-    text.replace(/[^\p{L}\p{N}+_-]+/gu, "-").slice(0, 80);
+    text.replace(/[^\p{L}\p{M}\p{N}+_-]+/gu, "-").slice(0, 80);
   return `${safe(lesson)}.${form}.${safe(student) || "no-code"}.${ending}`;
 }
 

@@ -26,7 +26,11 @@ export function askingButton(text, question, yes, act, name) {
   const first = button(text, () => ask(true));
   const asked = html("span", "", `${question} `);
   const no = button(tr("No"), () => ask(false), "carts-answers-no");
-  asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+  const go = () => {
+    ask(false); // before: the act may lead elsewhere
+    act();
+  };
+  asked.append(button(yes, go, "carts-answers-yes"), " ", no);
   asked.hidden = true;
   row.append(first, asked);
   /** @param {boolean} on */

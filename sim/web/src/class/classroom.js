@@ -4,12 +4,13 @@ import { tr } from "../../../view/language.js";
 import { codeWord } from "../shared/code-word.js";
 
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
-/** @typedef {{row: Row, group: number, out: boolean}} Held `out`: left out by the teacher */
+/** @typedef {{row: Row, group: number, out: boolean, named?: boolean}} Held `out`: left out by the teacher; `named`: its code word was typed here */
 /** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
 /** @typedef {{name: string, base64: string, form: string}} Table marks from elsewhere; form: pre, post, later or "" */
 /** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
 
 export const WHOLE = "class";
+const STUDENT = 4; // place of the code word in a row, see sim/classroom/files/records.py
 
 /** @returns {string[]} see sim/pages/classroom/practice_keys.py */
 const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
@@ -62,6 +63,26 @@ export class Classroom {
   give(mark) {
     const { lesson, form, student, item } = mark;
     this.marks.set(JSON.stringify([lesson, form, codeWord(student), item]), mark);
+  }
+
+  /** Says whose a file is that does not tell it. Marks that were given to it go along. @param {Held} file @param {string} typed */
+  name(file, typed) {
+    const before = this.#who(file);
+    file.row[STUDENT] = codeWord(typed);
+    file.named = true;
+    if (this.files.some((other) => this.#who(other) === before)) return; // they are that one's
+    const [, , lesson, , , form] = file.row;
+    for (const [key, mark] of [...this.marks]) {
+      if (mark.lesson !== lesson || mark.form !== form || codeWord(mark.student) !== before)
+        continue;
+      this.marks.delete(key);
+      this.give({ ...mark, student: this.#who(file) });
+    }
+  }
+
+  /** Whose marks they are: as `Marked.who` of sim/classroom/report/marked.py says it. @param {Held} file */
+  #who({ row }) {
+    return codeWord(row[STUDENT] || `no code word (${row[0]})`);
   }
 
   /** What Python is told with every question. @returns {Record<string, unknown>} */

@@ -1,7 +1,6 @@
 /** The files that were read, each with a box to leave it out; and hand-in codes typed from paper. */
 
 import { counted, tr } from "../../../view/language.js";
-import { codeWord } from "../shared/code-word.js";
 import { html, say } from "../shared/dom.js";
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
@@ -32,7 +31,7 @@ export function fileList(classroom, changed) {
         );
         label.append(html("span", "carts-class-quiet", name));
         line.append(label);
-        if (!student) line.append(" ", codeFor(file, changed));
+        if (!student || file.named) line.append(" ", codeFor(classroom, file, changed));
         return line;
       }),
     );
@@ -55,20 +54,19 @@ function keysWord(count) {
   return counted("key for 1 form", "key for {n} forms", count);
 }
 
-/** A box for the code word of a file that has none. @param {import("./classroom.js").Held} file @param {() => void} changed */
-function codeFor(file, changed) {
+/** A box for the code word of a file that has none. @param {import("./classroom.js").Classroom} classroom @param {import("./classroom.js").Held} file @param {() => void} changed */
+function codeFor(classroom, file, changed) {
   const box = /** @type {HTMLInputElement} */ (html("input", "carts-class-whose"));
   Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
   box.placeholder = tr("code word");
   box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
   box.addEventListener("change", () => {
-    file.row[STUDENT] = codeWord(box.value);
+    classroom.name(file, box.value);
     changed();
   });
   return box;
 }
 
-const STUDENT = 4; // place of the code word in a row, see sim/classroom/files/records.py
 const PAUSE = 500; // ms without a key: then something was typed
 
 /** @param {HTMLInputElement | HTMLTextAreaElement} box @param {() => void} act */

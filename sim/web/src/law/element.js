@@ -18,7 +18,11 @@ import { verdicts } from "./verdicts.js";
 /** @typedef {import("./verdicts.js").Judged} Judged */
 /** @typedef {{id: string, hash: string, ask: string, file: string, start: string, baked: any}} Facts */
 
-const LINE = /^\D*(\d+)/; // "line 4: …", in any language
+/** The line of the law that was refused; 0 where it was something else. @param {any} error */
+function lineOf({ path = [] }) {
+  const [laws, , line] = path;
+  return laws === "laws" ? Number(line) || 0 : 0;
+}
 
 /** @param {string} base address of the folder `runtime/` */
 export function lawElement(base) {
@@ -138,7 +142,6 @@ export function lawElement(base) {
       this.#tell("");
       this.found?.replaceChildren();
       this.#first();
-      need(this, ".carts-law-again .carts-answers-no").click(); // it has been asked
       this.editor.box.focus();
     }
 
@@ -155,7 +158,7 @@ export function lawElement(base) {
       this.#working(true);
       this.complete = act()
         .catch((error) => {
-          if (turn === this.#turn) this.#tell(/** @type {Error} */ (error).message);
+          if (turn === this.#turn) this.#tell(error.message, lineOf(error));
         })
         .finally(() => {
           if (turn === this.#turn) this.#working(false);
@@ -225,12 +228,11 @@ export function lawElement(base) {
       this.#picture(baked.run, baked, tr("The law that you begin with"));
     }
 
-    /** @param {string} message */
-    #tell(message) {
+    /** @param {string} message @param {number} line of the law, from 1; 0: of none */
+    #tell(message, line = 0) {
       say(/** @type {HTMLElement} */ (this.fault), message);
       if (message) say(/** @type {HTMLElement} */ (this.note), "");
-      const line = LINE.exec(message);
-      if (message && line) this.editor?.go(Number(line[1]));
+      if (line) this.editor?.go(line);
     }
 
     /** @param {boolean} on */

@@ -34,10 +34,11 @@ export function deferred() {
   return made;
 }
 
-/** @param {import("../../../view/types.js").Problem[]} problems @returns {Error} what a reader can do about it */
+/** @param {import("../../../view/types.js").Problem[]} problems @returns {Error & {path?: (string | number)[]}} what a reader can do about it, and where */
 export function refusal(problems) {
   const [first] = problems;
   if (!first) return new Error(tr("This value does not work."));
   const message = told(first.message);
-  return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
+  const text = first.hint ? `${message}: ${told(first.hint)}` : message;
+  return Object.assign(new Error(text), { path: first.path });
 }
