@@ -105,7 +105,7 @@ def _days(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> int:
         message = "days is a whole number of days after the form was handed in"
         problems.append(Problem((*path, "days"), "out-of-range", message, "days: 14"))
         return 0
-    if days and "done" not in table:
+    if days and table.get("done", "worksheet") == "worksheet":
         message = "days counts from a form that was handed in"
         problems.append(Problem((*path, "days"), "missing", message, "{done: post, days: 14}"))
     return days

@@ -59,6 +59,7 @@ def test_mistakes_in_a_form_are_named() -> None:
     assert problems({"use": "test-15", "open": {"word": "abc"}}) == ["bad-name"]
     assert problems({"use": "test-15", "open": {"date": "1.3.2027"}}) == ["not-a-date"]
     assert problems({"use": "test-15", "open": {"days": 3}}) == ["missing"]
+    assert problems({"use": "test-15", "open": {"done": "worksheet", "days": 3}}) == ["missing"]
     assert problems({"use": "test-15", "close": {"word": "FALCON"}}) == ["unknown-key"]
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 from sim.lesson import Question
 from sim.lesson.kinds.run import Drawn, Reading
+from sim.lesson.opening import Rule
 from sim.pages.findings import Finding
 from sim.pages.question.block import QuestionBlock
 from sim.pages.question.quiz import QuizBlock
@@ -87,6 +88,22 @@ class PageItems:
                 message = f"form: “{other}” is already the form “{quiz.form.form}” of this page"
                 hint = "a page has one form of each kind: a student's answers are filed under it"
                 yield quiz.places.finding(Problem(("form",), "twice", message, hint))
+        for quiz in self.quizzes:
+            before = [name for name in forms if name != quiz.form.form]
+            yield from map(quiz.places.finding, self._never("open", quiz.form.open, before))
+            if quiz.form.review:
+                yield from map(quiz.places.finding, self._never("review", quiz.form.review, forms))
+
+    def _never(self, key: str, rule: Rule, forms: Collection[str]) -> Iterator[Problem]:
+        """What the rule waits for, where this page has no such thing to answer or to hand in."""
+        if rule.done == "worksheet":
+            if not self.questions and not any(scene.predict for scene in self.scenes):
+                message = "this page has no question beside its forms: nothing opens this one"
+                yield Problem((key, "done"), "unreachable", message, "word: FALCON")
+        elif rule.done and rule.done not in forms:
+            message = f"no other form of this page is “{rule.done}”: nothing opens this one"
+            known = ", ".join(forms) or "none"
+            yield Problem((key, "done"), "unreachable", message, f"forms of this page: {known}")
 
     def _misfit(self, question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:
         if scene := scenes.get(question.scene):
