@@ -20,6 +20,8 @@ LARGEST = 1e9
 LATE = 1000.0
 """s. A recording that begins later has a clock that counts something else than the recording."""
 
+HELD = {"length": "positions", "force": "forces", "acceleration": "accelerations"}
+
 
 @dataclass(frozen=True, slots=True)
 class Measured:
@@ -64,7 +66,8 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         notes = list(dict.fromkeys((*notes, *reading.notes)))
     last = found[-1].lines[-1] if found and found[-1].lines else 1
     if len(set(kinds)) > 1:
-        raise refuse(1, "one file holds positions and the other forces", "read them one by one")
+        one, other, *_ = dict.fromkeys(kinds)
+        raise refuse(1, f"one file holds {HELD[one]}, another {HELD[other]}", "read one by one")
     if len(found) != 2:
         raise _not_two(len(found), kinds[0], last)
     if found[0].name == found[1].name:

@@ -9,6 +9,9 @@ from __future__ import annotations
 from sim.measured.cells import MOST_BYTES, decoded
 from sim.measured.refusal import refuse
 
+MOST_ZIPPED = 30_000_000
+"""Bytes: a film is in it."""
+
 SUFFIXES = (".csv", ".txt", ".tsv", ".trk")
 ASIDE = ("meta/", "__MACOSX/")
 
@@ -17,6 +20,8 @@ def texts_of(content: bytes) -> list[str]:
     """One text; raises ReadingError."""
     if content[:4] != b"PK\x03\x04":
         return [decoded(content)]
+    if len(content) > MOST_ZIPPED:
+        raise refuse(1, "this zip is larger than 30 MB", "unpack it and take the table")
     return [decoded(_unzipped(content))]
 
 
@@ -38,9 +43,9 @@ def _unzipped(content: bytes) -> bytes:
                 raise refuse(1, "no table is in this zip", "export as CSV")
             with pack.open(names[0]) as member:
                 return member.read(MOST_BYTES + 1)
+    except NotImplementedError:
+        raise refuse(1, "this zip is packed in a way that is not read", "unpack it") from None
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError) as error:
         if hasattr(error, "faults"):
             raise
         raise refuse(1, "this zip is damaged or locked", "export it anew") from None
-    except NotImplementedError:
-        raise refuse(1, "this zip is packed in a way that is not read", "unpack it") from None

@@ -6,13 +6,15 @@ import io
 import zipfile
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from random import Random
 
 import pytest
 
+from sim.measured.cells import MOST_BYTES
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import between, read_measured
 from sim.measured.units import Units
-from sim.measured.zipped import texts_of
+from sim.measured.zipped import MOST_ZIPPED, texts_of
 from tests.measured.device_reports import LOGGED, known, report
 from tests.measured.devices import Motion, phone, sensor_carts, tracker_project
 from tests.measured.several_runs import below, beside
@@ -64,6 +66,43 @@ def test_phones_are_read_along_the_way_they_are_pushed_also_from_a_zip() -> None
     assert texts_of(packed.getvalue()) == [texts[0].removeprefix("\ufeff")]
     with pytest.raises(ReadingError, match="damaged"):
         texts_of(packed.getvalue()[:300])
+
+
+def test_a_tracker_project_is_read_beside_its_film() -> None:
+    packed, project = io.BytesIO(), tracker_project(Motion())
+    with zipfile.ZipFile(packed, "w") as pack:
+        pack.writestr("run.mp4", Random(1).randbytes(MOST_BYTES + 1))
+        pack.writestr("run.trk", project)
+    assert texts_of(packed.getvalue()) == [project]
+    with pytest.raises(ReadingError, match="larger than 30 MB"):
+        texts_of(packed.getvalue() + bytes(MOST_ZIPPED))
+
+
+def test_a_zip_that_is_packed_in_another_way_is_refused_as_such() -> None:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as pack:
+        pack.writestr("run.csv", "t,x\n")
+    content = bytearray(packed.getvalue())
+    for head, at in ((b"PK\x03\x04", 8), (b"PK\x01\x02", 10)):
+        content[content.index(head) + at] = 9  # Deflate64, as Windows packs large files
+    with pytest.raises(ReadingError, match="packed in a way that is not read"):
+        texts_of(bytes(content))
+
+
+def test_a_phone_that_tells_g_is_read_in_metres_per_second_squared() -> None:
+    texts = [phone(Motion(), k, seed=k) for k in (0, 1)]
+    plain = read_measured(texts)
+    heads, rows = texts[0].split("\n", 1)
+    lines = [line.split(",") for line in rows.splitlines()]
+    in_g = [",".join([t, *(f"{float(a) / 9.80665:.12f}" for a in parts)]) for t, *parts in lines]
+    texts[0] = "\n".join([heads.replace("m/s^2", "g"), *in_g])
+    found = read_measured(texts)
+    assert found.tracks[0].value == pytest.approx(plain.tracks[0].value, abs=1e-6)
+
+
+def test_a_film_beside_a_phone_is_refused_by_what_they_hold() -> None:
+    with pytest.raises(ReadingError, match="one file holds positions, another accelerations"):
+        read_measured([sensor_carts(LOGGED), phone(Motion(), 0)])
 
 
 def test_one_phone_is_refused_by_name() -> None:

@@ -123,6 +123,25 @@ def test_a_reader_s_signs_and_zeros_are_kept() -> None:
     assert [(axis.sign, axis.zero) for axis in story.frames.axes] == [(1, 0.0), (-1, 0.25)]
 
 
+@pytest.mark.parametrize("given", [{"1": 0.1}, {"2": -0.3}, {"1": 0.1, "2": -0.3}, {}])
+@pytest.mark.parametrize("distance", [0.0, 0.25])
+def test_marks_are_as_far_apart_in_the_contact_as_is_said(
+    given: dict[str, float], distance: float
+) -> None:
+    """One zero is the reader's: the other follows. Both are: they tell the distance."""
+    story = story_of(read_measured([sensor_carts(LOGGED)]), Hints(zeros=given, distance=distance))
+    assert story.frames is not None and story.speeds
+    for axis, name in zip(story.frames.axes, ("1", "2"), strict=True):
+        assert axis.zero == given.get(name, axis.zero)
+    (told,) = re.findall(r"the marks are (\S+) m apart", " ".join(story.frames.said))
+    places = story.speeds.places
+    assert 0.5 * (places[1] + places[3] - places[0] - places[2]) == pytest.approx(
+        float(told), abs=1e-3
+    )
+    if len(given) < 2:
+        assert float(told) == distance
+
+
 def test_hands_coasting_and_stops_are_told_apart() -> None:
     told = report(sensor_carts(LOGGED, stop=2.0))
     kinds = [(s["cart"], s["kind"]) for s in told["segments"]]

@@ -8,11 +8,10 @@ from typing import NoReturn
 import click
 
 from sim.cli.named_file import bytes_of
-from sim.measured.cells import MOST_BYTES
 from sim.measured.refusal import ReadingError, refuse
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
-from sim.measured.zipped import texts_of
+from sim.measured.zipped import MOST_ZIPPED, texts_of
 
 
 def readings(files: tuple[str, ...], units: Units) -> Measured:
@@ -20,7 +19,7 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
     texts = []
     for name in files:
         try:
-            texts += texts_of(bytes_of(name, MOST_BYTES + 1, "a file of readings"))
+            texts += texts_of(bytes_of(name, MOST_ZIPPED + 1, "a file of readings"))
         except ReadingError as error:
             _refuse(name, error)
     try:

@@ -56,14 +56,19 @@ def frames_of(
     said: list[str] = []
     if joined:
         a, b = (0.5 * (speeds.places[k] + speeds.places[k + 2]) for k in (0, 1))
+        apart = distance or 0.0
         if names[1] not in given:
-            second = b - signs[1] * (signs[0] * (a - first) + (distance or 0.0))
+            second = b - signs[1] * (signs[0] * (a - first) + apart)
+        elif names[0] not in given:
+            first = a - signs[0] * (signs[1] * (b - second) - apart)
+        else:  # both are the reader's, and tell it themselves
+            apart = signs[1] * (b - second) - signs[0] * (a - first)
         turned = " and ".join(n for n, s in zip(names, signs, strict=True) if s < 0)
         how = f"the readings of {turned} are turned" if turned else "no reading is turned"
         said.append(
             "Each sensor has a zero and a direction of its own. They are joined by the contact: "
             f"there the velocities change in opposite directions ({how}), and the marks are "
-            f"{distance or 0.0:g} m apart. So these readings do not test the direction of the "
+            f"{apart:.4g} m apart. So these readings do not test the direction of the "
             "forces; they still test their sizes and their instants."
         )
     return Frames((Axis(signs[0], first), Axis(signs[1], second)), joined, tuple(said))

@@ -16,6 +16,9 @@ from sim.measured.table import Column, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
 
+G = 9.80665
+"""m/s², what loggers of phones call g."""
+
 _AXIS = re.compile(r"(?:linear\s+)?acceleration[\s_]*(?P<axis>[xyz])", re.I)
 _HEAD = re.compile(r"acceleration[\s_]*x\b[^\n]*acceleration[\s_]*y\b", re.I)
 
@@ -37,6 +40,7 @@ def read(text: str, units: Units) -> Reading:
     if len(found) < 2:
         raise refuse(table.heads_line, "no acceleration along x and y", "export all columns")
     listed = list(found.values())
+    size = G if listed[0].unit == "g" else 1.0
     rows: list[tuple[float, tuple[float, float, float], int]] = []
     repeated = 0
     for k, line in enumerate(table.lines):
@@ -46,7 +50,7 @@ def read(text: str, units: Units) -> Reading:
         if rows and t <= rows[-1][0]:
             repeated += 1
             continue
-        three = [float(part or 0.0) for part in parts] + [0.0] * (3 - len(parts))
+        three = [size * float(part or 0.0) for part in parts] + [0.0] * (3 - len(parts))
         rows.append((t, (three[0], three[1], three[2]), line))
     if len(rows) < FEWEST:
         raise refuse(table.lines[-1], f"{len(rows)} readings: at least {FEWEST} are needed")

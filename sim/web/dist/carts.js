@@ -9004,7 +9004,8 @@ ${lines4.join("\n")}
       { signal }
     );
     for (const end2 of ["pointerup", "pointercancel"]) {
-      addEventListener(end2, () => leaving2.abort(), { signal });
+      const letGo2 = (up2) => up2.pointerId === down.pointerId && leaving2.abort();
+      addEventListener(end2, letGo2, { signal });
     }
   }
 

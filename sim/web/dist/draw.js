@@ -14816,7 +14816,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       { signal }
     );
     for (const end2 of ["pointerup", "pointercancel"]) {
-      addEventListener(end2, () => leaving.abort(), { signal });
+      const letGo2 = (up3) => up3.pointerId === down.pointerId && leaving.abort();
+      addEventListener(end2, letGo2, { signal });
     }
   }
 

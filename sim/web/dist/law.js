@@ -1262,7 +1262,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       { signal }
     );
     for (const end2 of ["pointerup", "pointercancel"]) {
-      addEventListener(end2, () => leaving2.abort(), { signal });
+      const letGo2 = (up) => up.pointerId === down.pointerId && leaving2.abort();
+      addEventListener(end2, letGo2, { signal });
     }
   }
 

@@ -1089,6 +1089,8 @@
 
   // src/measured/source.js
   var MOST_BYTES = 4e6;
+  var MOST_ZIPPED = 3e7;
+  var ZIP_NAME = /\.(zip|trz)$/i;
   var ZIP = 1347093252;
   var TYPED = "typed readings";
   var Source = class _Source {
@@ -1142,7 +1144,7 @@
       const film = files.find(isFilm);
       if (film) return this.films.open(film);
       if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
-      if (files.some((file) => file.size > MOST_BYTES)) {
+      if (files.some(({ name, size }) => size > (ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES))) {
         return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
       }
       const texts = [];
@@ -1163,7 +1165,7 @@
       }));
     }
     save(name, texts) {
-      const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
+      const one = name && !/\band\b| /.test(name) && !ZIP_NAME.test(name) ? name : "readings.txt";
       for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
     }
     static told(name, text2) {

@@ -43,7 +43,8 @@
       { signal }
     );
     for (const end of ["pointerup", "pointercancel"]) {
-      addEventListener(end, () => leaving.abort(), { signal });
+      const letGo = (up) => up.pointerId === down.pointerId && leaving.abort();
+      addEventListener(end, letGo, { signal });
     }
   }
 

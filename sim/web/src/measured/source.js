@@ -6,6 +6,8 @@ import { Films, isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
 export const MOST_BYTES = 4_000_000; // of one file, as in sim/measured/cells.py; a test holds the two together
+export const MOST_ZIPPED = 30_000_000; // of a zip, in which a film may be, as in sim/measured/zipped.py
+const ZIP_NAME = /\.(zip|trz)$/i;
 const ZIP = 0x504b0304; // the first four bytes
 const TYPED = "typed readings";
 
@@ -64,7 +66,7 @@ export class Source {
     const film = files.find(isFilm);
     if (film) return this.films.open(film);
     if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
-    if (files.some((file) => file.size > MOST_BYTES)) {
+    if (files.some(({ name, size }) => size > (ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES))) {
       return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
     }
     const texts = [];
@@ -89,7 +91,7 @@ export class Source {
 
   /** @param {string} name @param {string[]} texts */
   save(name, texts) {
-    const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
+    const one = name && !/\band\b| /.test(name) && !ZIP_NAME.test(name) ? name : "readings.txt";
     for (const text of texts) download(one, text, "text/plain;charset=utf-8");
   }
 

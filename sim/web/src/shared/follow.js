@@ -14,6 +14,7 @@ export function followPointer(down, moved) {
     { signal },
   );
   for (const end of ["pointerup", "pointercancel"]) {
-    addEventListener(end, () => leaving.abort(), { signal });
+    const letGo = (/** @type {any} */ up) => up.pointerId === down.pointerId && leaving.abort();
+    addEventListener(end, letGo, { signal });
   }
 }
