@@ -29,7 +29,6 @@ from sim.scene.read_effects import listed_effects
 from sim.scene.said import wire as said_by
 from sim.scene.track import named_ends
 
-PROTOCOL = 1
 MOST_STEPS_DRAWN = 2_500
 """Steps of contacts that push each other: a few seconds in a page."""
 

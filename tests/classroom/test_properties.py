@@ -13,10 +13,14 @@ from sim.classroom.files.reading import Reading, Source
 from sim.classroom.refusal import RefusalError
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.statistics.adjusted import adjusted, pairs_of
-from sim.classroom.statistics.compare import paired_t, paper_z, welch
-from sim.classroom.statistics.item_numbers import corrected_point_biserial, discrimination
-from sim.classroom.statistics.ranks import wilcoxon
+from sim.classroom.statistics.compare import paper_z, welch
 from sim.classroom.statistics.spread import spread
+from tests.classroom.given.from_marks import (
+    corrected_point_biserial,
+    discrimination,
+    paired_t,
+    wilcoxon,
+)
 from tests.classroom.given.makers import bank, keys, random_class, sources
 
 MARKS = st.lists(st.tuples(st.integers(0, 12), st.integers(0, 12)), min_size=5, max_size=40)

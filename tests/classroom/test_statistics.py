@@ -14,10 +14,10 @@ from scipy import stats
 
 from sim.classroom.refusal import RefusalError
 from sim.classroom.statistics.adjusted import adjusted, pairs_of
-from sim.classroom.statistics.compare import cohen_d, cohen_d_within, paired_t, paper_z, welch
+from sim.classroom.statistics.compare import cohen_d, cohen_d_within, paper_z, welch
 from sim.classroom.statistics.gain import hake_gain
-from sim.classroom.statistics.ranks import wilcoxon
 from sim.classroom.statistics.spread import Spread, spread
+from tests.classroom.given.from_marks import paired_t, wilcoxon
 from tests.classroom.given.random_marks import RANDOM, same
 
 

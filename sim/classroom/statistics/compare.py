@@ -6,11 +6,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
-from sim.classroom.statistics.spread import Spread, differences, spread
+from sim.classroom.statistics.spread import Spread
 from sim.classroom.statistics.tails import normal_inside, normal_two_sided, t_quantile, t_two_sided
 from sim.scene.said import Said, counted, template
 
@@ -49,15 +48,8 @@ def t_test(difference: float, se: float, df: float, level: float = 0.95) -> TTes
     return TTest(difference, se, low, high, df, t, t_two_sided(t, df))
 
 
-def paired_t(later: Sequence[float], earlier: Sequence[float], *, fewest: int = FEWEST) -> TTest:
-    """Student's t of the differences within students. Refuses fewer than `fewest` pairs."""
-    found = differences(later, earlier)
-    at_least(len(found), max(2, fewest), of_pairs)
-    return change_of(spread(found), fewest=fewest)
-
-
 def change_of(gain: Spread, *, fewest: int = FEWEST) -> TTest:
-    """The same from the spread of the differences."""
+    """Student's t of differences within students. Refuses fewer than `fewest` pairs."""
     at_least(gain.n, max(2, fewest), of_pairs)
     if gain.sd == 0:
         raise RefusalError(ALL_EQUAL)

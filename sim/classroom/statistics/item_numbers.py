@@ -62,29 +62,17 @@ def levels_of(marks: Sequence[float], totals: Sequence[float]) -> Levels:
     return found
 
 
-def difficulty(marks: Sequence[float], of: float) -> float:
-    """The mean share of the marks; 1 is very easy, 0 very hard."""
-    given = numbers(marks)
-    return share_of_marks(len(given), sum(map(Fraction, given), Fraction(0)), Fraction(of))
-
-
 def share_of_marks(n: int, total: Exact, of: Exact) -> float:
-    """The same from the sum of the marks of n students."""
+    """Of the marks that n students could have, from the sum of theirs; 1 is very easy, 0 hard."""
     at_least(n, 1)
     if of <= 0:
         raise RefusalError(WORTHLESS)
     return float(Fraction(total) / n / of)
 
 
-def corrected_point_biserial(
-    marks: Sequence[float], totals: Sequence[float], *, fewest: int = ENOUGH_FOR_ITEMS
-) -> float:
-    """Correlation of the marks in an item with the marks in all other items. Rough."""
-    return with_others(item_marks(marks, totals), fewest=fewest)
-
-
 def with_others(sums: ItemMarks, *, fewest: int = ENOUGH_FOR_ITEMS) -> float:
-    """The same from sums: an item must not be compared with itself, so r = t − m is taken."""
+    """Correlation of the marks in an item with the marks in all other items. Rough. An item must
+    not be compared with itself, so r = t − m is taken (the corrected point-biserial)."""
     rest = sums.tt - 2 * sums.mt + sums.mm
     return _correlation(sums, sums.t - sums.m, rest, sums.mt - sums.mm, fewest, SAME_REST)
 
@@ -110,21 +98,10 @@ def _correlation(sums: ItemMarks, y: Exact, yy: Exact, xy: Exact, fewest: int, e
     return size if products >= 0 else -size
 
 
-def discrimination(
-    marks: Sequence[float],
-    totals: Sequence[float],
-    of: float,
-    *,
-    fewest: int = ENOUGH_FOR_ITEMS,
-) -> float:
-    """Difficulty in the upper 27 % of the class minus that in the lower 27 %. Rough."""
-    return upper_minus_lower(levels_of(marks, totals), Fraction(of), fewest=fewest)
-
-
 def upper_minus_lower(
     levels: Levels, of: Exact, outer: Fraction = OUTER, *, fewest: int = ENOUGH_FOR_ITEMS
 ) -> float:
-    """The same from levels, for any share of the class.
+    """Difficulty in the upper share of the class minus that in the lower one. Rough.
 
     Where students on the edge have equal totals, all of them count in part: nobody's place in a
     list decides.

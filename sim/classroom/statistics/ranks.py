@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from sim.classroom.refusal import RefusalError, at_least
-from sim.classroom.statistics.spread import differences
 from sim.classroom.statistics.tails import normal_two_sided
 from sim.scene.said import Said, counted
 
@@ -48,15 +47,9 @@ class SignedRanks:
     way: Literal["counted", "normal"]
 
 
-def wilcoxon(
-    later: Sequence[float], earlier: Sequence[float], *, fewest: int = FEWEST_CHANGED
-) -> SignedRanks:
-    """The test of later against earlier; refuses where too few changed at all."""
-    return signed_ranks(Counter(differences(later, earlier)), fewest=fewest)
-
-
 def signed_ranks(found: Mapping[Any, int], *, fewest: int = FEWEST_CHANGED) -> SignedRanks:
-    """The same from how many students have each difference, as floats or exact numbers."""
+    """The test from how many students have each difference, as floats or exact numbers; refuses
+    where too few changed at all."""
     changed = {d: count for d, count in found.items() if d and count}
     n = sum(changed.values())
     at_least(n, max(1, fewest), of_changed)

@@ -84,14 +84,6 @@ def root(square: Fraction) -> float:
     return float(Fraction(whole, 1 << shift // 2))
 
 
-def differences(later: Sequence[float], earlier: Sequence[float]) -> tuple[float, ...]:
-    """Later minus earlier, student by student."""
-    if len(later) != len(earlier):
-        raise RefusalError(_no_pairs(later, earlier))
-    pairs = zip(numbers(later), numbers(earlier), strict=True)
-    return tuple(b - a for b, a in pairs)
-
-
 def _no_pairs(first: Sequence[float], second: Sequence[float]) -> str:
     return said("{one} and {other} numbers do not make pairs", one=str(len(first)),
                 other=str(len(second)))  # fmt: skip

@@ -141,11 +141,6 @@ class FormSums:
     items: tuple[Mapping[str, Any], ...]
     groups: Mapping[str, GroupSums]
 
-    @property
-    def asked(self) -> tuple[Any, ...]:
-        """What must be equal before two of them can be added."""
-        return self.form, self.has_key, self.of, self.counted, self.unread, self.items
-
 
 Cluster = Mapping[str, PairSums]
 """One class: its students who took both tests, by group."""
@@ -156,7 +151,7 @@ class LessonSums:
     """A lesson. `pairs`: by group; `clusters`: the same class by class, where classes are known.
 
     `classes`: how many classes a group holds; `pairs_of`: marks of both tests of the pairs.
-    `drawn`: the table tells which classes there are.
+    `table`: it tells itself which classes there are.
     """
 
     site: str
