@@ -2,10 +2,14 @@
 
 Columns are called ("E", kind, cart), in N, + to the right. A force between two neighbours (contact,
 spring, magnets) is in the column of their gap. What static friction does is what is left over in
-m a = sum of all forces, because it has no formula of its own.
+m a = sum of all forces, because it has no formula of its own; carts that stick together share it by
+how much each can hold.
 """
 
 from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator
 
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.record import Piece
@@ -28,14 +32,17 @@ def at(
     states: list[tuple[float, float, float]],
     motion: list[Piece],
     between: dict[int, float],
+    stuck: Collection[int],
     t: float,
 ) -> dict[tuple[str, str], float]:
-    """N by name; `states` are x, v, a of each cart, `between` the forces of neighbours by gap.
+    """N by name; `states` are x, v, a of each cart, `between` the forces of neighbours by gap,
+    without those of `stuck` gaps, whose carts move as one.
 
     `t` [s] lies inside the interval whose formulas hold: a push that begins there counts already.
     """
     assert run.forces is not None
     forces: dict[tuple[str, str], float] = {}
+    left_over: list[float] = []  # N, of m a: for friction at rest, and for what joins carts
     for k, (cart, (_, v, a)) in enumerate(zip(run.scene.carts, states, strict=True)):
         total = between.get(k, 0.0) - between.get(k + 1, 0.0)
         for one in run.forces.on_cart(k, t):
@@ -43,9 +50,29 @@ def at(
             key = (one.kind, cart.name)
             forces[key] = forces.get(key, 0.0) + force
             total += force
-        grip = run.forces.friction_on(k)
-        if grip is not None:
-            sliding = motion[k].sliding
-            force = -sliding * grip if sliding else cart.mass * a - total
-            forces[FRICTION, cart.name] = force
+        left_over.append(cart.mass * a - total)
+    grips = [run.forces.friction_on(k) for k in range(len(states))]
+    for body in _bodies(len(states), stuck):
+        held = math.fsum(left_over[k] for k in body)
+        if body[0] in stuck or body[-1] + 1 in stuck:
+            held = 0.0  # the wall that it sticks to bears all
+        limits = math.fsum(grip.static for k in body if (grip := grips[k]))
+        for k in body:
+            if (grip := grips[k]) is None:
+                continue
+            side = motion[k].sliding
+            # No law says how a body shares it; so none bears more of its limit than another.
+            share = grip.static / limits if limits else 1.0 / len(body)
+            forces[FRICTION, run.scene.carts[k].name] = (
+                -side * grip.kinetic if side else held * share
+            )
     return forces
+
+
+def _bodies(count: int, stuck: Collection[int]) -> Iterator[range]:
+    """Carts that move as one, from left to right."""
+    first = 0
+    for k in range(1, count + 1):
+        if k == count or k not in stuck:
+            yield range(first, k)
+            first = k

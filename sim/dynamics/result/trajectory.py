@@ -149,7 +149,7 @@ def _row(
     outer: dict[tuple[str, str], float] = {}
     if named:
         between = {gap: force for gap, (force, _) in forces.items() if gap not in stuck}
-        outer = outer_forces.at(run, states, motion, between, middle)
+        outer = outer_forces.at(run, states, motion, between, stuck, middle)
     if stuck:
         left_over = [
             cart.mass * a - sum(force for (_, name), force in outer.items() if name == cart.name)

@@ -10,7 +10,14 @@ import math
 from collections import defaultdict
 from dataclasses import dataclass
 
-from sim.effects.forces import FRICTION, BodyForce, EnergyRelease, PairForce, checked
+from sim.effects.forces import (
+    FRICTION,
+    BodyForce,
+    CoulombFriction,
+    EnergyRelease,
+    PairForce,
+    checked,
+)
 from sim.scene.model import Scene
 
 
@@ -57,10 +64,13 @@ class Forces:
         """The forces on one cart just after t s, for drawing."""
         return [f for one in self._acting if (f := one.body_force(cart, t)) is not None]
 
-    def friction_on(self, cart: int) -> float | None:
-        """N. Kinetic friction on one cart; None where there is none."""
-        grips = [grip.kinetic for one in self._acting if (grip := one.friction(cart)) is not None]
-        return math.fsum(grips) if grips else None
+    def friction_on(self, cart: int) -> CoulombFriction | None:
+        """Dry friction on one cart, all kinds together; None where there is none."""
+        grips = [grip for one in self._acting if (grip := one.friction(cart)) is not None]
+        if not grips:
+            return None
+        kinetic, static = zip(*((grip.kinetic, grip.static) for grip in grips), strict=True)
+        return CoulombFriction(math.fsum(kinetic), math.fsum(static))
 
     def move_to(self, t: float) -> None:
         """A switch has been reached, at t s."""

@@ -1,0 +1,58 @@
+"""Free bodies of carts that stick together: Newton's second law for each, and Coulomb's bound."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import trajectory
+from sim.scene import read_scene
+
+G = 9.81  # m/s²
+MASSES = {"A": 0.1, "B": 10.0, "C": 1.0}
+FRICTION = 0.2
+AGREE = 1e-9  # N
+
+
+def forces(pushed: str, push: float, *, wall: bool = False) -> dict[tuple[str, ...], float]:
+    """N, when they have met and come to rest, and one is pushed: ("F", pair) on its right cart,
+    ("E", kind, cart)."""
+    carts: dict[str, Any] = {
+        name: {"mass": m, "position": round(0.1 + 0.2 * k, 1), "velocity": round(0.1 - 0.1 * k, 1)}
+        for k, (name, m) in enumerate(MASSES.items())
+    }
+    track = {"left": "wall" if wall else "open", "right": "open", "length": 3}
+    effects = [
+        {"friction": {"coefficient": FRICTION}},
+        {"push": {"cart": pushed, "force": push, "from": 2}},
+    ]
+    done = run(read_scene({"carts": carts, "track": track, "contact": {"law": "velcro"},
+                           "until": 3, "effects": effects}))  # fmt: skip
+    columns = trajectory(done).columns
+    return {name: column[-1] for name, column in columns.items()}
+
+
+@pytest.mark.parametrize("pushed", MASSES)
+@pytest.mark.parametrize(("push", "held"), [(5.0, True), (-7.0, True), (60.0, False)])
+def test_each_cart_of_a_body_has_the_force_that_its_motion_needs(
+    pushed: str, push: float, held: bool
+) -> None:
+    found, names = forces(pushed, push), list(MASSES)
+    for k, (name, mass) in enumerate(MASSES.items()):
+        left = found.get(("F", f"{names[k - 1]}-{name}"), 0.0) if k else 0.0
+        right = found[("F", f"{name}-{names[k + 1]}")] if k + 1 < len(names) else 0.0
+        friction = found["E", "friction", name]
+        outside = found.get(("E", "push", name), 0.0)
+        assert left - right + friction + outside == pytest.approx(
+            mass * found["a", name], abs=AGREE
+        )
+        assert abs(friction) <= FRICTION * mass * G + AGREE
+        assert (found["a", name] == 0) == held
+
+
+def test_a_wall_that_a_body_sticks_to_bears_all() -> None:
+    found = forces("C", 3.0, wall=True)
+    assert [found["E", "friction", name] for name in MASSES] == [0, 0, 0]
+    assert found["F", "A-B"] == pytest.approx(-3.0)  # it holds B back
