@@ -90,3 +90,27 @@ def test_the_page_says_of_a_run_what_mechanics_says(
         },
     )
     assert met is reached
+
+
+def test_the_force_on_a_cart_with_a_hyphen_in_its_name_is_that_of_its_pairs() -> None:
+    scene = {
+        "carts": {f"cart-{k}": cart for k, cart in enumerate(CARTS.values(), 1)},
+        "contact": {"restitution": 1, "stiffness": 300},
+        "until": 3,
+    }
+    header, numbers = answer({"id": 0, "kind": "run", "scene": scene})
+    goals = ["F.cart-1 > 5 N", "F.cart-1 < 5 N", "F.cart-1 = F.cart-2"]
+    met = in_node(
+        """const { fromWire } = await import(view + "/trajectory.js");
+        const { isMet } = await import(source + "/question/marking/goal.js");
+        const run = fromWire(data.header, Float64Array.from(data.numbers));
+        const masses = { "cart-1": 1, "cart-2": 1 };
+        give(data.goals.map((goal) => isMet(goal, run, masses, data.near)));""",
+        {
+            "header": json.loads(json.dumps(header)),
+            "numbers": list(numbers),
+            "goals": [asdict(goal_of(text)) for text in goals],
+            "near": NEAR,
+        },
+    )
+    assert met == [True, False, True]  # 0.5 m/s, k 300 N/m, 1 kg each: 6.1 N

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
@@ -41,19 +42,21 @@ def test_a_reading_is_what_the_run_says() -> None:
 
 
 KEPT = """
-const listeners = [];
-const scene = { trajectory: null, querySelector: () => null };
+const listeners = {};
+const scene = { trajectory: null, querySelector: () => ({ textContent: data.baked }) };
 globalThis.Element = Object;
-globalThis.document = { getElementById: () => scene,
-                        addEventListener: (_, act) => listeners.push(act) };
+const addEventListener = (kind, act) => { listeners[kind.replace("carts-", "")] = act; };
+globalThis.document = { getElementById: () => scene, addEventListener };
 const { fromWire } = await import(source + "/../../view/trajectory.js");
 const { readOff } = await import(source + "/question/forms/run.js");
 const facts = { scene: "meeting", quantity: "v.A", at: 2, per: 1 };
 const earlier = { own: 9, set: { "A.mass": 9 }, value: "0.2" };
 const none = readOff(facts, { ...earlier });
 scene.trajectory = fromWire(data.header, Float64Array.from(data.numbers));
-listeners.forEach((act) => act({ target: scene, detail: { "A.mass": 0.5 } }));
-give({ none, now: readOff(facts, { ...earlier }) });
+listeners.update({ target: scene, detail: { "A.mass": 5 } });
+const now = readOff(facts, { ...earlier });
+listeners.reset({ target: scene });
+give({ none, now, reset: readOff({ ...facts, quantity: "p.A" }, {}) });
 """
 
 
@@ -63,4 +66,13 @@ def test_a_number_goes_with_the_run_that_is_on_the_screen_and_with_no_earlier_on
     found = in_node(KEPT, {"header": header, "numbers": list(numbers)})
     assert found["none"] == {"value": "0.2"}
     assert found["now"]["own"] == pytest.approx(-0.12, rel=1e-6)
-    assert found["now"]["set"] == {"A.mass": 0.5}
+    assert found["now"]["set"] == {"A.mass": 5}
+
+
+def test_after_all_values_were_reset_a_reading_knows_none_of_them() -> None:
+    scene = {key: value for key, value in MEETING.items() if key not in ("id", "controls")}
+    header, numbers = answer({"id": 0, "kind": "run", "scene": scene})
+    baked = json.dumps({"bodies": header["bodies"]})
+    found = in_node(KEPT, {"header": header, "numbers": list(numbers), "baked": baked})
+    assert found["reset"]["set"] == {}
+    assert found["reset"]["own"] == pytest.approx(0.5 * -0.12, rel=1e-6)  # kg m/s, not of 5 kg

@@ -1056,13 +1056,13 @@
   function filesPart(book2) {
     const root = part("files", tr("Hand in: save a file"));
     const table = html("div", "carts-answers-table");
-    const told = status();
-    root.append(table, told, importRow(book2, told));
-    const draw = () => table.replaceChildren(...rows(book2, told));
+    const told2 = status();
+    root.append(table, told2, importRow(book2, told2));
+    const draw = () => table.replaceChildren(...rows(book2, told2));
     draw();
     return { root, draw };
   }
-  function rows(book2, told) {
+  function rows(book2, told2) {
     const files = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString());
     files.sort((a, b) => Number(b.page === book2.page) - Number(a.page === book2.page));
     if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
@@ -1087,7 +1087,7 @@
 `, "application/json");
         document.dispatchEvent(new CustomEvent("carts-file-saved", { detail: name2 }));
         say(
-          told,
+          told2,
           tr(
             "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
             { file: name2 }
@@ -1107,7 +1107,7 @@
             csvText(file.content),
             "text/csv"
           );
-          say(told, tr("Saved. A spreadsheet program opens it."));
+          say(told2, tr("Saved. A spreadsheet program opens it."));
         },
         "carts-answers-csv"
       );
@@ -1120,10 +1120,10 @@
     const above = document.querySelector(".carts-answers-who .carts-answers-code");
     box.value = /** @type {HTMLInputElement | null} */
     above?.value ?? "";
-    const told = status();
+    const told2 = status();
     const withCode = async () => {
       const found2 = readCode(box.value);
-      if ("problem" in found2) return say(told, found2.problem);
+      if ("problem" in found2) return say(told2, found2.problem);
       keep(found2.code);
       const anew = await book2.become(found2.code, true).catch(() => false);
       if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
@@ -1141,7 +1141,7 @@
       button(tr("Save with this code word"), () => void withCode(), "carts-answers-with-code"),
       " ",
       button(tr("Save without a code word"), without, "carts-answers-without-code"),
-      told
+      told2
     );
     box.focus();
   }
@@ -1163,7 +1163,7 @@
     }
     return words3.join(" ");
   }
-  function importRow(book2, told) {
+  function importRow(book2, told2) {
     const row = html("p", "carts-answers-import");
     const label2 = html("label", "", `${tr("Bring answers back from a file")} `);
     const box = (
@@ -1178,13 +1178,13 @@
       if (!file) return;
       const found2 = tooLarge(file.size) ?? readFile(await file.text().catch(() => ""), book2.site);
       box.value = "";
-      if ("problem" in found2) return say(told, found2.problem);
+      if ("problem" in found2) return say(told2, found2.problem);
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
-      if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
+      if (changed < 0) return say(told2, tr("This browser refuses to keep the answers of this file."));
       const where = elsewhere(found2, book2);
       const count = counted("1 answer", "{n} answers", changed);
       const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
-      say(told, `${taken} ${where}`.trim());
+      say(told2, `${taken} ${where}`.trim());
       const predicted = found2.entries.some(([, entry]) => entry.locked);
       if (!where && changed && predicted && book2.lasts) setTimeout(() => location.reload(), 1500);
     });
@@ -1596,10 +1596,10 @@
         button(tr("Print empty"), () => print(true))
       );
       root.append(row);
-      const told = tr(
+      const told2 = tr(
         "Check works without a network because the right answers of worksheets are in their pages."
       );
-      root.append(html("p", "carts-quiet", told));
+      root.append(html("p", "carts-quiet", told2));
     }
     if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
     if (hidden)
@@ -1644,7 +1644,7 @@
     const { label: label2, box } = codeBox(
       student ? tr("Somebody else? Code word") : tr("Code word from your card")
     );
-    const told = status();
+    const told2 = status();
     const choices = html("p", "carts-answers-choices");
     const go = button(tr("Continue"), () => void look(), "carts-answers-go");
     box.addEventListener("keydown", ({ key }) => {
@@ -1657,18 +1657,18 @@
       "carts-quiet",
       tr("Two students at one computer: both code words with a +.")
     );
-    root.append(html("p", "carts-answers-now", now), row, told, choices, two);
+    root.append(html("p", "carts-answers-now", now), row, told2, choices, two);
     async function look() {
       choices.replaceChildren();
       const found2 = readCode(box.value);
-      if ("problem" in found2) return say(told, found2.problem);
+      if ("problem" in found2) return say(told2, found2.problem);
       const { code } = found2;
-      if (code === student) return say(told, tr("That is who works here now."));
+      if (code === student) return say(told2, tr("That is who works here now."));
       const here = book2.entries().length > 0;
       const known2 = here && student ? await book2.has(code) : false;
       if (!here || known2) return become(code, false);
       say(
-        told,
+        told2,
         student ? tr("The answers here stand under {student}. Is {code} somebody else?", { student, code }) : tr("Somebody has answered here without a code word. Was that you?")
       );
       choices.append(
@@ -1693,7 +1693,7 @@
         if (anew) location.reload();
       } catch {
         say(
-          told,
+          told2,
           tr("This browser refuses to keep more. Press “My answers” and save your file now.")
         );
       }
@@ -1922,12 +1922,12 @@
       const lost = right.filter((link) => !drawn.includes(link));
       const invented = drawn.filter((link) => !right.includes(link));
       const fits2 = (row, links) => row.by.some((by) => links.includes(linkName(objects, row.between, by)));
-      const told = (name, links) => key[name].map(
+      const told2 = (name, links) => key[name].map(
         (row, k) => fits2(row, links) ? `${name}-${k + 1}` : ""
       ).filter((row) => key.feedback.includes(row));
       const good = right.filter((link) => drawn.includes(link));
       const names = good.map((link) => `link-${link}`);
-      const shown = [...names, ...told("missing", lost).slice(0, 1), ...told("wrong", invented)];
+      const shown = [...names, ...told2("missing", lost).slice(0, 1), ...told2("wrong", invented)];
       const rows2 = key.wrong.filter((row) => row.belief && fits2(row, invented));
       const beliefs = rows2.map((row) => row.belief);
       const half = !invented.length && 2 * lost.length <= right.length;
@@ -2481,6 +2481,9 @@
     };
   }
 
+  // src/shared/waiting.js
+  var RESET = "carts-reset";
+
   // ../view/trajectory.js
   function rowAt(times, t) {
     let low = 0;
@@ -2637,6 +2640,9 @@
       event
     );
     if (target instanceof Element) changes.set(target, detail);
+  });
+  document.addEventListener(RESET, ({ target }) => {
+    if (target instanceof Element) changes.delete(target);
   });
   function setBy(scene) {
     return changes.get(

@@ -431,6 +431,7 @@
   function frame() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
+  var RESET = "carts-reset";
   var MEASURES = 200;
   function waited(name, at3) {
     if (performance.getEntriesByName(name).length >= MEASURES) performance.clearMeasures(name);
@@ -729,6 +730,49 @@
     return `${first} ${second}${third}`.trim();
   }
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function withExponent(text) {
+    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
+  // src/shared/typed.js
+  var LONGEST = 40;
+  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function readTyped(typed) {
+    const text = withExponent(typed.trim());
+    if (!text) return { problem: tr("Type a number, for example 0.5") };
+    if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
+    const grouped = twoReadings(text);
+    if (grouped) return { problem: grouped };
+    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
+      const value = Number(text.replace(",", "."));
+      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
+    }
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
+      return { text: text.replace(/(\d),(\d)/, "$1.$2") };
+    }
+    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+  }
+  function twoReadings(typed) {
+    const text = GROUPED.exec(typed)?.[0];
+    if (!text) return "";
+    const whole = text.replaceAll(",", "");
+    if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole });
+    const decimal = String(Number(text.replace(",", ".")));
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text,
+      decimal,
+      whole
+    });
+  }
+
   // src/cost/guess.js
   function guessFirst(root, rows) {
     const [form2, known2] = [need(root, ".carts-cost-guess"), need(root, ".carts-cost-known")];
@@ -765,8 +809,9 @@
       }
       open2();
       const asked3 = Number(error.value);
-      const typed = times2.value.trim();
-      const said = { error: asked3, bet: bet.value, times: typed ? Number(typed) : Number.NaN };
+      const read = readTyped(times2.value);
+      const factor = "value" in read ? read.value : Number.NaN;
+      const said = { error: asked3, bet: bet.value, times: factor };
       say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
       put(need(root, ".carts-cost-asked"), "d", `M${LEFT2} ${px(yAt(asked3))}H${RIGHT2}`);
     });
@@ -1422,49 +1467,6 @@
   function axisDecimals2(axis2) {
     const [first = 0, second = 0] = axis2.values.map((value) => shown(value, axis2));
     return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
-  }
-
-  // src/question/marking/notation.js
-  var RAISED = { "⁻": "-", "⁺": "+" };
-  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
-  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
-  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
-  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
-  function withExponent(text) {
-    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power) => {
-      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
-    });
-  }
-
-  // src/shared/typed.js
-  var LONGEST = 40;
-  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
-  function readTyped(typed) {
-    const text = withExponent(typed.trim());
-    if (!text) return { problem: tr("Type a number, for example 0.5") };
-    if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
-    const grouped = twoReadings(text);
-    if (grouped) return { problem: grouped };
-    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
-      const value = Number(text.replace(",", "."));
-      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
-    }
-    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
-      return { text: text.replace(/(\d),(\d)/, "$1.$2") };
-    }
-    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-  }
-  function twoReadings(typed) {
-    const text = GROUPED.exec(typed)?.[0];
-    if (!text) return "";
-    const whole = text.replaceAll(",", "");
-    if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole });
-    const decimal = String(Number(text.replace(",", ".")));
-    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
-      text,
-      decimal,
-      whole
-    });
   }
 
   // ../view/bodies.js
@@ -2141,7 +2143,8 @@
       for (const [target, view] of this.#views) {
         const value = target in settings ? settings[target] : view.control.value;
         const number = valueIn(header, target) ?? Number(value) * view.control.per;
-        view.show(Number.isFinite(number) ? view.shown(number) : view.control.value);
+        if (Number.isFinite(number)) view.show(view.shown(number));
+        else if (!(target in settings)) view.show(view.control.value);
       }
     }
     take(target, value, at3) {
@@ -2264,7 +2267,8 @@
       /** @type {any} */
       body2[String(key)]
     );
-    if (target === "until") return header.until;
+    if (target === "until" || target === "gravity") return header[target];
+    if (target === "track.length") return header.track.length;
     if (owner === "contact" && (key === "restitution" || key === "stiffness")) {
       const values = new Set(header.contacts.map((contact) => contact[key]));
       return values.size === 1 ? [...values][0] ?? null : null;
@@ -2797,7 +2801,11 @@
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame();
         waited("carts:map", at3);
-        this.#filling = this.#fill(settings, first.header.done, runs, generation);
+        this.#filling = this.#fill(settings, first.header.done, runs, generation).catch((error) => {
+          if (generation !== this.#generation) return;
+          showProgress(this, 1, 1);
+          this.#tell(error.message);
+        });
       }
       async #fill(settings, done, runs, generation) {
         while (done < runs) {
@@ -5449,6 +5457,9 @@
       const problem = this.form.problem();
       if (problem) return this.complain(problem);
       this.#entry.value = this.form.value;
+      this.#entry.asked = this.spec.ask;
+      this.#entry.first ??= (/* @__PURE__ */ new Date()).toISOString();
+      this.#told();
       this.form.enable(false);
       this.sure.show(this.#entry.sure, false);
       this.button.disabled = true;
@@ -5523,6 +5534,7 @@
   var LOCKED = tr(
     "Make your prediction and lock it first. Then you can see how the run is computed."
   );
+  var UNWATCHED = tr("Watch the run to its end first: this tells what happens in it.");
   var PLAN = tr("The plan, found before anything moves:");
   var MEASURING = tr("Measuring on this computer …");
   var NO_PYTHON = tr("Python does not run here, so nothing can be measured.");
@@ -5805,9 +5817,10 @@
       const run = this.#exact ?? this.view.run;
       if (!this.details.open) return;
       const place4 = need(this.details, ".carts-how-body");
-      if (!isTold(run)) {
+      const watched = this.view.player.seen === Infinity;
+      if (!isTold(run) || !watched) {
         this.#panel = this.#proof = null;
-        place4.replaceChildren(html("p", "", LOCKED));
+        place4.replaceChildren(html("p", "", watched ? LOCKED : UNWATCHED));
         return;
       }
       if (!this.#panel) {
@@ -6086,7 +6099,7 @@
       this.player.seen = Infinity;
       if (!this.whole) {
         this.presets.seen(here);
-        remember(here.map((name) => this.#of(name)));
+        if (!all) remember(here.map((name) => this.#of(name)));
         this.#offer(false);
       }
       const done = !this.whole && this.presets.left.length === 0;
@@ -6134,7 +6147,7 @@
       if (this.button) this.button.style.visibility = on ? "" : "hidden";
     }
     get #name() {
-      return `${location.pathname}#${this.element.id}`;
+      return nameOf2(this.element);
     }
     #of(preset) {
       return `${this.#name}/${preset}`;
@@ -6145,6 +6158,13 @@
   function remembered() {
     return recall(KEY) ?? [];
   }
+  function forgetWatched(element) {
+    const name = nameOf2(element);
+    delete element.dataset.watched;
+    const others = remembered().filter((one) => one !== name && !one.startsWith(`${name}/`));
+    retain(KEY, others);
+  }
+  var nameOf2 = (element) => `${location.pathname}#${element.id}`;
   function remember(names) {
     if (names.length) retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
   }
@@ -6417,7 +6437,7 @@
   }
 
   // src/scene/take-along/csv.js
-  function csv(run, quantities, camera) {
+  function csv(run, quantities, camera, seen) {
     if (!isTold(run)) return "";
     const { header, trajectory } = run;
     const columns = [["t in s", trajectory.t]];
@@ -6430,10 +6450,10 @@
     }
     if (quantities.includes("F")) columns.push(...effectColumns(run));
     const lines4 = [columns.map(([name]) => quoted(name)).join(",")];
-    for (let k = 0; k < trajectory.t.length; k += 1) {
+    for (let k = 0; k < trajectory.t.length && Number(trajectory.t[k]) <= seen; k += 1) {
       lines4.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
-    return `${lines4.join("\r\n")}\r
+    return `\uFEFF${lines4.join("\r\n")}\r
 `;
   }
   function effectColumns({ header, trajectory }) {
@@ -6852,8 +6872,8 @@ ${lines4.join("\n")}
       };
       const acts = {
         csv: () => {
-          const { run, quantities } = state();
-          download(`${fence.id}.csv`, csv(run, quantities, fence.camera), "text/csv");
+          const { run, quantities, seen } = state();
+          download(`${fence.id}.csv`, csv(run, quantities, fence.camera, seen), "text/csv");
         },
         svg: () => download(`${fence.id}.svg`, picture(root), "image/svg+xml"),
         png: async () => downloadBlob(`${fence.id}.png`, await asPng(picture(root))),
@@ -7146,6 +7166,11 @@ ${lines4.join("\n")}
       this.wanted = { ...changes2 };
       this.#last.target = "";
     }
+    back() {
+      this.wanted = { ...this.good };
+      this.#before.pop();
+      this.#last.target = "";
+    }
     get canUndo() {
       return this.#before.length > 0;
     }
@@ -7207,9 +7232,12 @@ ${lines4.join("\n")}
     }
     preset(changes2) {
       this.values.replace(changes2);
-      return this.compute(changes2, performance.now()).then(
+      const done = this.compute(changes2, performance.now());
+      const asked3 = this.#asked;
+      return done.then(
         () => true,
         (error) => {
+          if (asked3 === this.#asked) this.values.back();
           this.acts.say(error.message);
           return false;
         }
@@ -7254,6 +7282,7 @@ ${lines4.join("\n")}
       this.#generation += 1;
       this.#asked += 1;
       this.values.reset();
+      this.owner.dispatchEvent(new Event(RESET, { bubbles: true }));
     }
   };
 
@@ -10148,7 +10177,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
     get now() {
       const quantities = this.drawing.graphs.map((graph2) => graph2.quantity);
-      return { run: this.run, t: this.player.time, quantities };
+      const { time: t3, seen } = this.player;
+      return { run: this.run, t: t3, quantities, seen };
     }
     show(run, behind = null) {
       const { header } = run;
@@ -10185,7 +10215,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
     print(open2) {
       for (const { table } of this.drawing.graphs) {
-        table.details.open = open2;
+        const { details } = table;
+        if (open2 && !details.open) details.dataset.printed = "";
+        if (open2 || "printed" in details.dataset) details.open = open2;
+        if (!open2) delete details.dataset.printed;
         table.fill();
       }
     }
@@ -10334,7 +10367,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#reset();
         this.#values.forget();
         this.#lesson = null;
-        delete this.dataset.watched;
+        forgetWatched(this);
         this.innerHTML = this.#asBaked;
         this.classList.add("carts-asks");
         this.#adopt();

@@ -448,6 +448,9 @@
     };
   }
 
+  // src/shared/waiting.js
+  var RESET = "carts-reset";
+
   // ../view/trajectory.js
   function rowAt(times, t) {
     let low = 0;
@@ -583,6 +586,9 @@
     );
     if (target instanceof Element) changes.set(target, detail);
   });
+  document.addEventListener(RESET, ({ target }) => {
+    if (target instanceof Element) changes.delete(target);
+  });
   function setBy(scene) {
     return changes.get(
       /** @type {Element} */
@@ -622,7 +628,11 @@
     return factor * forces.reduce((most, force) => Math.max(most, Math.abs(force)), 0);
   }
   function touching(run, name) {
-    return Object.keys(run.F).filter((pair) => pair.split("-").includes(name));
+    const [left, right] = [`${name}-`, `-${name}`];
+    const others = /* @__PURE__ */ new Set([...Object.keys(run.x), "left", "right"]);
+    return Object.keys(run.F).filter(
+      (pair) => pair.startsWith(left) && others.has(pair.slice(left.length)) || pair.endsWith(right) && others.has(pair.slice(0, -right.length))
+    );
   }
   function largest(quantity, run, mass) {
     const what = quantity.charAt(0);
@@ -713,8 +723,8 @@
       retain(this.#name, this.#tries);
       const said = this.#show();
       const { found: found2 } = this.#tries;
-      const told = { runs: this.#runs, found: found2?.run ?? 0, values: found2?.values ?? "" };
-      void this.#keeper?.put(plainText(need(this, ".carts-q-ask")), told, said);
+      const told2 = { runs: this.#runs, found: found2?.run ?? 0, values: found2?.values ?? "" };
+      void this.#keeper?.put(plainText(need(this, ".carts-q-ask")), told2, said);
     }
     #told(set) {
       const parts = Object.entries(set).map(([path, value2]) => {

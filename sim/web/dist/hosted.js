@@ -80,7 +80,7 @@
           assets,
           (done, all) => say(said, tr("{done} of {all}", { done, all }))
         );
-        const name = location.pathname.split("/").pop()?.replace(/(\.html)?$/, ".html");
+        const name = decodeURIComponent(location.pathname).split("/").pop()?.replace(/(\.html)?$/, ".html");
         downloadBlob(name ?? "lesson.html", file);
         say(said, tr("Saved: {size} MB.", { size: Math.ceil(file.size / 1e6) }));
       } catch {

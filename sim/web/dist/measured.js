@@ -1149,7 +1149,8 @@
       }
       const texts = [];
       for (const file of files) {
-        const bytes = await file.arrayBuffer();
+        const bytes = await file.arrayBuffer().catch(() => null);
+        if (!bytes) return this.tell(`${_Source.notRead(file.name)}choose a file that is there.`);
         const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
         if ("refused" in found) {
           const why = found.refused.map(({ reason, hint: hint2 }) => `${reason} (${hint2})`).join(". ");

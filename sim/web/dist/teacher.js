@@ -3148,6 +3148,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
 
   // src/teach/earlier-draft.js
+  var NOT_DELETED = "This browser refused to delete it.";
   function earlierDraft(session2, draft) {
     const row = html("p", "carts-teach-earlier");
     row.append(
@@ -3157,8 +3158,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       button("Save it", () => download(session2.name, draft.text, "text/markdown")),
       " ",
       button("Delete it", () => {
-        void session2.drafts.forget(draft.hash);
-        row.remove();
+        void session2.drafts.forget(draft.hash).then(
+          () => row.remove(),
+          () => row.append(" ", NOT_DELETED)
+        );
       })
     );
     return row;

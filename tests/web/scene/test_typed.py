@@ -40,6 +40,33 @@ def test_a_comma_before_three_digits_has_two_readings_with_a_unit_too() -> None:
     assert [one.get("problem") for one in question] == [one.get("problem") for one in scene]
 
 
+def test_a_refused_preset_leaves_all_values_as_they_were() -> None:
+    found = in_node(
+        """const { Values } = await import(source + "/scene/values.js");
+        const values = new Values();
+        values.ask({ "A.mass": 2 });
+        values.good = { "A.mass": 2 };
+        values.replace({ "contact.law": "hertz" });
+        values.giveUp({ "contact.law": "hertz" });
+        values.back();
+        const refused = { ...values.wanted };
+        values.undo();
+        give([refused, values.wanted, values.canUndo]);""",
+        None,
+    )
+    assert found == [{"A.mass": 2}, {}, False]
+
+
+def test_a_slider_shows_the_gravity_and_the_track_of_the_run() -> None:
+    found = in_node(
+        """const { valueIn } = await import(source + "/scene/controls.js");
+        const header = { bodies: [], gravity: 1.62, track: { length: 2.5 }, until: 3 };
+        give(["gravity", "track.length", "until"].map((one) => valueIn(header, one)));""",
+        None,
+    )
+    assert found == [1.62, 2.5, 3]
+
+
 def test_a_refused_value_leaves_nothing_to_undo() -> None:
     found = in_node(
         """const { Values } = await import(source + "/scene/values.js");

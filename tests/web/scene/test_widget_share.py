@@ -84,6 +84,19 @@ def test_the_table_has_every_row_with_quantity_and_unit_in_its_head() -> None:
     assert {len(row) for row in rows} == {len(rows[0])}
 
 
+def test_the_table_ends_where_the_run_was_watched_to() -> None:
+    text = in_node(
+        """const { fromWire } = await import(view + "/trajectory.js");
+        const { csv } = await import(source + "/scene/take-along/csv.js");
+        const trajectory = fromWire(data.header, Float64Array.from(data.numbers));
+        give(csv({ header: data.header, trajectory }, ["x"], 0, 2));""",
+        facts(MEETING),
+    )
+    times = [float(row[0]) for row in list(csv.reader(io.StringIO(text)))[1:]]
+    assert times
+    assert 1 < max(times) <= 2  # s, of 6
+
+
 def test_every_test_scene_can_be_copied_as_a_block() -> None:
     names = [name for name in registry.NAMES if name != "slow-and-long"]
     scenes = {name: registry.plain(name) for name in names}

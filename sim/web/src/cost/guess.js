@@ -4,6 +4,7 @@ import { LEFT, RIGHT, yAt } from "../../../view/cost/figure.js";
 import { verdict } from "../../../view/cost/guess.js";
 import { px } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
+import { readTyped } from "../shared/typed.js";
 
 /** @param {HTMLElement} root @param {() => import("../../../view/cost/figure.js").CostRow[]} rows those of the chosen scene */
 export function guessFirst(root, rows) {
@@ -32,8 +33,9 @@ export function guessFirst(root, rows) {
     }
     open();
     const asked = Number(error.value);
-    const typed = times.value.trim();
-    const said = { error: asked, bet: bet.value, times: typed ? Number(typed) : Number.NaN };
+    const read = readTyped(times.value);
+    const factor = "value" in read ? read.value : Number.NaN;
+    const said = { error: asked, bet: bet.value, times: factor };
     say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
     put(need(root, ".carts-cost-asked"), "d", `M${LEFT} ${px(yAt(asked))}H${RIGHT}`);
   });

@@ -55,7 +55,7 @@ export function downloadLine(address, assets) {
       const file = await whole(shell, assets, (done, all) =>
         say(said, tr("{done} of {all}", { done, all })),
       );
-      const name = location.pathname
+      const name = decodeURIComponent(location.pathname)
         .split("/")
         .pop()
         ?.replace(/(\.html)?$/, ".html");

@@ -170,7 +170,11 @@ export function mapElement(client) {
       this.#draw({ axes, rows, columns, why, values: first.numbers });
       await frame();
       waited("carts:map", at);
-      this.#filling = this.#fill(settings, first.header.done, runs, generation);
+      this.#filling = this.#fill(settings, first.header.done, runs, generation).catch((error) => {
+        if (generation !== this.#generation) return;
+        showProgress(this, 1, 1);
+        this.#tell(error.message);
+      });
     }
 
     /**

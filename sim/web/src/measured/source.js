@@ -71,7 +71,8 @@ export class Source {
     }
     const texts = [];
     for (const file of files) {
-      const bytes = await file.arrayBuffer();
+      const bytes = await file.arrayBuffer().catch(() => null); // a folder, or a file that is gone
+      if (!bytes) return this.tell(`${Source.notRead(file.name)}choose a file that is there.`);
       const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
       if ("refused" in found) {
         const why = found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". ");

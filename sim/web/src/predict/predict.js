@@ -184,6 +184,9 @@ export class Predict {
     const problem = this.form.problem();
     if (problem) return this.complain(problem);
     this.#entry.value = this.form.value;
+    this.#entry.asked = this.spec.ask;
+    this.#entry.first ??= new Date().toISOString();
+    this.#told(); // by the lock too: what was not drawn is no force
     this.form.enable(false);
     this.sure.show(this.#entry.sure, false);
     this.button.disabled = true;

@@ -39,7 +39,8 @@ export class Controls {
     for (const [target, view] of this.#views) {
       const value = target in settings ? settings[target] : view.control.value;
       const number = valueIn(header, target) ?? Number(value) * view.control.per;
-      view.show(Number.isFinite(number) ? view.shown(number) : view.control.value);
+      if (Number.isFinite(number)) view.show(view.shown(number));
+      else if (!(target in settings)) view.show(view.control.value);
     }
   }
 
@@ -186,7 +187,8 @@ export function valueIn(header, target) {
   const [owner, key] = target.split(".");
   const body = header.bodies.find(({ name }) => name === owner);
   if (body) return Number(/** @type {any} */ (body)[String(key)]);
-  if (target === "until") return header.until;
+  if (target === "until" || target === "gravity") return header[target];
+  if (target === "track.length") return header.track.length;
   if (owner === "contact" && (key === "restitution" || key === "stiffness")) {
     const values = new Set(header.contacts.map((contact) => contact[key]));
     return values.size === 1 ? ([...values][0] ?? null) : null;

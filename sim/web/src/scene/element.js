@@ -10,7 +10,7 @@ import { Prepared } from "./prepared.js";
 import { Runs } from "./runs.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./take-along/share.js";
-import { Watch } from "./time/watch.js";
+import { forgetWatched, Watch } from "./time/watch.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
@@ -110,7 +110,7 @@ export function sceneElement(client, folder) {
       this.#reset();
       this.#values.forget();
       this.#lesson = null;
-      delete this.dataset.watched;
+      forgetWatched(this);
       this.innerHTML = this.#asBaked;
       this.classList.add("carts-asks");
       this.#adopt();

@@ -5,7 +5,7 @@
 
 import { fromWire } from "../../../view/trajectory.js";
 import { ASKED } from "../shared/ask-scene.js";
-import { drawn, refusal } from "../shared/waiting.js";
+import { drawn, RESET, refusal } from "../shared/waiting.js";
 import { Values } from "./values.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
@@ -68,9 +68,12 @@ export class Runs {
   /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
   preset(changes) {
     this.values.replace(changes);
-    return this.compute(changes, performance.now()).then(
+    const done = this.compute(changes, performance.now());
+    const asked = this.#asked;
+    return done.then(
       () => true,
       (error) => {
+        if (asked === this.#asked) this.values.back();
         this.acts.say(error.message);
         return false;
       },
@@ -123,5 +126,6 @@ export class Runs {
     this.#generation += 1;
     this.#asked += 1;
     this.values.reset();
+    this.owner.dispatchEvent(new Event(RESET, { bubbles: true }));
   }
 }

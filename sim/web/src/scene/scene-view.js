@@ -63,10 +63,11 @@ export class SceneView {
     return this.drawing.stages;
   }
 
-  /** @returns {{run: Run, t: number, quantities: string[]}} what is seen */
+  /** @returns {{run: Run, t: number, quantities: string[], seen: number}} what is seen */
   get now() {
     const quantities = this.drawing.graphs.map((graph) => graph.quantity);
-    return { run: this.run, t: this.player.time, quantities };
+    const { time: t, seen } = this.player;
+    return { run: this.run, t, quantities, seen };
   }
 
   /**
@@ -117,7 +118,10 @@ export class SceneView {
   /** Fills and opens the tables for paper. @param {boolean} open */
   print(open) {
     for (const { table } of this.drawing.graphs) {
-      table.details.open = open;
+      const { details } = table;
+      if (open && !details.open) details.dataset.printed = ""; // to be closed again
+      if (open || "printed" in details.dataset) details.open = open;
+      if (!open) delete details.dataset.printed;
       table.fill();
     }
   }

@@ -50,6 +50,13 @@ export class Values {
     this.#last.target = "";
   }
 
+  /** What took the place of all was refused: all is as it was before. */
+  back() {
+    this.wanted = { ...this.good };
+    this.#before.pop();
+    this.#last.target = "";
+  }
+
   get canUndo() {
     return this.#before.length > 0;
   }

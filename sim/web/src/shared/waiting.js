@@ -7,6 +7,9 @@ export function frame() {
   return new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
+/** An event of a scene: its values are those that it came with. */
+export const RESET = "carts-reset";
+
 /** Measures of one name are kept up to here: the browser keeps each for ever, at some kB apiece. */
 const MEASURES = 200;
 

@@ -4,6 +4,8 @@ import { button, clock } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 
+const NOT_DELETED = "This browser refused to delete it.";
+
 /** @param {import("./session.js").Session} session @param {import("./drafts.js").Draft} draft @returns {HTMLElement} */
 export function earlierDraft(session, draft) {
   const row = html("p", "carts-teach-earlier");
@@ -14,8 +16,10 @@ export function earlierDraft(session, draft) {
     button("Save it", () => download(session.name, draft.text, "text/markdown")),
     " ",
     button("Delete it", () => {
-      void session.drafts.forget(draft.hash);
-      row.remove();
+      void session.drafts.forget(draft.hash).then(
+        () => row.remove(),
+        () => row.append(" ", NOT_DELETED),
+      );
     }),
   );
   return row;

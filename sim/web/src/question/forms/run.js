@@ -2,6 +2,7 @@
 
 import { tr } from "../../../../view/language.js";
 import { isEmpty } from "../../answers/entry.js";
+import { RESET } from "../../shared/waiting.js";
 import { reading } from "../marking/own-run.js";
 import { readNumber } from "../marking/typed-number.js";
 
@@ -31,6 +32,10 @@ const changes = new WeakMap();
 document.addEventListener("carts-update", (event) => {
   const { target, detail } = /** @type {CustomEvent} */ (event);
   if (target instanceof Element) changes.set(target, detail);
+});
+
+document.addEventListener(RESET, ({ target }) => {
+  if (target instanceof Element) changes.delete(target);
 });
 
 /** What the student set in a scene. @param {Element | null} scene @returns {Record<string, unknown>} */

@@ -33,7 +33,13 @@ function value({ factor, quantity, at }, run, mass) {
 
 /** The pairs of which a body is one. @param {any} run @param {string} name @returns {string[]} */
 function touching(run, name) {
-  return Object.keys(run.F).filter((pair) => pair.split("-").includes(name));
+  const [left, right] = [`${name}-`, `-${name}`]; // a name may have a hyphen of its own
+  const others = new Set([...Object.keys(run.x), "left", "right"]);
+  return Object.keys(run.F).filter(
+    (pair) =>
+      (pair.startsWith(left) && others.has(pair.slice(left.length))) ||
+      (pair.endsWith(right) && others.has(pair.slice(0, -right.length))),
+  );
 }
 
 /** The largest size of a kind of quantity, over all bodies and times. @param {string} quantity @param {any} run @param {Record<string, number>} mass */

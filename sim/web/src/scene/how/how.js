@@ -72,9 +72,10 @@ export class How {
     const run = this.#exact ?? this.view.run;
     if (!this.details.open) return;
     const place = need(this.details, ".carts-how-body");
-    if (!isTold(run)) {
+    const watched = this.view.player.seen === Infinity;
+    if (!isTold(run) || !watched) {
       this.#panel = this.#proof = null;
-      place.replaceChildren(html("p", "", words.LOCKED));
+      place.replaceChildren(html("p", "", watched ? words.LOCKED : words.UNWATCHED));
       return;
     }
     if (!this.#panel) {

@@ -13,6 +13,7 @@ import { fixed, short } from "../../../../view/numbers.js";
 export const LOCKED = tr(
   "Make your prediction and lock it first. Then you can see how the run is computed.",
 );
+export const UNWATCHED = tr("Watch the run to its end first: this tells what happens in it.");
 export const PLAN = tr("The plan, found before anything moves:");
 export const MEASURING = tr("Measuring on this computer …");
 export const NO_PYTHON = tr("Python does not run here, so nothing can be measured.");

@@ -10,9 +10,10 @@ import { QUANTITIES } from "../../../../view/words.js";
 /**
  * Text of a CSV file. Time starts at 0; each header names the quantity and its unit. Two rows with
  * one time are a jump: before and after.
- * @param {Run} run @param {string[]} quantities @param {number} camera in m/s @returns {string}
+ * @param {Run} run @param {string[]} quantities @param {number} camera in m/s
+ * @param {number} seen s, as far as it was watched: no row is of later @returns {string}
  */
-export function csv(run, quantities, camera) {
+export function csv(run, quantities, camera, seen = Infinity) {
   if (!isTold(run)) return "";
   const { header, trajectory } = run;
   /** @type {[string, ArrayLike<number>][]} */
@@ -26,7 +27,7 @@ export function csv(run, quantities, camera) {
   }
   if (quantities.includes("F")) columns.push(...effectColumns(run));
   const lines = [columns.map(([name]) => quoted(name)).join(",")];
-  for (let k = 0; k < trajectory.t.length; k += 1) {
+  for (let k = 0; k < trajectory.t.length && Number(trajectory.t[k]) <= seen; k += 1) {
     lines.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
   }
   return `${lines.join("\r\n")}\r\n`;

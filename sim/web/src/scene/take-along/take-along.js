@@ -9,7 +9,7 @@ import { qrCode } from "./qr.js";
 import { linkTo, sceneBlock } from "./share.js";
 
 /** @typedef {import("../../../../view/types.js").Run} Run */
-/** @typedef {{run: Run, settings: import("./share.js").Settings, t: number, quantities: string[]}} State */
+/** @typedef {{run: Run, settings: import("./share.js").Settings, t: number, quantities: string[], seen: number}} State */
 
 /** @type {[string, string][]} */
 const KINDS = [
@@ -60,8 +60,9 @@ export class TakeAlong {
     /** @type {Record<string, () => unknown>} */
     const acts = {
       csv: () => {
-        const { run, quantities } = state();
-        download(`${fence.id}.csv`, csv(run, quantities, fence.camera), "text/csv");
+        const { run, quantities, seen } = state();
+        const table = csv(run, quantities, fence.camera, seen);
+        download(`${fence.id}.csv`, `\uFEFF${table}`, "text/csv"); // the mark tells Excel that it is UTF-8
       },
       svg: () => download(`${fence.id}.svg`, picture(root), "image/svg+xml"),
       png: async () => downloadBlob(`${fence.id}.png`, await asPng(picture(root))),

@@ -48,7 +48,7 @@ export class Watch {
     this.player.seen = Infinity;
     if (!this.whole) {
       this.presets.seen(here);
-      remember(here.map((name) => this.#of(name)));
+      if (!all) remember(here.map((name) => this.#of(name)));
       this.#offer(false);
     }
     const done = !this.whole && this.presets.left.length === 0;
@@ -104,7 +104,7 @@ export class Watch {
   }
 
   get #name() {
-    return `${location.pathname}#${this.element.id}`;
+    return nameOf(this.element);
   }
 
   /** @param {string} preset */
@@ -122,6 +122,17 @@ const KEY = "carts-watched";
 function remembered() {
   return recall(KEY) ?? [];
 }
+
+/** The next reader of a scene has watched none of its runs. @param {HTMLElement} element */
+export function forgetWatched(element) {
+  const name = nameOf(element);
+  delete element.dataset.watched;
+  const others = remembered().filter((one) => one !== name && !one.startsWith(`${name}/`));
+  retain(KEY, others);
+}
+
+/** @param {HTMLElement} element */
+const nameOf = (element) => `${location.pathname}#${element.id}`;
 
 /** @param {string[]} names */
 function remember(names) {
