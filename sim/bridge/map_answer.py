@@ -71,7 +71,7 @@ def _why(grid: Grid, effects: bool) -> str:
             "the end cuts off. Each of these is a run of its own, exact as that of a scene; the "
             f"others come from the closed form.{fewer}"
         )
-    reason = "Effects act in this scene" if effects else "This scene is more than one contact"
+    reason = "Effects act in this scene" if effects else "No formula gives all points at once here"
     return (
         f"{reason}: each of the {points} points is a run of its own, exact as that of a "
         f"scene.{fewer}"

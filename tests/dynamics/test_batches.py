@@ -176,3 +176,29 @@ def test_effects_are_run_on_a_grid_that_a_page_can_bear() -> None:
     assert len(grid.left) == grid.values.size == MOST_WITH_EFFECTS
     (value,) = run_points(plain, grid, ("v", "B"), 123, seconds=0.0)
     assert value == by_engine(plain, changes_at(grid.axes, 123), ("v", "B"))
+
+
+def test_the_greatest_force_of_a_spring_and_of_a_loose_one_is_that_of_hooke() -> None:
+    """No event tells the one; the other tells it when it is let go."""
+    touching = {
+        "carts": {"A": {"mass": 0.5, "position": 0.6}, "B": {"mass": 1, "position": 0.8}},
+        "track": {"length": 3}, "until": 1,
+    }  # fmt: skip
+    stiff = (10.0, 20.0, 40.0)
+    loose = [{"release": {"between": ["A", "B"], "energy": 0.06, "stiffness": 10}}]
+    apart = {"A": {"mass": 0.5, "position": 0.6}, "B": {"mass": 1, "position": 0.9}}
+    spring = [{"spring": {"between": ["A", "B"], "stiffness": 10, "length": 0}}]
+    for plain, target, expected in (
+        (
+            {**touching, "effects": loose},
+            "release.stiffness",
+            [(2 * 0.06 * k) ** 0.5 for k in stiff],
+        ),
+        (
+            {**touching, "carts": apart, "until": 0.05, "effects": spring},
+            "spring.stiffness",
+            [0.1 * k for k in stiff],
+        ),
+    ):
+        grid = solve(plain, ((target, stiff),), ("F", "A-B"))
+        assert run_points(plain, grid, ("F", "A-B"), 0) == pytest.approx(expected, rel=1e-9)

@@ -76,6 +76,22 @@ def test_an_author_says_how_large_it_would_be() -> None:
     assert rung(own, "push").candidate.size.startswith("0.01 N")
 
 
+def test_a_law_that_delivers_more_than_its_e_is_left_out_with_what_it_delivers() -> None:
+    """A stiff bumper takes no time to speak of: without it hardly anything changes."""
+    plain = registry.two_carts(law="push-only-uncorrected", restitution=0.5, stiffness=1e8)
+    row = next(one for one in ladder(read_scene(plain)) if one.candidate.effect == "contact")
+    assert row.changes is not None
+    assert abs(row.changes.relative) < 1e-3
+
+
+def test_a_change_of_the_whole_graph_is_told_without_an_exponent() -> None:
+    plain = registry.two_carts(until="2 s")
+    plain["effects"] = [{"push": {"cart": "A", "force": "100 N"}}]
+    told = [rung.sentence for rung in ladder(read_scene(plain))]
+    assert any("%" in one for one in told)
+    assert not any("e+" in one.partition("%")[0][-8:] for one in told)
+
+
 def test_an_estimate_changes_no_run() -> None:
     from sim.dynamics.loop.run import run
 

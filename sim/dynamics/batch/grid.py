@@ -19,7 +19,9 @@ from typing import TYPE_CHECKING, Any
 from sim.dynamics.batch.one_contact import Outcomes, outcomes
 from sim.dynamics.batch.parameters import Axis, Parameters, parameters
 from sim.dynamics.loop.run import run
+from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import trajectory
 from sim.scene import Scene, SceneError, apply_changes, read_scene
 
 if TYPE_CHECKING:
@@ -122,7 +124,8 @@ def _shown(p: Parameters, out: Outcomes, show: Show) -> Values:
 def _run_one(plain: Mapping[str, Any], changes: Mapping[str, float], show: Show) -> float:
     try:
         scene = read_scene(apply_changes(plain, changes))
-        done = run(scene, max_events=MOST_EVENTS, keep_events=show[0] == "F", keep_motion=False)
+        linked = show[0] == "F" and any(effect.between for effect in scene.effects)
+        done = run(scene, max_events=MOST_EVENTS, keep_events=show[0] == "F", keep_motion=linked)
     except (SceneError, UnsolvedError):
         return math.nan
     if done.outcome.kind in ("too-many-events", "refused"):
@@ -131,12 +134,19 @@ def _run_one(plain: Mapping[str, Any], changes: Mapping[str, float], show: Show)
         return done.v[_place(scene, show[1])]
     if show[0] == "warmed":
         return done.ledger.warmed
-    forces = [
+    return _greatest(done, show[1], linked=linked)
+
+
+def _greatest(done: Run, pair: str, *, linked: bool) -> float:
+    """N. As events tell it; of what no event tells, a spring, by the samples of the run."""
+    told = [
         event.force or 0.0
         for event in done.record.events
-        if event.kind == "peak" and "-".join(event.bodies) == show[1]
+        if event.kind in ("peak", "release") and "-".join(event.bodies) == pair
     ]
-    return max(forces, default=0.0)
+    if linked:
+        told += map(abs, trajectory(done).columns.get(("F", pair), ()))
+    return max(told, default=0.0)
 
 
 def _place(scene: Scene, name: str) -> int:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim.effects.estimates import estimate_of, usual
+from sim.laws.lookup import contact_law
 from sim.scene.effects import Effect, kinds
 from sim.scene.laws import laws
 from sim.scene.model import Contact, Scene
@@ -94,7 +95,9 @@ def _other_contacts(scene: Scene) -> Candidate:
         if contact is None or contact.joins or contact.sudden == listed:
             return contact
         if listed:
-            return replace(contact, law=sudden.name, stiffness=None)
+            # A law may deliver another e than its key asks for: that is not what is left out.
+            e = getattr(contact_law(contact), "delivered", contact.restitution)
+            return replace(contact, law=sudden.name, stiffness=None, restitution=e)
         return replace(contact, law=soft.name, stiffness=stiffness)
 
     if listed and any(gap < 0.0 for gap in scene.gaps):

@@ -27,6 +27,9 @@ MOST_STEPS = 2_500
 MUCH = 50.0 * READS
 """Half the graph's height. A missing effect that changes less is an honest idealisation."""
 
+WHOLE = 99.5
+"""Per cent of the graph. From here on two figures would be written with an exponent."""
+
 BEYOND = 10.0
 """Heights of the graph. A change by more has no percentage that says anything."""
 
@@ -111,7 +114,8 @@ def _amount(changes: Difference) -> str:
     amount = f"{changes.amount:.2g} {unit}"
     if changes.relative > BEYOND:
         return amount
-    part = f"{100.0 * changes.relative:.2g} %"
+    percent = 100.0 * changes.relative
+    part = f"{percent:.0f} %" if percent >= WHOLE else f"{percent:.2g} %"
     return said("{amount} ({part} of the graph)", amount=amount, part=part)
 
 

@@ -73,8 +73,8 @@ def _pairs(scene: Scene, gaps: list[int]) -> list[str]:
     laws = sorted({contact.law for gap in gaps if (contact := scene.contacts[gap]) is not None})
     return [
         said(
-            "only {pairs} in contact, and nobody else can reach them before it ends: "
-            "one formula gives the whole contact, exact (law: {law})",
+            "only {pairs} in contact, and nobody else touches them meanwhile: "
+            "one formula gives the contact, exact (law: {law})",
             pairs=_names(scene, gaps),
             law=listed(laws),
         )
