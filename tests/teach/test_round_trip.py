@@ -147,3 +147,9 @@ def test_a_value_that_is_gone_cannot_be_written() -> None:
         with_value(LAYOUT, 0, ("carts", "C", "mass"), "1 kg")
     with pytest.raises(CannotWriteError):
         with_value(LAYOUT, 3, ("until",), "1 s")
+
+
+def test_the_page_knows_what_stands_in_the_place_of_a_teachers_text() -> None:
+    """By it the page sees after every step, Undo too, whether notes are missing."""
+    session = (ROOT / "sim" / "web" / "src" / "teach" / "session.js").read_text("utf-8")
+    assert f'KEPT_OUT = "{WORDS}"' in session

@@ -2339,6 +2339,7 @@
   function interactionsForm(root, changed, { objects, focus, key }) {
     const links = /* @__PURE__ */ new Map();
     let verdicts = {};
+    let open2 = null;
     const radios = (
       /** @type {HTMLInputElement[]} */
       [
@@ -2465,6 +2466,8 @@
         show();
       },
       enable(on) {
+        if (on === open2) return;
+        open2 = on;
         for (const one of [...radios, first, how, second, add2]) one.disabled = !on;
         diagram.enable(on);
         show();

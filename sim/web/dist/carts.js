@@ -6437,7 +6437,7 @@
   }
 
   // src/scene/take-along/csv.js
-  function csv(run, quantities, camera, seen) {
+  function csv(run, quantities, camera, seen = Infinity) {
     if (!isTold(run)) return "";
     const { header, trajectory } = run;
     const columns = [["t in s", trajectory.t]];
@@ -6453,7 +6453,7 @@
     for (let k = 0; k < trajectory.t.length && Number(trajectory.t[k]) <= seen; k += 1) {
       lines4.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
-    return `\uFEFF${lines4.join("\r\n")}\r
+    return `${lines4.join("\r\n")}\r
 `;
   }
   function effectColumns({ header, trajectory }) {
@@ -6796,6 +6796,8 @@
       } else lines4.push(`${key}: ${flow(value)}`);
     }
     lines4.push(`show: ${flow(fence.show)}`);
+    if (fence.opened?.length) lines4.push(`with: ${flow(fence.opened)}`);
+    if (fence.watch === "free") lines4.push("watch: free");
     if (fence.slow !== "auto") lines4.push(`slow: ${fence.slow}`);
     if (fence.boxes === "alike") lines4.push(`boxes: ${fence.boxes}`);
     if (fence.forces !== "shown") lines4.push(`forces: ${fence.forces}`);
@@ -6807,6 +6809,9 @@
       lines4.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
     for (const { set } of switches) lines4.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
+    const presets = Object.entries(fence.presets ?? {});
+    if (presets.length) lines4.push("presets:");
+    for (const [name, values] of presets) lines4.push(`  ${JSON.stringify(name)}: ${flow(values)}`);
     return `\`\`\`scene
 ${lines4.join("\n")}
 \`\`\`
@@ -6873,7 +6878,8 @@ ${lines4.join("\n")}
       const acts = {
         csv: () => {
           const { run, quantities, seen } = state();
-          download(`${fence.id}.csv`, csv(run, quantities, fence.camera, seen), "text/csv");
+          const table = csv(run, quantities, fence.camera, seen);
+          download(`${fence.id}.csv`, `\uFEFF${table}`, "text/csv");
         },
         svg: () => download(`${fence.id}.svg`, picture(root), "image/svg+xml"),
         png: async () => downloadBlob(`${fence.id}.png`, await asPng(picture(root))),

@@ -3739,6 +3739,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   // src/teach/session.js
   var PAUSE2 = 250;
   var BODY = "carts-teaching";
+  var KEPT_OUT = "(stands in the teacher's own file)";
   var Session = class {
     #looking = {};
     #timer = 0;
@@ -3753,7 +3754,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.link = link;
       this.base = told2.text ?? "";
       this.history = new History(this.base);
-      this.withheld = told2.withheld;
       const article = (
         /** @type {HTMLElement} */
         link.closest("article") ?? document.body
@@ -3763,6 +3763,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
     get text() {
       return this.history.text;
+    }
+    get withheld() {
+      return this.text.includes(KEPT_OUT);
     }
     get changed() {
       return this.text !== this.base;
@@ -3806,7 +3809,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     #takeBack(draft) {
       if (!draft || draft.text === this.text) return null;
       this.base = draft.base;
-      this.withheld = this.withheld && draft.base === this.told.text;
       this.history.change(draft.text, "");
       this.panel.kept(true);
       return draft;
@@ -3938,7 +3940,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const { text: text2, missing } = await restored(this.client, this.text, own);
       const same = await hashOf(own) === this.told.hash;
       if (same) this.base = own;
-      this.withheld = missing > 0;
       this.change(text2, "");
       this.panel.ownTaken(missing, same);
     }

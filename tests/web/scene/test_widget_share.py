@@ -111,6 +111,22 @@ def test_every_test_scene_can_be_copied_as_a_block() -> None:
         assert read_fence(plain).scene == read_fence({"id": "one", **scenes[name]}).scene, name
 
 
+def test_a_copied_block_has_its_views_buttons_and_whether_it_is_watched_first() -> None:
+    presets = {"elastic": {"contact.restitution": 1}, "schwer: auf leicht": {"A.mass": "4 kg"}}
+    scene = {key: value for key, value in MEETING.items() if key not in ("id", "controls")}
+    block = in_node(
+        """const { sceneBlock } = await import(source + "/scene/take-along/share.js");
+        give(sceneBlock({ id: "one", scene: data.scene, show: ["v"], slow: "auto", camera: 0,
+          forces: "shown", controls: [], opened: ["lens", "ruler"], watch: "free",
+          presets: data.presets }, {}));""",
+        {"scene": scene, "presets": presets},
+    )
+    read = read_fence(dict(load(block.removeprefix("```scene\n").removesuffix("```\n")).plain))
+    assert read.opened == ("lens", "ruler")
+    assert read.watch == "free"
+    assert read.presets == presets
+
+
 def test_the_table_tells_the_forces_of_effects_with_who_exerts_them() -> None:
     rough = {"friction": {"coefficient": "0.02"}}
     push = {"push": {"cart": "A", "force": "0.1 N", "until": "1 s", "by": "fan"}}

@@ -22,6 +22,8 @@ export function interactionsForm(root, changed, { objects, focus, key }) {
   const links = new Map(); // by their names
   /** @type {Record<string, string>} */
   let verdicts = {};
+  /** @type {boolean | null} */
+  let open = null; // whether it can be changed; null: nobody has said yet
   const radios = /** @type {HTMLInputElement[]} */ ([
     ...root.querySelectorAll(".carts-q-ways input"),
   ]);
@@ -137,6 +139,8 @@ export function interactionsForm(root, changed, { objects, focus, key }) {
       show();
     },
     enable(on) {
+      if (on === open) return; // nothing is drawn anew: who has just removed a line keeps the focus
+      open = on;
       for (const one of [...radios, first, how, second, add]) one.disabled = !on;
       diagram.enable(on);
       show();

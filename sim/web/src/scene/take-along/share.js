@@ -90,6 +90,8 @@ export function sceneBlock(fence, settings) {
     } else lines.push(`${key}: ${flow(value)}`);
   }
   lines.push(`show: ${flow(fence.show)}`);
+  if (fence.opened?.length) lines.push(`with: ${flow(fence.opened)}`);
+  if (fence.watch === "free") lines.push("watch: free");
   if (fence.slow !== "auto") lines.push(`slow: ${fence.slow}`);
   if (fence.boxes === "alike") lines.push(`boxes: ${fence.boxes}`);
   if (fence.forces !== "shown") lines.push(`forces: ${fence.forces}`);
@@ -101,6 +103,9 @@ export function sceneBlock(fence, settings) {
     lines.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
   }
   for (const { set } of switches) lines.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
+  const presets = Object.entries(fence.presets ?? {});
+  if (presets.length) lines.push("presets:");
+  for (const [name, values] of presets) lines.push(`  ${JSON.stringify(name)}: ${flow(values)}`);
   return `\`\`\`scene\n${lines.join("\n")}\n\`\`\`\n`;
 }
 
