@@ -6324,6 +6324,7 @@
   var WIDTH3 = 720;
   var GAP = 12;
   var LINE2 = 20;
+  var SIZE = 13;
   var PIXELS = 2;
   function picture(scene) {
     const paper = getComputedStyle(scene).getPropertyValue("--carts-paper") || "#fff";
@@ -6332,20 +6333,24 @@
     const sheet = svg("rect", { width: WIDTH3, fill: paper });
     whole.append(sheet);
     let y2 = GAP;
-    const write4 = (text, x2, at3, weight) => {
-      const line3 = svg("text", {
-        x: x2,
-        y: at3,
-        fill: ink,
-        "font-family": "sans-serif",
-        "font-size": 13,
-        "font-weight": weight
+    const write4 = (text, x2, at3, weight, width) => {
+      const lines4 = broken(text, width, weight);
+      lines4.forEach((words, k) => {
+        const line3 = svg("text", {
+          x: x2,
+          y: at3 + LINE2 * k,
+          fill: ink,
+          "font-family": "sans-serif",
+          "font-size": SIZE,
+          "font-weight": weight
+        });
+        line3.textContent = words;
+        whole.append(line3);
       });
-      line3.textContent = text;
-      whole.append(line3);
+      return lines4.length;
     };
-    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y2 + 12, "700");
-    y2 += LINE2 + 4;
+    const title = scene.querySelector(".carts-title")?.textContent ?? "";
+    y2 += LINE2 * write4(title, GAP, y2 + 12, "700", WIDTH3 - 2 * GAP) + 4;
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
       const drawn2 = alone2(stage);
@@ -6362,22 +6367,25 @@
         const plot2 = graph2.querySelector(".carts-plot");
         if (!plot2) return;
         const x2 = column * half;
-        write4(graph2.querySelector(".carts-graph-name")?.textContent ?? "", x2 + GAP, y2 + 12, "700");
+        const name = graph2.querySelector(".carts-graph-name")?.textContent ?? "";
+        write4(name, x2 + GAP, y2 + 12, "700", WIDTH3);
         const drawn2 = alone2(plot2);
         const height = place3(drawn2, x2, y2 + LINE2, half - GAP);
         whole.append(drawn2);
         const entries = [...graph2.querySelectorAll(".carts-key > span")];
-        entries.forEach((entry2, i2) => {
-          const at3 = y2 + LINE2 + height + 14 + LINE2 * i2;
+        let rows = 0;
+        for (const entry2 of entries) {
+          const at3 = y2 + LINE2 + height + 14 + LINE2 * rows;
           const sample = entry2.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
             place3(swatch, x2 + GAP, at3 - 10, 26);
             whole.append(swatch);
           }
-          write4(entry2.textContent ?? "", x2 + GAP + 34, at3, "400");
-        });
-        tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
+          const indent = GAP + (sample ? 34 : 0);
+          rows += write4(entry2.textContent ?? "", x2 + indent, at3, "400", half - indent - GAP);
+        }
+        tallest = Math.max(tallest, LINE2 + height + LINE2 * rows);
       });
       y2 += tallest + GAP;
     }
@@ -6411,6 +6419,18 @@
       made3.removeAttribute("class");
     });
     return copy;
+  }
+  function broken(text, width, weight) {
+    const pen = document.createElement("canvas").getContext("2d");
+    if (!pen) return [text];
+    pen.font = `${weight} ${SIZE}px sans-serif`;
+    const lines4 = [""];
+    for (const part of text.trim().split(/(?<=\s)|(?<=[\u3000-\u9fff])/u)) {
+      const longer = `${lines4.at(-1)}${part}`;
+      if (lines4.at(-1) && pen.measureText(longer.trimEnd()).width > width) lines4.push(part);
+      else lines4[lines4.length - 1] = longer;
+    }
+    return lines4.map((line3) => line3.trimEnd());
   }
   function place3(drawn2, x2, y2, width) {
     const [, , w2 = 1, h2 = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
@@ -6992,6 +7012,8 @@ ${lines4.join("\n")}
   // src/scene/live.js
   var Live = class {
     #waiting = deferred();
+    #linked = "";
+    // the address of a state that was followed
     constructor(element, client2, acts) {
       this.element = element;
       this.client = client2;
@@ -7005,6 +7027,14 @@ ${lines4.join("\n")}
     listen(signal) {
       this.client.addEventListener("state", () => this.follow(), { signal });
       this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
+      addEventListener("hashchange", () => this.#link(), { signal });
+      this.element.addEventListener(WATCHED, () => this.#link(), { signal });
+    }
+    #link() {
+      if (this.element.dataset.state !== "live" || !this.acts.told()) return;
+      if (this.#linked === location.hash) return;
+      this.#linked = location.hash;
+      this.acts.live();
     }
     still() {
       for (const kind2 of ["pointerdown", "keydown", "focusin"]) {
@@ -7040,7 +7070,7 @@ ${lines4.join("\n")}
         this.#mark();
         performance.mark("carts:live");
         this.#waiting.resolve(void 0);
-        this.acts.live();
+        this.#link();
       } catch (error) {
         if (this.client.state !== "failed") this.#fail(
           /** @type {Error} */

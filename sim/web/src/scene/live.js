@@ -3,6 +3,7 @@
 import { need, say } from "../shared/dom.js";
 import { deferred, frame } from "../shared/waiting.js";
 import * as words from "./element-words.js";
+import { WATCHED } from "./time/watch.js";
 
 /**
  * @typedef {{first: () => Promise<void>, told: () => boolean, stepwise: () => boolean, live: () => void,
@@ -12,6 +13,7 @@ import * as words from "./element-words.js";
 
 export class Live {
   #waiting = deferred();
+  #linked = ""; // the address of a state that was followed
 
   /** @param {HTMLElement} element @param {import("../runtime/client.js").Client} client @param {Acts} acts */
   constructor(element, client, acts) {
@@ -30,6 +32,17 @@ export class Live {
   listen(signal) {
     this.client.addEventListener("state", () => this.follow(), { signal });
     this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
+    // A link that is opened where the page is open already; and one that waited for a prediction.
+    addEventListener("hashchange", () => this.#link(), { signal });
+    this.element.addEventListener(WATCHED, () => this.#link(), { signal });
+  }
+
+  /** Follows the page's address, once, if it asks for a state of this scene. */
+  #link() {
+    if (this.element.dataset.state !== "live" || !this.acts.told()) return;
+    if (this.#linked === location.hash) return;
+    this.#linked = location.hash;
+    this.acts.live();
   }
 
   /** The picture stands: Python starts at the first touch at the latest. */
@@ -71,7 +84,7 @@ export class Live {
       this.#mark();
       performance.mark("carts:live");
       this.#waiting.resolve(undefined);
-      this.acts.live();
+      this.#link();
     } catch (error) {
       if (this.client.state !== "failed") this.#fail(/** @type {Error} */ (error));
     }

@@ -10,6 +10,7 @@ const PROPERTIES = [
 const WIDTH = 720;
 const GAP = 12;
 const LINE = 20;
+const SIZE = 13; // of letters
 const PIXELS = 2; // of the PNG per unit
 
 /** @param {HTMLElement} scene @returns {string} the text of an SVG file */
@@ -20,21 +21,25 @@ export function picture(scene) {
   const sheet = svg("rect", { width: WIDTH, fill: paper });
   whole.append(sheet);
   let y = GAP;
-  /** @param {string} text @param {number} x @param {number} at @param {string} weight */
-  const write = (text, x, at, weight) => {
-    const line = svg("text", {
-      x,
-      y: at,
-      fill: ink,
-      "font-family": "sans-serif",
-      "font-size": 13,
-      "font-weight": weight,
+  /** @param {string} text @param {number} x @param {number} at @param {string} weight @param {number} width @returns {number} how many lines it takes */
+  const write = (text, x, at, weight, width) => {
+    const lines = broken(text, width, weight);
+    lines.forEach((words, k) => {
+      const line = svg("text", {
+        x,
+        y: at + LINE * k,
+        fill: ink,
+        "font-family": "sans-serif",
+        "font-size": SIZE,
+        "font-weight": weight,
+      });
+      line.textContent = words;
+      whole.append(line);
     });
-    line.textContent = text;
-    whole.append(line);
+    return lines.length;
   };
-  write(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y + 12, "700");
-  y += LINE + 4;
+  const title = scene.querySelector(".carts-title")?.textContent ?? "";
+  y += LINE * write(title, GAP, y + 12, "700", WIDTH - 2 * GAP) + 4;
   const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
   if (stage) {
     const drawn = alone(stage);
@@ -51,22 +56,25 @@ export function picture(scene) {
       const plot = graph.querySelector(".carts-plot");
       if (!plot) return;
       const x = column * half;
-      write(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP, y + 12, "700");
+      const name = graph.querySelector(".carts-graph-name")?.textContent ?? "";
+      write(name, x + GAP, y + 12, "700", WIDTH);
       const drawn = alone(plot);
       const height = place(drawn, x, y + LINE, half - GAP);
       whole.append(drawn);
       const entries = [...graph.querySelectorAll(".carts-key > span")];
-      entries.forEach((entry, i) => {
-        const at = y + LINE + height + 14 + LINE * i;
+      let rows = 0;
+      for (const entry of entries) {
+        const at = y + LINE + height + 14 + LINE * rows;
         const sample = entry.querySelector("svg");
         if (sample) {
           const swatch = alone(sample);
           place(swatch, x + GAP, at - 10, 26);
           whole.append(swatch);
         }
-        write(entry.textContent ?? "", x + GAP + 34, at, "400");
-      });
-      tallest = Math.max(tallest, LINE + height + LINE * entries.length);
+        const indent = GAP + (sample ? 34 : 0);
+        rows += write(entry.textContent ?? "", x + indent, at, "400", half - indent - GAP);
+      }
+      tallest = Math.max(tallest, LINE + height + LINE * rows);
     });
     y += tallest + GAP;
   }
@@ -96,6 +104,20 @@ function alone(original) {
     made.removeAttribute("class");
   });
   return copy;
+}
+
+/** A text in lines of this width, broken between words, or between signs where there are no spaces. @param {string} text @param {number} width @param {string} weight @returns {string[]} */
+function broken(text, width, weight) {
+  const pen = document.createElement("canvas").getContext("2d");
+  if (!pen) return [text];
+  pen.font = `${weight} ${SIZE}px sans-serif`;
+  const lines = [""];
+  for (const part of text.trim().split(/(?<=\s)|(?<=[\u3000-\u9fff])/u)) {
+    const longer = `${lines.at(-1)}${part}`;
+    if (lines.at(-1) && pen.measureText(longer.trimEnd()).width > width) lines.push(part);
+    else lines[lines.length - 1] = longer;
+  }
+  return lines.map((line) => line.trimEnd());
 }
 
 /** @param {Element} drawn @param {number} x @param {number} y @param {number} width @returns {number} its height */
