@@ -5530,6 +5530,127 @@
     });
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
+  // src/scene/time/watch.js
+  var PROJECTED = "carts-projector";
+  var WATCHED = "carts-watched";
+  var Watch = class {
+    over = false;
+    // a run was seen to its end: values may be changed
+    whole = false;
+    // and so was that of each ready-made setting
+    constructor(element, baked, player, presets, acts) {
+      this.element = element;
+      this.player = player;
+      this.presets = presets;
+      this.acts = acts;
+      this.first = baked.fence.watch === "first";
+      this.asked = baked.fence.predict !== null;
+      this.button = /** @type {HTMLButtonElement | null} */
+      element.querySelector(".carts-end");
+      this.button?.addEventListener("click", () => {
+        if (this.whole) return compared(element).focus();
+        player.pause();
+        player.show(player.until);
+      });
+      if (this.first) player.seen = 0;
+      player.ended = () => this.finish(element.classList.contains(PROJECTED));
+      const before = this.first ? remembered() : [];
+      presets.seen(presets.names.filter((name) => !this.first || before.includes(this.#of(name))));
+      if (!this.asked && before.includes(this.#name)) this.#end();
+    }
+    finish(all = false) {
+      const begun2 = this.over;
+      const here = all ? this.presets.names : this.presets.pressed;
+      this.over = true;
+      this.player.seen = Infinity;
+      if (!this.whole) {
+        this.presets.seen(here);
+        if (!all) remember(here.map((name) => this.#of(name)));
+        this.#offer(false);
+      }
+      const done = !this.whole && this.presets.left.length === 0;
+      if (done) this.#end();
+      if (!begun2 || done) this.player.seek(this.player.time);
+      if (!begun2) this.acts.first();
+      if (done) {
+        this.acts.all();
+        this.#lead();
+      }
+    }
+    preset(name, draw) {
+      const { player } = this;
+      const waits = this.first && this.presets.left.includes(name);
+      const before = player.seen;
+      player.pause();
+      if (waits) player.seen = 0;
+      player.seek(0);
+      void draw().then((drawn2) => {
+        if (!waits) return;
+        if (!drawn2) {
+          player.seen = before;
+          return player.seek(0);
+        }
+        this.#offer(true);
+        player.play();
+      });
+    }
+    #end() {
+      this.over = true;
+      this.whole = true;
+      this.player.seen = Infinity;
+      this.presets.seen(this.presets.names);
+      this.#offer(false);
+      if (!this.asked) remember([this.#name]);
+      this.element.dataset.watched = "";
+      this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
+    }
+    #lead() {
+      if (!this.button || !this.asked || compared(this.element).hidden) return;
+      say(this.button, tr("My prediction ↓"));
+      this.#offer(true);
+    }
+    #offer(on) {
+      if (this.button) this.button.style.visibility = on ? "" : "hidden";
+    }
+    get #name() {
+      return nameOf2(this.element);
+    }
+    #of(preset) {
+      return `${this.#name}/${preset}`;
+    }
+  };
+  var compared = (element) => need(element, ".carts-compared");
+  var KEY = "carts-watched";
+  function remembered() {
+    return recall(KEY) ?? [];
+  }
+  function forgetWatched(element) {
+    const name = nameOf2(element);
+    delete element.dataset.watched;
+    const others = remembered().filter((one) => one !== name && !one.startsWith(`${name}/`));
+    retain(KEY, others);
+  }
+  var nameOf2 = (element) => `${location.pathname}#${element.id}`;
+  function remember(names) {
+    if (names.length) retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
+  }
+
   // src/scene/how/words.js
   var LOCKED = tr(
     "Make your prediction and lock it first. Then you can see how the run is computed."
@@ -5794,6 +5915,7 @@
       this.details = /** @type {HTMLDetailsElement} */
       need(root, ".carts-how");
       this.details.addEventListener("toggle", () => this.#opened());
+      root.addEventListener(WATCHED, () => this.#opened());
     }
     async follow(run) {
       this.#exact = run;
@@ -5820,7 +5942,7 @@
       const watched = this.view.player.seen === Infinity;
       if (!isTold(run) || !watched) {
         this.#panel = this.#proof = null;
-        place4.replaceChildren(html("p", "", watched ? LOCKED : UNWATCHED));
+        place4.replaceChildren(html("p", "", isTold(run) ? UNWATCHED : LOCKED));
         return;
       }
       if (!this.#panel) {
@@ -6046,127 +6168,6 @@
   function thingIn({ track }, target) {
     const side = /^track\.(left|right)_is$/.exec(target)?.[1];
     return side ? whatIs(side, track) : "";
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
-  }
-
-  // src/scene/time/watch.js
-  var PROJECTED = "carts-projector";
-  var WATCHED = "carts-watched";
-  var Watch = class {
-    over = false;
-    // a run was seen to its end: values may be changed
-    whole = false;
-    // and so was that of each ready-made setting
-    constructor(element, baked, player, presets, acts) {
-      this.element = element;
-      this.player = player;
-      this.presets = presets;
-      this.acts = acts;
-      this.first = baked.fence.watch === "first";
-      this.asked = baked.fence.predict !== null;
-      this.button = /** @type {HTMLButtonElement | null} */
-      element.querySelector(".carts-end");
-      this.button?.addEventListener("click", () => {
-        if (this.whole) return compared(element).focus();
-        player.pause();
-        player.show(player.until);
-      });
-      if (this.first) player.seen = 0;
-      player.ended = () => this.finish(element.classList.contains(PROJECTED));
-      const before = this.first ? remembered() : [];
-      presets.seen(presets.names.filter((name) => !this.first || before.includes(this.#of(name))));
-      if (!this.asked && before.includes(this.#name)) this.#end();
-    }
-    finish(all = false) {
-      const begun2 = this.over;
-      const here = all ? this.presets.names : this.presets.pressed;
-      this.over = true;
-      this.player.seen = Infinity;
-      if (!this.whole) {
-        this.presets.seen(here);
-        if (!all) remember(here.map((name) => this.#of(name)));
-        this.#offer(false);
-      }
-      const done = !this.whole && this.presets.left.length === 0;
-      if (done) this.#end();
-      if (!begun2 || done) this.player.seek(this.player.time);
-      if (!begun2) this.acts.first();
-      if (done) {
-        this.acts.all();
-        this.#lead();
-      }
-    }
-    preset(name, draw) {
-      const { player } = this;
-      const waits = this.first && this.presets.left.includes(name);
-      const before = player.seen;
-      player.pause();
-      if (waits) player.seen = 0;
-      player.seek(0);
-      void draw().then((drawn2) => {
-        if (!waits) return;
-        if (!drawn2) {
-          player.seen = before;
-          return player.seek(0);
-        }
-        this.#offer(true);
-        player.play();
-      });
-    }
-    #end() {
-      this.over = true;
-      this.whole = true;
-      this.player.seen = Infinity;
-      this.presets.seen(this.presets.names);
-      this.#offer(false);
-      if (!this.asked) remember([this.#name]);
-      this.element.dataset.watched = "";
-      this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
-    }
-    #lead() {
-      if (!this.button || !this.asked || compared(this.element).hidden) return;
-      say(this.button, tr("My prediction ↓"));
-      this.#offer(true);
-    }
-    #offer(on) {
-      if (this.button) this.button.style.visibility = on ? "" : "hidden";
-    }
-    get #name() {
-      return nameOf2(this.element);
-    }
-    #of(preset) {
-      return `${this.#name}/${preset}`;
-    }
-  };
-  var compared = (element) => need(element, ".carts-compared");
-  var KEY = "carts-watched";
-  function remembered() {
-    return recall(KEY) ?? [];
-  }
-  function forgetWatched(element) {
-    const name = nameOf2(element);
-    delete element.dataset.watched;
-    const others = remembered().filter((one) => one !== name && !one.startsWith(`${name}/`));
-    retain(KEY, others);
-  }
-  var nameOf2 = (element) => `${location.pathname}#${element.id}`;
-  function remember(names) {
-    if (names.length) retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
   }
 
   // src/scene/projector.js

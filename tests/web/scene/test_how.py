@@ -194,5 +194,8 @@ def test_before_the_lock_it_tells_nothing(open_page: OpenPage, widget_site: Path
     assert "how" not in asked(page)
     page.locator("#guessed .carts-options input").first.check()
     page.locator("#guessed .carts-lock").click()
+    expect(body).to_have_text(re.compile("^Watch the run to its end first"))
+    assert "how" not in asked(page)
+    page.locator("#guessed .carts-end").click()
     expect(page.locator("#guessed .carts-how-plan li").first).to_be_visible(timeout=LIVE)
     expect(page.locator("#guessed .carts-how-method")).to_have_value("exact")

@@ -8,6 +8,7 @@ import { besideScript } from "../../runtime/page-python.js";
 import { bring } from "../../shared/bring.js";
 import { html, need, say } from "../../shared/dom.js";
 import { refusal } from "../../shared/waiting.js";
+import { WATCHED } from "../time/watch.js";
 import { HowPanel } from "./panel.js";
 import * as words from "./words.js";
 
@@ -42,6 +43,7 @@ export class How {
     this.message = message;
     this.details = /** @type {HTMLDetailsElement} */ (need(root, ".carts-how"));
     this.details.addEventListener("toggle", () => this.#opened());
+    root.addEventListener(WATCHED, () => this.#opened());
   }
 
   /** A new exact run: it is shown, or its scene step by step. @param {Run} run */
@@ -75,7 +77,7 @@ export class How {
     const watched = this.view.player.seen === Infinity;
     if (!isTold(run) || !watched) {
       this.#panel = this.#proof = null;
-      place.replaceChildren(html("p", "", watched ? words.LOCKED : words.UNWATCHED));
+      place.replaceChildren(html("p", "", isTold(run) ? words.UNWATCHED : words.LOCKED));
       return;
     }
     if (!this.#panel) {
