@@ -41,7 +41,6 @@ class Blow:
     impulse: float
     warmed: float  # J
     let_go: LooseForce | None = None  # then nothing has happened yet
-    time: float = 0.0  # s, when that was
 
 
 class Impacts:
@@ -78,7 +77,7 @@ class Impacts:
             if pair.loose:
                 self.fall_off(pair, s, v)
         while self.releases and self.releases[0].time <= t:
-            self.set_free(self.releases.pop(0), t, s, v)
+            self.set_free(self.releases.pop(0), s, v)
         self.strike([pair for pair in self.sudden if field.overlap(pair, s, v)[0] >= 0.0], s, v)
 
     def strike(self, touching: list[Pair], s: Row, v: Row) -> None:
@@ -136,7 +135,7 @@ class Impacts:
             if pair.contact.joins:
                 self.field.join(pair.gap)
 
-    def set_free(self, release: EnergyRelease, t: float, s: Row, v: Row) -> None:
+    def set_free(self, release: EnergyRelease, s: Row, v: Row) -> None:
         """½ mu w'² = ½ mu w² + E, where the two touch; or from now on a spring is between them."""
         field = self.field
         pair = field.pair_at[release.gap]
@@ -152,7 +151,7 @@ class Impacts:
             pair.links, pair.loose = (*pair.links, spring), (*pair.loose, spring)
             self.springs.remove(release)
             now = (v1, v2)
-            self.blows.append(Blow(release.kind, pair, now, now, 0.0, 0.0, spring, t))
+            self.blows.append(Blow(release.kind, pair, now, now, 0.0, 0.0, spring))
             return
         apart = math.sqrt((v2 - v1) ** 2 + 2.0 * release.energy / mu)
         change = apart - (v2 - v1)

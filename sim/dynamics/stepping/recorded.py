@@ -102,7 +102,8 @@ class Recorder:
                 if gap == pair.gap
             )
             self._from_wall(pair.left, pair.right, impulses[pair.gap] + linked)
-        self._springs(t, weighted)
+        for gap, loose in self.story.loose.items():
+            loose.impulse += math.fsum(w * d.links.get((loose.kind, gap), 0.0) for w, d in weighted)
         for weight, detail in weighted:
             for (kind, k), force in detail.outside.items():
                 ledger.push_from_outside(weight * force, kind)
@@ -126,15 +127,6 @@ class Recorder:
         self.count += 1
         if self.count % self.every == 0 or t >= self.scene.until:
             self._row(t, a, detail)
-
-    def _springs(self, t: float, weighted: list[tuple[float, Detail]]) -> None:
-        """What loose springs gave in a step, those that were let go at its beginning too."""
-        blows = self.run.impacts.blows
-        for blow in [one for one in blows if one.let_go is not None and one.time < t]:
-            self.story.blow(t, blow)
-            blows.remove(blow)
-        for gap, loose in self.story.loose.items():
-            loose.impulse += math.fsum(w * d.links.get((loose.kind, gap), 0.0) for w, d in weighted)
 
     def _bumpers(self, push: Row) -> None:
         """What a step left in the bumpers for good."""
