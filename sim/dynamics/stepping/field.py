@@ -46,6 +46,7 @@ class Field:
         self.force_time: float | None = None  # s, inside a step that no switch falls into
         self.joined: set[int] = set()  # gaps whose bodies move as one
         self.held: set[int] = set()  # those of them that a pressed bumper keeps, see `held`
+        self.spent: set[int] = set()  # gaps whose bumpers a release has parted, see `spent`
         self.bodies = [[k] for k in range(self.count)]
         self.grips = self._grips()
         self.releases = sorted(
@@ -118,7 +119,7 @@ class Field:
                 continue
             d, rate = self.overlap(pair, s, v)
             force = pair.force
-            if force is None:
+            if force is None or gap in self.spent:
                 pass
             elif self.modes is not None:
                 push[gap] = force.on(self.modes[gap], d, rate, self.memory[gap])

@@ -16,6 +16,7 @@ from typing import Any
 from sim.dynamics.motion.hit_in_turn import at_once_for_ever
 from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.motion.locked import impulses
+from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
 from sim.effects.forces import EnergyRelease, LooseForce
@@ -55,6 +56,7 @@ class Impacts:
         self.loosens = bool(self.springs)
         self.watches = bool(self.sudden or self.releases)
         self.blows: list[Blow] = []
+        self.spilled = 0.0  # J that parted bumpers kept, less what pressed ones got back
 
     def latch(self, s: Row, v: Row) -> None:
         """Exploders hold together what touches with one velocity at the start."""
@@ -73,6 +75,11 @@ class Impacts:
             field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
         if not self.watches:
             return
+        if field.spent and field.modes is None:
+            for pair in [field.pair_at[gap] for gap in sorted(field.spent)]:
+                opens, over = spent.reserves(field, pair, s, v)
+                if min(opens, over) <= 0.0:
+                    self.spilled -= spent.end(field, pair, s, v, pressed=over > 0.0)
         for pair in field.pairs if self.loosens else ():
             if pair.loose:
                 self.fall_off(pair, s, v)
@@ -142,6 +149,7 @@ class Impacts:
         d, _ = field.overlap(pair, s, v)
         if pair.gap in field.joined:
             field.join(pair.gap, part=True)
+            field.held.discard(pair.gap)
         elif d < -TOUCHING:
             return
         (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
@@ -153,6 +161,8 @@ class Impacts:
             now = (v1, v2)
             self.blows.append(Blow(release.kind, pair, now, now, 0.0, 0.0, spring))
             return
+        if pair.gap not in field.spent:
+            self.spilled += spent.part(field, pair, s, v)
         apart = math.sqrt((v2 - v1) ** 2 + 2.0 * release.energy / mu)
         change = apart - (v2 - v1)
         out = v1 - mu / m1 * change, v2 + mu / m2 * change
@@ -166,9 +176,9 @@ class Impacts:
         """Springs that have their full length push no more; `now`: the longest has it."""
         d, _ = self.field.overlap(pair, s, v)
         length = max(-d, min(spring.reach for spring in pair.loose) if now else -d)
-        spent = [spring for spring in pair.loose if spring.reach <= length]
-        pair.loose = tuple(spring for spring in pair.loose if spring not in spent)
-        pair.links = tuple(link for link in pair.links if link not in spent)
+        gone = [spring for spring in pair.loose if spring.reach <= length]
+        pair.loose = tuple(spring for spring in pair.loose if spring not in gone)
+        pair.links = tuple(link for link in pair.links if link not in gone)
 
     @property
     def latched(self) -> float:

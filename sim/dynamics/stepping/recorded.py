@@ -18,12 +18,12 @@ from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.result.trajectory import Trajectory
+from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
-from sim.dynamics.stepping.pairs import Detail, Pair, Row
+from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.stepper import Stepper
 from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
-from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 
 MOST_ROWS = 20_000
@@ -82,6 +82,7 @@ class Recorder:
         self.v = list(self.run.v)
         self._links(first=True)
         a, detail = self._now(0.0)
+        self._hold(detail.push)
         self.ledger.stored_initial = self._stored(detail.push)
         self._row(0.0, a, detail)
 
@@ -115,6 +116,8 @@ class Recorder:
         a, detail = self._now(t)
         self.story.step(t, self.v, run.v, run.s, detail.push, impulses)
         self._bumpers(detail.push)
+        ledger.dissipate(run.impacts.spilled)
+        run.impacts.spilled = 0.0
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
             self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
@@ -135,12 +138,24 @@ class Recorder:
             gap = pair.gap
             if pair.force is not None:
                 d, rate = field.overlap(pair, self.run.s, self.run.v)
-                stored = _stored(pair, d, rate, 0.0)
+                stored = spent.stored(pair, d, rate, 0.0)
+                if gap in field.spent and not pair.force.remembers:
+                    self.held[gap] = 0.0  # told by the release
                 warm, self.held[gap] = pair.force.settle(
                     self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
                 )
                 if warm:
                     self.ledger.dissipate(warm)
+
+    def _hold(self, push: Row) -> None:
+        """What bumpers that overlap at the start had taken before: that is no part of the run."""
+        field = self.run.field
+        for pair in field.pairs:
+            if pair.force is not None:
+                d, rate = field.overlap(pair, self.run.s, self.run.v)
+                self.held[pair.gap] = pair.force.settle(
+                    0.0, push[pair.gap], field.memory[pair.gap], spent.stored(pair, d, rate, 0.0)
+                )[1]
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
@@ -173,9 +188,9 @@ class Recorder:
         """J in the contacts that push."""
         field = self.run.field
         return math.fsum(
-            _stored(pair, *field.overlap(pair, self.run.s, self.run.v), field.memory[pair.gap])
+            spent.stored(pair, *field.overlap(pair, self.run.s, self.run.v), field.memory[pair.gap])
             for pair in field.pairs
-            if push[pair.gap]
+            if push[pair.gap] or pair.gap in field.joined  # a latch holds bumpers without a push
         )
 
     def _links(self, *, first: bool) -> None:
@@ -209,11 +224,6 @@ class Recorder:
             stopped=None,
         )
         return SteppedRun(finished, self.way, Trajectory(self.columns), run.steps, evaluations)
-
-
-def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
-    law = contact_law(pair.contact)
-    return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
 
 
 def _outside(scene: Scene) -> list[tuple[str, int]]:
