@@ -42,6 +42,13 @@ class Blow:
     impulse: float
     warmed: float  # J
     let_go: LooseForce | None = None  # then nothing has happened yet
+    fixed: tuple[bool, bool] = (False, False)  # sides that stuck to a wall by then
+
+    @property
+    def sides(self) -> tuple[int | None, int | None]:
+        """The carts that took the impulse; None: a wall did, by itself or through a cart on it."""
+        left, right = self.fixed
+        return (None if left else self.pair.left), (None if right else self.pair.right)
 
 
 class Impacts:
@@ -134,7 +141,9 @@ class Impacts:
             u, w = sides[k][2] - sides[k + 1][2], out[k + 1] - out[k]
             impulse = found[k] if found else mu * (u + w)
             around = (sides[k][2], sides[k + 1][2]), (out[k], out[k + 1])
-            self.blows.append(Blow("", pair, *around, impulse, 0.5 * impulse * (u - w)))
+            warmed = 0.5 * impulse * (u - w)
+            fixed = sides[k][0] == math.inf, sides[k + 1][0] == math.inf
+            self.blows.append(Blow("", pair, *around, impulse, warmed, fixed=fixed))
         for (_, carts, _), speed in zip(sides, out, strict=True):
             for k in carts:
                 v[k] = speed
@@ -170,7 +179,9 @@ class Impacts:
             for k in body:
                 v[k] = speed
         warmed = 0.5 * mu * (v1 - v2 + apart) * (v1 - v2 - apart)
-        self.blows.append(Blow(release.kind, pair, (v1, v2), out, mu * change, warmed))
+        fixed = m1 == math.inf, m2 == math.inf
+        around = (v1, v2), out
+        self.blows.append(Blow(release.kind, pair, *around, mu * change, warmed, fixed=fixed))
 
     def fall_off(self, pair: Pair, s: Row, v: Row, *, now: bool = False) -> None:
         """Springs that have their full length push no more; `now`: the longest has it."""

@@ -19,6 +19,7 @@ from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping import spent
+from sim.dynamics.stepping.joint_forces import WALLS
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.stepper import Stepper
@@ -108,7 +109,8 @@ class Recorder:
         for weight, detail in weighted:
             for (kind, k), force in detail.outside.items():
                 ledger.push_from_outside(weight * force, kind)
-                ledger.work(kind, weight * force * detail.v[k])
+                if kind != WALLS:
+                    ledger.work(kind, weight * force * detail.v[k])
             ledger.dissipate(weight * detail.warming)
             for kind, power in detail.damped.items():
                 if power:
@@ -120,7 +122,7 @@ class Recorder:
         run.impacts.spilled = 0.0
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
-            self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
+            self._from_wall(*blow.sides, blow.impulse)
             if blow.release and blow.let_go is None:
                 ledger.work(blow.release, -blow.warmed)
             elif not blow.release:
