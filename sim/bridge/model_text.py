@@ -58,7 +58,8 @@ def model_text(scene: Scene) -> str:
     if kicked or moves:
         text += text_of.GROUPS if joins else text_of.ALONE
     text += text_of.STEP
-    text += _contact_forces(dict.fromkeys(c.law for c in contacts if not c.sudden))
+    before = "".join(one.contact for one in pieces)
+    text += _contact_forces(dict.fromkeys(c.law for c in contacts if not c.sudden), before)
     text += "".join(one.force for one in pieces)
     text += moves or (text_of.MOVE if joins else text_of.MOVE_ALONE)
     text += text_of.IMPACTS.replace("JOINING", repr(joining)) if sudden else ""
@@ -86,13 +87,16 @@ def _contacts(scene: Scene) -> list[tuple[int | None, int | None, str, float, fl
     return found
 
 
-def _contact_forces(laws: Iterable[str]) -> str:
-    """The force of each law that is there; a law without lines of its own cannot be left out."""
+def _contact_forces(laws: Iterable[str], before: str) -> str:
+    """The force of each law that is there; a law without lines of its own cannot be left out.
+
+    `before`: lines that say where there is none.
+    """
     text = ""
     for law in laws:
         size = import_module(f"sim.laws.{folder_of(law)}.model").SIZE
         text += f'        {"elif" if text else "if"} law == "{law}":\n' + indent(size, " " * 12)
-    return text_of.CONTACTS + text + text_of.PUSH_APART if text else ""
+    return text_of.CONTACTS + before + text + text_of.PUSH_APART if text else ""
 
 
 def _pieces(scene: Scene) -> dict[str, Piece]:

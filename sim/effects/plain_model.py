@@ -21,14 +21,17 @@ Row = tuple[object, ...]
 class Piece:
     """`rows` gives an effect's entries of the list; the texts are lines of the program.
 
-    `force` adds to the forces of a step. `move` takes the place of the lines that move the carts.
-    `after` stands at the end of the step, with what it needs after it. `joins`: carts may move as
-    one. `quarter` [s]: the shortest quarter swing, which the program's step has to resolve.
+    `contact` stands in the loop over the contacts, where the overlap d, its rate s and the number k
+    of one are known, before its force. `force` adds to the forces of a step. `move` takes the place
+    of the lines that move the carts. `after` stands at the end of the step, with what it needs
+    after it. `joins`: carts may move as one. `quarter` [s]: the shortest quarter swing, which the
+    program's step has to resolve.
     """
 
     name: str
     says: str
     rows: Callable[[Effect, Scene], list[Row]]
+    contact: str = ""
     force: str = ""
     move: str = ""
     after: str = ""

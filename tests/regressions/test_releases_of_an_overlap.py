@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 from typing import Any
 
 import pytest
 
+from sim.bridge.model_text import model_text
 from sim.dynamics.loop.run import run
-from sim.scene import read_scene
+from sim.dynamics.result.energy_parts import energy_parts
+from sim.dynamics.result.trajectory import trajectory
+from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.recorded import stepped
+from sim.scene import Scene, read_scene
 from tests.reference.effects import integrate
 
 BESIDE: dict[str, list[dict[str, Any]]] = {
@@ -66,3 +73,117 @@ def test_bumpers_that_a_release_parts_push_when_they_are_pressed_again(
     assert done.record.counts["contact"] >= 2
     assert done.x[1] - done.x[0] > 0.15
     assert done.ledger.imbalance() < 1e-12
+
+
+K, OVERLAP, E = 500, 0.02, 0.1
+LAWS = [("bumper", 1), ("bumper", 0.5), ("bumper", 0), ("paper", 0.5), ("push-only", 0.5)]
+STEPPED = [
+    Way("rk4", step=1e-4),
+    Way("rk4-events", step=1e-3),
+    Way("rk45", rtol=1e-9),
+    Way("adaptive", rtol=1e-9),
+]
+
+
+def squeezed(law: str, e: float, **more: Any) -> Scene:
+    """Two carts of 1 kg at rest with 2 cm of overlap, and 0.1 J that are set free at 0.5 s."""
+    return read_scene(
+        {
+            "carts": {"A": {"mass": 1, "position": 1}, "B": {"mass": 1, "position": "1.18"}},
+            "contact": {"law": law, "restitution": e, "stiffness": K},
+            "effects": [{"release": {"between": ["A", "B"], "energy": E, "at": 0.5}}],
+            "until": 1,
+        }
+        | more
+    )
+
+
+def recoverable(law: str, e: float) -> float:
+    """J. k d²/2; of a bumper e² of it."""
+    return 0.5 * K * OVERLAP**2 * (e * e if law == "bumper" else 1.0)
+
+
+def printed(scene: Scene) -> list[float]:
+    """x and v of all carts in the last line of the program in plain Python."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        exec(compile(model_text(scene), "program", "exec"), {})
+    carts = out.getvalue().splitlines()[-1].split(" | ")[1:]
+    return [float(number) for cart in carts for number in cart.split(", ")]
+
+
+@pytest.mark.parametrize(("law", "e"), LAWS)
+def test_what_a_latch_keeps_squeezed_is_stored_until_it_opens_and_warm_from_then_on(
+    law: str, e: float
+) -> None:
+    done, held = run(squeezed(law, e)), recoverable(law, e)
+    assert done.v == pytest.approx((-(E**0.5), E**0.5), abs=1e-15)  # E alone moves them
+    assert done.ledger.stored_initial == pytest.approx(held, abs=1e-14)
+    assert done.ledger.stored_final == 0.0
+    assert done.ledger.warmed == pytest.approx(held, abs=1e-14)
+    assert done.ledger.imbalance() < 1e-12
+    samples = trajectory(done)
+    parts, times = energy_parts(done, samples), samples.columns[("t",)]
+    opened = len(times) - 1 - list(times)[::-1].index(0.5)  # the second of the two samples there
+    for k in range(len(times)):
+        before = k < opened
+        assert parts["bumpers"][k] == pytest.approx(held if before else 0.0, abs=1e-12 * E)
+        assert parts["warmed"][k] == pytest.approx(0.0 if before else held, abs=1e-12 * E)
+
+
+@pytest.mark.parametrize(("law", "e"), LAWS)
+def test_a_latch_that_never_opens_keeps_what_it_holds(law: str, e: float) -> None:
+    done = run(squeezed(law, e, until=0.25))
+    assert done.ledger.stored_initial == pytest.approx(recoverable(law, e), abs=1e-14)
+    assert done.ledger.stored_final == done.ledger.stored_initial
+    assert done.ledger.warmed == 0.0
+
+
+@pytest.mark.parametrize("way", STEPPED, ids=lambda way: way.method)
+@pytest.mark.parametrize(("law", "e"), LAWS)
+def test_no_stepper_gets_energy_out_of_bumpers_that_a_release_has_parted(
+    law: str, e: float, way: Way
+) -> None:
+    """They gave ±0.447 m/s, with 0.1 J from nowhere, and no shorter step could cure it."""
+    done = stepped(squeezed(law, e), way)
+    assert done.run.v == pytest.approx((-(E**0.5), E**0.5), abs=1e-12)
+    assert done.run.ledger.warmed == pytest.approx(recoverable(law, e), abs=1e-12)
+    assert abs(done.lost_energy) < 1e-12
+    assert [event.kind for event in done.run.record.events] == ["release", "end"]
+
+
+@pytest.mark.parametrize(("law", "e"), LAWS)
+def test_the_program_gets_no_energy_out_of_them_either(law: str, e: float) -> None:
+    a, b = 1 - 0.5 * E**0.5, 1.18 + 0.5 * E**0.5
+    assert printed(squeezed(law, e)) == pytest.approx([a, -(E**0.5), b, E**0.5], abs=2e-4)
+
+
+def pressed_again(law: str, e: float) -> Scene:
+    """C comes from behind and presses A against B, while what the release parted overlaps still."""
+    carts = {
+        "C": {"mass": 1, "position": "0.67", "velocity": "0.5"},
+        "A": {"mass": 1, "position": "1"},
+        "B": {"mass": 1, "position": "1.18"},
+    }
+    release = {"release": {"between": ["A", "B"], "energy": "0.0002", "at": "0.2"}}
+    return squeezed(law, e, carts=carts, effects=[release])
+
+
+@pytest.mark.parametrize("way", STEPPED[:3], ids=lambda way: way.method)
+@pytest.mark.parametrize(("law", "e"), [one for one in LAWS if one[1]])
+def test_bumpers_pressed_again_get_back_what_they_hold_in_every_account(
+    law: str, e: float, way: Way
+) -> None:
+    """The exact run, a stepper and the program agree, and both accounts close."""
+    scene = pressed_again(law, e)
+    true, done = run(scene), stepped(scene, way)
+    assert {event.t for event in true.record.events if event.bodies == ("A", "B")} - {0.2}
+    assert true.ledger.imbalance() < 1e-12
+    near = 2e-3 if way.method == "rk4" else 1e-6  # the force jumps within a step of 1e-4 s
+    assert done.run.v == pytest.approx(true.v, abs=near)
+    assert done.run.ledger.warmed == pytest.approx(true.ledger.warmed, abs=near)
+    assert abs(done.lost_energy) < near
+    assert printed(scene)[1::2] == pytest.approx(list(true.v), abs=1e-2)
+    warmed = energy_parts(true, trajectory(true))["warmed"]
+    assert min(warmed) > -1e-9
+    assert warmed[-1] == pytest.approx(true.ledger.warmed, abs=1e-9)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from sim.dynamics.loop import synchronise
+from sim.dynamics.loop import still, synchronise
 from sim.dynamics.loop.calendar import Calendar
 from sim.dynamics.loop.predictions import Predictions
 from sim.dynamics.loop.select_solver import select_solvers
@@ -56,6 +56,8 @@ class Forming:
                 self.calendar.gap(solver.members[0], now, solver.duration)
             elif ready:
                 self.calendar.body(solver.bodies[0], now, solver.duration)
+        if self.forces is not None:
+            still.begin(bodies, now, self.forces)
         for body, before in zip(bodies, held, strict=True):
             if body.held != before and now != ZERO:
                 self.record.moment("stop" if body.held else "start", body, now)

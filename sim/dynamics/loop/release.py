@@ -20,19 +20,34 @@ TOUCHING = 1e-12
 """m. Room that rounding leaves between two carts that touch."""
 
 
-def latch(chain: Chain, release: EnergyRelease, record: Record) -> None:
-    """Two that touch at the start with one velocity stay together until they are set free."""
+def latch(chain: Chain, release: EnergyRelease, record: Record, ledger: Ledger) -> None:
+    """Two that touch at the start with one velocity stay together until they are set free.
+
+    Bumpers that overlap hold their energy meanwhile, as those of any overlap at the start do.
+    """
     gap = chain.gaps[release.gap]
     if gap is not None and gap.room <= 0.0 and gap.rate == 0.0 and not gap.joined:
+        if gap.law is not None:
+            gap.memory = gap.law.remember(-gap.room, gap.memory)
         impacts.merge(chain, gap, ZERO, record)
+        ledger.stored_initial += held(gap)
+
+
+def held(gap: Gap) -> float:
+    """J in the bumpers of a gap whose bodies a latch keeps together; 0 elsewhere."""
+    if not gap.joined or gap.law is None:
+        return 0.0
+    return gap.law.stored(-gap.room, 0.0, gap.memory)
 
 
 def set_free(
     chain: Chain, gap: Gap, release: EnergyRelease, now: Time, record: Record, ledger: Ledger
 ) -> bool:
     """½ mu w'² = ½ mu w² + E for the speed of separation w. False where the two do not touch."""
-    if gap.joined:
+    if gap.joined:  # what the latch kept squeezed is no part of the energy either
+        ledger.dissipate(held(gap))
         split(chain, gap, now, record)
+        gap.spent = gap.law is not None and gap.room < 0.0
     elif gap.touching is None:
         gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
         if gap.room > TOUCHING:

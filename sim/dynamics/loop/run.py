@@ -115,7 +115,7 @@ def _start_with_effects(sim: Simulation, forces: Forces) -> None:
     """Latches, overlaps at the start, springs and magnets; then all solvers at once."""
     _store(sim, first=True)
     for number, one in enumerate(forces.releases):
-        release.latch(sim.chain, one, sim.record)
+        release.latch(sim.chain, one, sim.record, sim.ledger)
         sim.calendar.from_outside(number, one.time)
     for t in forces.switches:
         sim.calendar.from_outside(len(forces.releases), t)
@@ -191,6 +191,8 @@ def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
             ledger.stored_final += gap.law.stored(-gap.room, -gap.rate, gap.memory)
     if sim.forces is not None:
         _store(sim, first=False)
+        latched = (gap for gap in sim.chain.gaps if gap is not None)
+        ledger.stored_final += math.fsum(map(release.held, latched))
     x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
     for body in bodies:
         if len(body.carts) == 1:

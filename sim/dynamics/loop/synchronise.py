@@ -8,6 +8,7 @@ brought to that instant, and what the motions did is booked.
 
 from __future__ import annotations
 
+from sim.dynamics.loop import still
 from sim.dynamics.loop.pair_laws import outside
 from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.result.ledger import Ledger
@@ -71,6 +72,9 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
         ):
             _settle_gap(motion, gap, part, now, record, ledger)
         record.finished(motion, now[0])
+    for body in bodies:
+        if body.still is not None:
+            still.book(body, now, ledger)
     for body, shift, v in moved:
         body.x, body.v, body.time, body.motion = body.x + shift, v, now, None
     for gap in gaps:

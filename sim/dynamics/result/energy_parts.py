@@ -27,6 +27,9 @@ from sim.scene.model import Contact, Scene
 TOUCH = 1e-12
 """m. An overlap below that is rounding."""
 
+ROUNDING = 1e-14
+"""Of the forces of springs between two. What is left beside them of a force is none."""
+
 Parts = dict[str, "array[float]"]
 
 
@@ -38,7 +41,7 @@ def energy_parts(run: Run, samples: Trajectory) -> Parts:
     names = account.names
     found: Parts = {name: array("d") for name in (*names, "warmed")}
     at_first = dict.fromkeys(names, 0.0) | account.stored(
-        [c.position for c in scene.carts], [c.velocity for c in scene.carts], 0.0, {}
+        [c.position for c in scene.carts], [c.velocity for c in scene.carts], 0.0, {}, before=True
     )
     whole = math.fsum([kinetic(scene, [c.velocity for c in scene.carts]), *at_first.values()])
     pairs = {gap: ("F", "-".join(scene.names_at(gap))) for gap in range(len(scene.contacts))}
@@ -47,8 +50,8 @@ def energy_parts(run: Run, samples: Trajectory) -> Parts:
         x = [columns[("x", c.name)][k] for c in scene.carts]
         v = [columns[("v", c.name)][k] for c in scene.carts]
         forces = {gap: columns[key][k] for gap, key in pairs.items() if key in columns}
-        stored = account.stored(x, v, t, forces)
         first_of_two = k + 1 < len(times) and times[k + 1] == t
+        stored = account.stored(x, v, t, forces, before=first_of_two)
         given = account.given(x, t, before=first_of_two)
         for name in names:
             found[name].append(stored[name] if name in stored else given[name])
@@ -91,6 +94,7 @@ class _Account:
         self.giving = [name for name, kind in known.items() if kind.gives]
         self.storing = [*(["bumpers"] if lasting else []), *in_gaps, *in_places]
         self.names = tuple(dict.fromkeys((*self.storing, *self.giving)))
+        self.joints = run.record.joints
         self.heights, self.pushes = _body_forces(run, self.acting)
         happened = {(e.t, e.bodies) for e in run.record.events if e.kind == "release"}
         every = [release for effect in self.acting for release in effect.releases()]
@@ -105,9 +109,12 @@ class _Account:
         ]
 
     def stored(
-        self, x: list[float], v: list[float], t: float, forces: dict[int, float]
+        self, x: list[float], v: list[float], t: float, forces: dict[int, float], *, before: bool
     ) -> dict[str, float]:
-        """J by kind at t s. `forces` [N] by gap: all that a pair does to each other, links too."""
+        """J by kind at t s. `forces` [N] by gap: all that a pair does to each other, links too.
+
+        `before`: this is the first of two samples at a jump.
+        """
         scene = self.scene
         found = dict.fromkeys(self.storing, 0.0)
         for gap, contact in enumerate(scene.contacts):
@@ -126,11 +133,19 @@ class _Account:
                 elif t <= loose.ended:
                     found[release.kind] += loose.link.energy(room)
                     between += loose.link.force(room, rate)
-            if contact is not None and contact.stiffness:
-                found["bumpers"] += _squeezed(contact, -room, forces.get(gap, math.inf) - between)
+            if contact is not None and contact.stiffness and self._latched(gap, t, before=before):
+                found["bumpers"] += _squeezed(contact, -room, math.inf)
+            elif contact is not None and contact.stiffness:
+                own = forces.get(gap, math.inf) - between
+                found["bumpers"] += _squeezed(contact, -room, own, ROUNDING * abs(between))
         for cart, force in self.heights:
             found[force.kind] -= force.steady * (x[cart] - scene.carts[cart].position)
         return found
+
+    def _latched(self, gap: int, t: float, *, before: bool) -> bool:
+        """Does an exploder's latch hold these bumpers as they are? Their force is not told then."""
+        ends = (joint.end for joint in self.joints if joint.gap == gap)
+        return any(t < end or (t == end and before) for end in ends)
 
     def given(self, x: list[float], t: float, *, before: bool) -> dict[str, float]:
         """J by kind up to t; `before`: this is the first of two samples at a jump."""
@@ -176,9 +191,12 @@ def _room(scene: Scene, x: list[float], v: list[float], gap: int) -> tuple[float
     return right - left, (v[gap] if gap < count else 0.0) - (v[gap - 1] if gap else 0.0)
 
 
-def _squeezed(contact: Contact, overlap: float, force: float) -> float:
-    """J. What the bumpers of a pair give back; infinite force: not known, as at the start."""
+def _squeezed(contact: Contact, overlap: float, force: float, least: float = 0.0) -> float:
+    """J. What the bumpers of a pair give back; infinite force: not known, as at the start.
+
+    Parted ones that overlap have no force; `least` [N] is what rounding may leave of it.
+    """
     law = contact_law(contact)
-    if law is None or overlap <= TOUCH or force <= 0.0:
+    if law is None or overlap <= TOUCH or force <= least:
         return 0.0
     return law.stored_under(overlap, force)

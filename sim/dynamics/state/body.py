@@ -18,7 +18,7 @@ from typing import Protocol
 from sim.dynamics.state.clock import NEVER, UNSEEN, ZERO, Time
 from sim.dynamics.state.loads import NO_LOAD, Load
 from sim.dynamics.state.touching import Loose, Touching
-from sim.effects.forces import PairForce
+from sim.effects.forces import BodyForce, PairForce
 from sim.laws.branch import Cause
 from sim.laws.contact_law import ContactLaw, Figures
 from sim.laws.damped_oscillation import Rate
@@ -155,6 +155,15 @@ class Motion(Protocol):
         """What it did in each of its gaps up to t; `peaks`: their greatest forces are asked for."""
 
 
+@dataclass(frozen=True, slots=True)
+class Still:
+    """What acts on a body that nothing moves, and who holds it: see `loop.still`."""
+
+    since: Time
+    forces: tuple[BodyForce, ...]
+    by: str  # name in the account of momentum; empty: the forces balance each other
+
+
 @dataclass(slots=True, eq=False)
 class Body:
     """One cart, several that are stuck together, or a wall. `x` is its state at time `time`."""
@@ -174,6 +183,7 @@ class Body:
     changed: Time = NEVER  # when it last began or ceased to slide
     flips: int = 0  # how often at that instant (`flips`)
     turn: int = 0  # counts predictions, as those of gaps
+    still: Still | None = None  # at rest under forces
 
 
 @dataclass(slots=True, eq=False)

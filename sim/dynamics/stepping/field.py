@@ -18,7 +18,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import Any
 
-from sim.dynamics.stepping.joint_forces import told
+from sim.dynamics.stepping.joint_forces import from_walls, told
 from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
 from sim.effects.forces import FRICTION, BodyForce, checked
 from sim.laws.stepping import Mode
@@ -46,6 +46,7 @@ class Field:
         self.force_time: float | None = None  # s, inside a step that no switch falls into
         self.joined: set[int] = set()  # gaps whose bodies move as one
         self.held: set[int] = set()  # those of them that a pressed bumper keeps, see `held`
+        self.spent: set[int] = set()  # gaps whose bumpers a release has parted, see `spent`
         self.bodies = [[k] for k in range(self.count)]
         self.grips = self._grips()
         self.releases = sorted(
@@ -103,6 +104,8 @@ class Field:
             a, rub = self.moved(total, v, h)
         if self.keep is not None:
             outside = self._outside(t, v) | rub
+            if self.joined:
+                outside |= from_walls(self, total)
             if self.held:
                 push = told(self, push, total, rub, a)
             self.keep.append(Detail(push, links, outside, *self._taken(push, s, v), list(v)))
@@ -118,7 +121,7 @@ class Field:
                 continue
             d, rate = self.overlap(pair, s, v)
             force = pair.force
-            if force is None:
+            if force is None or gap in self.spent:
                 pass
             elif self.modes is not None:
                 push[gap] = force.on(self.modes[gap], d, rate, self.memory[gap])
@@ -169,11 +172,18 @@ class Field:
                 friction = self._friction(body[0], mass, v[body[0]], force, (kinetic, static), h)
                 force += friction
                 for k in body:
-                    share = self.grips[k][0] / kinetic if kinetic else 0.0
+                    share = self._share(k, kinetic, static)
                     rub[FRICTION, k] = friction * share
             for k in body:
                 a[k] = force / mass
         return a, rub
+
+    def _share(self, k: int, kinetic: float, static: float) -> float:
+        """Of the friction on its body; static friction alone is shared as it could bear."""
+        assert self.grips is not None
+        if kinetic:
+            return self.grips[k][0] / kinetic
+        return self.grips[k][1] / static if static else 0.0
 
     def _friction(
         self, body: int, mass: float, v: float, others: float, grip: tuple[float, float], h: float

@@ -16,6 +16,7 @@ from typing import Any
 from sim.dynamics.motion.hit_in_turn import at_once_for_ever
 from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.motion.locked import impulses
+from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
 from sim.effects.forces import EnergyRelease, LooseForce
@@ -41,7 +42,13 @@ class Blow:
     impulse: float
     warmed: float  # J
     let_go: LooseForce | None = None  # then nothing has happened yet
-    time: float = 0.0  # s, when that was
+    fixed: tuple[bool, bool] = (False, False)  # sides that stuck to a wall by then
+
+    @property
+    def sides(self) -> tuple[int | None, int | None]:
+        """The carts that took the impulse; None: a wall did, by itself or through a cart on it."""
+        left, right = self.fixed
+        return (None if left else self.pair.left), (None if right else self.pair.right)
 
 
 class Impacts:
@@ -56,6 +63,7 @@ class Impacts:
         self.loosens = bool(self.springs)
         self.watches = bool(self.sudden or self.releases)
         self.blows: list[Blow] = []
+        self.spilled = 0.0  # J that parted bumpers kept, less what pressed ones got back
 
     def latch(self, s: Row, v: Row) -> None:
         """Exploders hold together what touches with one velocity at the start."""
@@ -74,11 +82,16 @@ class Impacts:
             field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
         if not self.watches:
             return
+        if field.spent and field.modes is None:
+            for pair in [field.pair_at[gap] for gap in sorted(field.spent)]:
+                opens, over = spent.reserves(field, pair, s, v)
+                if min(opens, over) <= 0.0:
+                    self.spilled -= spent.end(field, pair, s, v, pressed=over > 0.0)
         for pair in field.pairs if self.loosens else ():
             if pair.loose:
                 self.fall_off(pair, s, v)
         while self.releases and self.releases[0].time <= t:
-            self.set_free(self.releases.pop(0), t, s, v)
+            self.set_free(self.releases.pop(0), s, v)
         self.strike([pair for pair in self.sudden if field.overlap(pair, s, v)[0] >= 0.0], s, v)
 
     def strike(self, touching: list[Pair], s: Row, v: Row) -> None:
@@ -128,7 +141,9 @@ class Impacts:
             u, w = sides[k][2] - sides[k + 1][2], out[k + 1] - out[k]
             impulse = found[k] if found else mu * (u + w)
             around = (sides[k][2], sides[k + 1][2]), (out[k], out[k + 1])
-            self.blows.append(Blow("", pair, *around, impulse, 0.5 * impulse * (u - w)))
+            warmed = 0.5 * impulse * (u - w)
+            fixed = sides[k][0] == math.inf, sides[k + 1][0] == math.inf
+            self.blows.append(Blow("", pair, *around, impulse, warmed, fixed=fixed))
         for (_, carts, _), speed in zip(sides, out, strict=True):
             for k in carts:
                 v[k] = speed
@@ -136,13 +151,14 @@ class Impacts:
             if pair.contact.joins:
                 self.field.join(pair.gap)
 
-    def set_free(self, release: EnergyRelease, t: float, s: Row, v: Row) -> None:
+    def set_free(self, release: EnergyRelease, s: Row, v: Row) -> None:
         """½ mu w'² = ½ mu w² + E, where the two touch; or from now on a spring is between them."""
         field = self.field
         pair = field.pair_at[release.gap]
         d, _ = field.overlap(pair, s, v)
         if pair.gap in field.joined:
             field.join(pair.gap, part=True)
+            field.held.discard(pair.gap)
         elif d < -TOUCHING:
             return
         (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
@@ -152,8 +168,10 @@ class Impacts:
             pair.links, pair.loose = (*pair.links, spring), (*pair.loose, spring)
             self.springs.remove(release)
             now = (v1, v2)
-            self.blows.append(Blow(release.kind, pair, now, now, 0.0, 0.0, spring, t))
+            self.blows.append(Blow(release.kind, pair, now, now, 0.0, 0.0, spring))
             return
+        if pair.gap not in field.spent:
+            self.spilled += spent.part(field, pair, s, v)
         apart = math.sqrt((v2 - v1) ** 2 + 2.0 * release.energy / mu)
         change = apart - (v2 - v1)
         out = v1 - mu / m1 * change, v2 + mu / m2 * change
@@ -161,15 +179,17 @@ class Impacts:
             for k in body:
                 v[k] = speed
         warmed = 0.5 * mu * (v1 - v2 + apart) * (v1 - v2 - apart)
-        self.blows.append(Blow(release.kind, pair, (v1, v2), out, mu * change, warmed))
+        fixed = m1 == math.inf, m2 == math.inf
+        around = (v1, v2), out
+        self.blows.append(Blow(release.kind, pair, *around, mu * change, warmed, fixed=fixed))
 
     def fall_off(self, pair: Pair, s: Row, v: Row, *, now: bool = False) -> None:
         """Springs that have their full length push no more; `now`: the longest has it."""
         d, _ = self.field.overlap(pair, s, v)
         length = max(-d, min(spring.reach for spring in pair.loose) if now else -d)
-        spent = [spring for spring in pair.loose if spring.reach <= length]
-        pair.loose = tuple(spring for spring in pair.loose if spring not in spent)
-        pair.links = tuple(link for link in pair.links if link not in spent)
+        gone = [spring for spring in pair.loose if spring.reach <= length]
+        pair.loose = tuple(spring for spring in pair.loose if spring not in gone)
+        pair.links = tuple(link for link in pair.links if link not in gone)
 
     @property
     def latched(self) -> float:

@@ -7,6 +7,9 @@ from typing import Any, Protocol
 Rub = dict[tuple[str, int], float]
 """N of friction, by (kind, cart)."""
 
+WALLS = "walls"
+"""Their name in the account of momentum."""
+
 
 class Joined(Protocol):
     """Carts of which some move as one body."""
@@ -41,3 +44,14 @@ def joint_forces(row: Joined, total: list[Any], rub: Rub, a: list[Any]) -> dict[
                 push -= left_over
                 found[k + 1] = push
     return {gap: push for gap, push in found.items() if gap in row.held}
+
+
+def from_walls(row: Joined, total: list[Any]) -> Rub:
+    """N on carts that stick to a wall: it takes up all else. Held bumpers tell theirs."""
+    ends, last = row.joined - row.held, len(row.mass)
+    return {
+        (WALLS, k): -total[k]
+        for body in row.bodies
+        if (0 in ends and body[0] == 0) or (last in ends and body[-1] == last - 1)
+        for k in body
+    }

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from sim.dynamics.stepping import held
+from sim.dynamics.stepping import held, spent
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Impacts
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import Pair, Row
 
 Key = tuple[str, int, int]
 """("gap", its number, which of its guards), ("loose", the gap, which spring), ("near", the
@@ -70,6 +70,9 @@ class Located:
             if pair.force is None:
                 found["gap", gap, 0] = -d
                 continue
+            if gap in field.spent:
+                found["gap", gap, 0], found["gap", gap, 1] = spent.reserves(field, pair, s, v)
+                continue
             reserves = pair.force.holds(field.modes[gap], d, rate, field.memory[gap])
             for which, value in enumerate(reserves):
                 found["gap", gap, which] = value
@@ -95,6 +98,8 @@ class Located:
             elif kind == "gap" and number in field.held:
                 held.let_go(field, number)
                 field.modes[number] = "press" if which else "apart"
+            elif kind == "gap" and number in field.spent:
+                self._push_again(field.pair_at[number], s, v, pressed=which == 0)
             elif kind == "gap":
                 pair = field.pair_at[number]
                 d, rate = field.overlap(pair, s, v)
@@ -114,6 +119,18 @@ class Located:
                 slipping.append(number)
         self.impacts.strike(sorted(hit, key=lambda pair: pair.gap), s, v)
         self._grip(t, s, v, slipping)
+
+    def _push_again(self, pair: Pair, s: Row, v: Row, *, pressed: bool) -> None:
+        """Bumpers that a release parted are pressed again, or their overlap is gone."""
+        field, gap = self.field, pair.gap
+        assert field.modes is not None and pair.force is not None
+        self.impacts.spilled -= spent.end(field, pair, s, v, pressed=pressed)
+        field.modes[gap] = "apart"
+        if pressed:
+            d, rate = field.overlap(pair, s, v)
+            field.modes[gap], field.memory[gap] = pair.force.after(
+                "apart", d, rate, field.memory[gap]
+            )
 
     def _grip(self, t: float, s: Row, v: Row, slipping: list[int] | None = None) -> None:
         """Which bodies slide, in which direction, and which are held."""

@@ -71,6 +71,7 @@ def stepper(scene: Scene, way: Way) -> Stepper:
 def drive(run: Stepper, until: float, h: float, phase: float = 1.0) -> None:
     """From 0 to `until` in steps of h, the first of them only `phase` of that."""
     t, k = 0.0, 0
+    run.start()
     while t < until:
         end = (phase + k) * h
         if end > until - ROUND * h:

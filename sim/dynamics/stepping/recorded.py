@@ -18,12 +18,13 @@ from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.result.trajectory import Trajectory
+from sim.dynamics.stepping import spent
+from sim.dynamics.stepping.joint_forces import WALLS
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
-from sim.dynamics.stepping.pairs import Detail, Pair, Row
+from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.stepper import Stepper
 from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
-from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 
 MOST_ROWS = 20_000
@@ -82,6 +83,7 @@ class Recorder:
         self.v = list(self.run.v)
         self._links(first=True)
         a, detail = self._now(0.0)
+        self._hold(detail.push)
         self.ledger.stored_initial = self._stored(detail.push)
         self._row(0.0, a, detail)
 
@@ -102,11 +104,13 @@ class Recorder:
                 if gap == pair.gap
             )
             self._from_wall(pair.left, pair.right, impulses[pair.gap] + linked)
-        self._springs(t, weighted)
+        for gap, loose in self.story.loose.items():
+            loose.impulse += math.fsum(w * d.links.get((loose.kind, gap), 0.0) for w, d in weighted)
         for weight, detail in weighted:
             for (kind, k), force in detail.outside.items():
                 ledger.push_from_outside(weight * force, kind)
-                ledger.work(kind, weight * force * detail.v[k])
+                if kind != WALLS:
+                    ledger.work(kind, weight * force * detail.v[k])
             ledger.dissipate(weight * detail.warming)
             for kind, power in detail.damped.items():
                 if power:
@@ -114,9 +118,11 @@ class Recorder:
         a, detail = self._now(t)
         self.story.step(t, self.v, run.v, run.s, detail.push, impulses)
         self._bumpers(detail.push)
+        ledger.dissipate(run.impacts.spilled)
+        run.impacts.spilled = 0.0
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
-            self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
+            self._from_wall(*blow.sides, blow.impulse)
             if blow.release and blow.let_go is None:
                 ledger.work(blow.release, -blow.warmed)
             elif not blow.release:
@@ -127,15 +133,6 @@ class Recorder:
         if self.count % self.every == 0 or t >= self.scene.until:
             self._row(t, a, detail)
 
-    def _springs(self, t: float, weighted: list[tuple[float, Detail]]) -> None:
-        """What loose springs gave in a step, those that were let go at its beginning too."""
-        blows = self.run.impacts.blows
-        for blow in [one for one in blows if one.let_go is not None and one.time < t]:
-            self.story.blow(t, blow)
-            blows.remove(blow)
-        for gap, loose in self.story.loose.items():
-            loose.impulse += math.fsum(w * d.links.get((loose.kind, gap), 0.0) for w, d in weighted)
-
     def _bumpers(self, push: Row) -> None:
         """What a step left in the bumpers for good."""
         field = self.run.field
@@ -143,12 +140,24 @@ class Recorder:
             gap = pair.gap
             if pair.force is not None:
                 d, rate = field.overlap(pair, self.run.s, self.run.v)
-                stored = _stored(pair, d, rate, 0.0)
+                stored = spent.stored(pair, d, rate, 0.0)
+                if gap in field.spent and not pair.force.remembers:
+                    self.held[gap] = 0.0  # told by the release
                 warm, self.held[gap] = pair.force.settle(
                     self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
                 )
                 if warm:
                     self.ledger.dissipate(warm)
+
+    def _hold(self, push: Row) -> None:
+        """What bumpers that overlap at the start had taken before: that is no part of the run."""
+        field = self.run.field
+        for pair in field.pairs:
+            if pair.force is not None:
+                d, rate = field.overlap(pair, self.run.s, self.run.v)
+                self.held[pair.gap] = pair.force.settle(
+                    0.0, push[pair.gap], field.memory[pair.gap], spent.stored(pair, d, rate, 0.0)
+                )[1]
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
@@ -181,9 +190,9 @@ class Recorder:
         """J in the contacts that push."""
         field = self.run.field
         return math.fsum(
-            _stored(pair, *field.overlap(pair, self.run.s, self.run.v), field.memory[pair.gap])
+            spent.stored(pair, *field.overlap(pair, self.run.s, self.run.v), field.memory[pair.gap])
             for pair in field.pairs
-            if push[pair.gap]
+            if push[pair.gap] or pair.gap in field.joined  # a latch holds bumpers without a push
         )
 
     def _links(self, *, first: bool) -> None:
@@ -217,11 +226,6 @@ class Recorder:
             stopped=None,
         )
         return SteppedRun(finished, self.way, Trajectory(self.columns), run.steps, evaluations)
-
-
-def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
-    law = contact_law(pair.contact)
-    return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
 
 
 def _outside(scene: Scene) -> list[tuple[str, int]]:

@@ -45,6 +45,7 @@ class OwnSteps(LocatedStepper):
     def drive(self, until: float) -> None:
         """To the end of the scene; raises UnsolvedError where the steps do not come to it."""
         t, still = 0.0, 0
+        self.start()
         while t < until:
             stop = min([until, *(time for time in self.times if time > t)])
             end = min(stop, t + self.length(t))
@@ -53,13 +54,12 @@ class OwnSteps(LocatedStepper):
             self.steps += 1
             if keys:
                 self.located.change(keys, t + done, self.s, self.v)
+                self.tell_blows(t + done)
                 self.changed()
             t = end if done == end - t else t + done
             self.field.force_time = None
             still = still + 1 if done == 0.0 else 0
-            self.impacts.settle(t, self.s, self.v)
-            if t in self.times:
-                self.located.begin(t, self.s, self.v)
+            self.settle(t)
             if still > STUCK or self.spent():
                 raise self.lost(t)
 

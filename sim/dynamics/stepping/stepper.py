@@ -21,6 +21,10 @@ Seen = Callable[[float, float, Row, list[tuple[float, Detail]]], None]
 """t [s] at the end, h [s], the ways before, and the forces with their weights."""
 
 
+LAST_BITS = 1e-15
+"""Relative. How far rounding takes the end of a step from the time it should end at."""
+
+
 class Stepper:
     """Fixed steps without any look at events."""
 
@@ -44,6 +48,9 @@ class Stepper:
         """From now on tell of every step."""
         self.seen = seen
         self.field.keep = []
+
+    def start(self) -> None:
+        """What happens at t = 0; a method without a look at events does it after its first step."""
 
     def advance(self, t: Any, h: Any) -> None:
         """From t over h."""
@@ -77,6 +84,25 @@ class LocatedStepper(Stepper):
         times = {*self.field.switches, *(one.time for one in self.field.releases)}
         self.times = sorted(t for t in times if t > 0.0)
 
+    def start(self) -> None:
+        """Exploders that act at t = 0: no step may begin before they have."""
+        self.settle(0.0)
+
+    def settle(self, t: float) -> None:
+        """At the end of a step: exploders act, and formulas change where they or a switch do."""
+        near = (time for time in self.times if abs(time - t) <= LAST_BITS * t)
+        t = next(near, t)  # t + (stop − t) may be a bit before the stop
+        left = len(self.impacts.releases)
+        self.impacts.settle(t, self.s, self.v)
+        if left != len(self.impacts.releases) or t in self.times:
+            self.located.begin(t, self.s, self.v)
+        self.tell_blows(t)
+
+    def tell_blows(self, t: float) -> None:
+        """Blows fall after the step that ends with them was told: a step of no length tells."""
+        if self.seen is not None and self.impacts.blows:
+            self.seen(t, 0.0, self.s, [])
+
     def boundaries(self, t: float, end: float) -> list[float]:
         """Switches and exploders on the way."""
         return [*(time for time in self.times if t < time < end), end]
@@ -91,15 +117,13 @@ class LocatedStepper(Stepper):
             done += part
             if keys:
                 self.located.change(keys, t + done, self.s, self.v)
+                self.tell_blows(t + done)
             if not keys or done >= h:
                 break
         else:
             self.give_up(t + done, h - done)
         field.force_time = None
-        left = len(self.impacts.releases)
-        self.impacts.settle(t + h, self.s, self.v)
-        if left != len(self.impacts.releases) or t + h in self.times:
-            self.located.begin(t + h, self.s, self.v)
+        self.settle(t + h)
 
     def give_up(self, t: float, h: float) -> None:
         """Too many events within one step: the rest of it without looking."""

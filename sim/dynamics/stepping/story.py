@@ -131,7 +131,7 @@ class Story:
         if spring is not None:
             self.loose[blow.pair.gap] = LetGo(blow.release, spring, blow.before)
         self._tell(
-            t if spring is None else blow.time,
+            t,
             "release" if blow.release else "contact",
             blow.pair,
             blow.before,

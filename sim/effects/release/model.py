@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from sim.effects.plain_model import Piece, Row
 from sim.effects.where import gap_of, pair_of
@@ -39,6 +40,24 @@ AT_ONCE = Piece(
     + LATCH,
     joins=True,
 )
+
+SILENT = """\
+        if s > 0:
+            parted.discard(k)
+        if k in parted:
+            continue
+"""
+PARTED = "parted = set()  # bumpers that a release has parted push no more until pressed again\n"
+
+
+def _parting(piece: Piece) -> Piece:
+    """For bumpers that may overlap at that time."""
+    line = next(one for one in piece.after.splitlines() if one.strip().startswith("more = "))
+    pad = line[: len(line) - len(line.lstrip())]
+    part = f"{pad}if gap(left, right) < 0:\n{pad}    parted.add(k)\n"
+    before, sign, latch = piece.after.partition("\n\n\n")
+    after = before.replace(line, part + line) + sign + PARTED + latch.removeprefix("\n")
+    return replace(piece, after=after, contact=SILENT)
 
 
 def _with_springs(effect: Effect, scene: Scene) -> list[Row]:
@@ -83,5 +102,9 @@ let_go = []  # springs that push: left, right, stiffness in N/m, full length in 
 
 def piece(scene: Scene) -> Piece:
     """Springs only where the scene has one."""
-    own = (effect for effect in scene.effects if effect.kind == "release")
-    return BY_SPRINGS if any("stiffness" in effect.numbers for effect in own) else AT_ONCE
+    own = [effect for effect in scene.effects if effect.kind == "release"]
+    by_springs = any("stiffness" in effect.numbers for effect in own)
+    found = BY_SPRINGS if by_springs else AT_ONCE
+    own = [effect for effect in own if "stiffness" not in effect.numbers]
+    lasting = (scene.contacts[gap_of(effect, scene)] for effect in own)
+    return _parting(found) if any(one is not None and one.stiffness for one in lasting) else found
