@@ -23,7 +23,7 @@ from sim.scene.said import said
 class Load:
     """On one cart: its slope, m/s², and what friction can do sliding and at rest, N.
 
-    Carts on the same slopes share one ball: their accelerations differ by nought, exactly.
+    Carts on the same slope share one ball: their accelerations differ by nought, exactly.
     """
 
     mass: Ball
@@ -123,20 +123,16 @@ def _on_each(scene: Scene) -> list[list[Constant]]:
     return on_each
 
 
-def _no_slope() -> dict[tuple[float, ...], tuple[Ball, Ball]]:
-    return {(): (arb(0), ZERO)}
-
-
 def _slopes(scene: Scene, found: list[Load], on_each: list[list[Constant]]) -> list[Ball]:
-    """rad. The angle under each cart; its slope is the sum of all g sin θ."""
-    gravity, shared = exact(scene.gravity), _no_slope()
+    """rad. The angle under each cart, one at most; its slope is g sin θ."""
+    gravity = exact(scene.gravity)
+    shared: dict[float | None, tuple[Ball, Ball]] = {None: (arb(0), ZERO)}
     angles = []
     for load, constants in zip(found, on_each, strict=True):
-        under = tuple(one.angle for one in constants if one.angle is not None)
+        under = next((one.angle for one in constants if one.angle is not None), None)
         if under not in shared:
-            parts = [exact(angle) for angle in under]
-            slope = gravity * sum((angle.sin() for angle in parts), arb(0))
-            shared[under] = sum(parts, arb(0)), slope
+            angle = exact(under or 0.0)
+            shared[under] = angle, gravity * angle.sin()
         angle, load.slope = shared[under]
         angles.append(angle)
     return angles

@@ -1,6 +1,6 @@
 """Effects whose force on a cart is constant for a time: what a proof without integration needs.
 
-    slope      m g sin θ                      friction   μ m g cos θ, θ of all slopes under the cart
+    slope      m g sin θ                      friction   μ m g cos θ, θ of the slope under the cart
     push       its force, from ≤ t < until
 
 An effect says so in `constant.py` of its folder, with a function `constant(effect)`.

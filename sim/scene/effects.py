@@ -38,7 +38,7 @@ class Effect:
 
 
 Rule = Callable[[Sequence[Effect]], Iterator[Problem]]
-"""Told all effects of its kind that act; says what cannot be meant."""
+"""Told effects of its kind that act together; says what cannot be meant."""
 
 RoomRule = Callable[[Effect, Fraction | None], Iterator[Problem]]
 """Told one effect and the gap [m] between its two bodies at the start."""

@@ -13,7 +13,7 @@ from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene
 from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
 from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
+from sim.scene.read_effects import check_room, read_effects, read_estimates
 from sim.scene.read_written import read_written
 from sim.scene.tables import mapping, number, unknown_keys
 from sim.scene.track import read_track
@@ -64,7 +64,6 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
     written = read_written(table.get("laws", {}), table.get("contact", {}), contacts, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
-    check_effects(effects, table.get("effects", []), problems)
     estimates = read_estimates(table.get("estimate", []), names, track, problems)
     released = {frozenset(e.between) for e in effects if kinds()[e.kind].overlap and e.between}
     gaps = gaps_of(exact, names, track, length)

@@ -45,8 +45,8 @@ def read_contacts(
         own = mapping(changes, path, problems, "{restitution: 0.5}")
         if own is not None:
             unknown_keys(own, KEYS, path, problems)
-            contact = _contact(own, table, path, problems)
-            if gap is not None:
+            contact = _contact(own, table, path, problems, told=common is None)
+            if gap is not None and contact is not None:  # None stands for an open side, and no more
                 contacts[gap] = contact
         if gap is not None and (first := named.setdefault(gap, str(key))) != key:
             message = f"“{key}” is the same pair as “{first}”"
@@ -85,9 +85,18 @@ def _unknown_pair(key: str, bodies: list[str], path: Path, problems: list[Proble
 
 
 def _contact(
-    own: Mapping[str, Any], outer: Mapping[str, Any], path: Path, problems: list[Problem]
+    own: Mapping[str, Any],
+    outer: Mapping[str, Any],
+    path: Path,
+    problems: list[Problem],
+    *,
+    told: bool = False,
 ) -> Contact | None:
-    """One contact; `own` keys are the author's here, missing ones come from `outer`."""
+    """One contact; `own` keys are the author's here, missing ones come from `outer`.
+
+    None where something is wrong, which is then among the problems. `told`: what is wrong in
+    `outer` is among them already.
+    """
     law = own.get("law", outer.get("law", next(iter(laws()))))
     kind = law_kind(law)
     if kind is None:
@@ -109,7 +118,7 @@ def _contact(
     numbers: dict[str, float | None] = {"restitution": None, "stiffness": None}
     for field in (kind.restitution, kind.stiffness):
         if field is not None:
-            numbers[field.key] = _value(field, own, outer, path, problems)
+            numbers[field.key] = _value(field, own, outer, path, problems, told=told)
             if numbers[field.key] is None:
                 return None
     if kind.no_zero and numbers["restitution"] == 0:
@@ -131,13 +140,20 @@ def _value(
     outer: Mapping[str, Any],
     path: Path,
     problems: list[Problem],
+    *,
+    told: bool,
 ) -> float | None:
     value = own.get(field.key, outer.get(field.key, field.default))
     if value is None:
         value = "nothing"  # an empty key: reported as not a number, with the example
+    inherited = field.key in outer and field.key not in own
     result = field.read(value, (*path, field.key))
-    if isinstance(result, Problem):
-        if field.key in own or path == ("contact",):
-            problems.append(result)
-        return None
-    return float(result)
+    if not isinstance(result, Problem):
+        return float(result)
+    if not inherited:
+        problems.append(result)
+    elif not told:  # it fits the scene's own law, and not that of this pair
+        message = said("{pair} needs its own {key}", pair=f"“{path[-1]}”", key=said(field.key))
+        hint = said("for example {example}", example=f"{field.key}: {field.dimension.example}")
+        problems.append(Problem(path, result.code, message, hint))
+    return None

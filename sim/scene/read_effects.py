@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -20,6 +20,7 @@ def read_effects(
 ) -> tuple[Effect, ...]:
     """The effects that act, in the order listed. Carts and walls they name must exist."""
     listed = listed_effects(value, names, track, problems)
+    problems.extend(broken_rules(listed))
     return tuple(effect for effect in listed if effect.active)
 
 
@@ -29,6 +30,7 @@ def read_estimates(
     """Sizes of effects that do not act, for the estimate of what they would change."""
     found: list[Problem] = []
     listed = listed_effects(value, names, track, found)
+    found.extend(broken_rules(listed))
     for one in found:
         told = one.message.replace("effects is a list", "estimate is a list")
         hint = one.hint.replace("effects:\n", "estimate:\n")
@@ -185,13 +187,19 @@ def _between(
     return tuple(n for n in (a, b) if n in names), (a, b)
 
 
-def check_effects(effects: Sequence[Effect], listed: object, problems: list[Problem]) -> None:
-    """One problem for each effect that cannot be meant. `listed` is the author's list."""
-    if not isinstance(listed, Sequence) or len(effects) != len(listed):
-        return  # some of them were not understood: that has been told
+def broken_rules(listed: Sequence[Effect]) -> Iterator[Problem]:
+    """One problem for each effect that cannot be meant, those that are switched off too.
+
+    What acts is looked at together. What is switched off may take the place of what acts, so that
+    each of those is looked at by itself.
+    """
     for kind in kinds().values():
         if kind.rule is not None:
-            problems.extend(kind.rule([effect for effect in effects if effect.kind == kind.name]))
+            own = [effect for effect in listed if effect.kind == kind.name]
+            yield from kind.rule([effect for effect in own if effect.active])
+            for effect in own:
+                if not effect.active:
+                    yield from kind.rule([effect])
 
 
 def check_room(

@@ -12,11 +12,15 @@ from sim.bridge.model_text import MOST_STEPS, model_text
 from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
+from sim.scene.laws import laws
 from tests import registry
 from tests.bridge.plain_program import played
 
 NEAR = 0.02
 """Of the fastest cart: first order, a hundred steps in a quarter swing."""
+
+NEAR_ALONE = 0.003
+"""m/s, of a single contact at 1 m/s: a force that is another one is off by ten times as much."""
 
 LONG = 400_000
 """Steps; scenes with more are compiled, and not run."""
@@ -36,6 +40,28 @@ def test_the_plain_program_ends_as_the_run_does(name: str) -> None:
     fastest = max(*map(abs, exact.v), *(abs(c.velocity) for c in scene.carts), 1e-3)
     for got, expected in zip(program["v"], exact.v, strict=True):  # type: ignore[arg-type]
         assert got == pytest.approx(expected, abs=NEAR * fastest), name
+
+
+@pytest.mark.parametrize("e", [0, 0.2, 0.5, 0.9, 1])
+@pytest.mark.parametrize("law", laws())
+def test_the_program_of_each_law_gives_back_as_much_as_the_law(law: str, e: float) -> None:
+    """1 kg at 1 m/s into 2 kg: what it gives back is where forms of one force differ most."""
+    kind = laws()[law]
+    contact: dict[str, object] = {"law": law}
+    if kind.restitution is not None:
+        contact["restitution"] = e
+    if kind.stiffness is not None:
+        contact["stiffness"] = 5000
+    carts = {
+        "A": {"mass": 1, "position": 0.5, "velocity": 1},
+        "B": {"mass": 2, "position": 1},
+    }
+    plain = {"carts": carts, "contact": contact, "until": 1}
+    if kind.no_zero and e == 0:
+        return
+    scene = read_scene(plain)
+    program = played(model_text(scene))
+    assert program["v"] == pytest.approx(run(scene).v, abs=NEAR_ALONE)
 
 
 def test_a_program_holds_only_what_its_scene_calls_for() -> None:

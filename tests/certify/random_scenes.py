@@ -9,6 +9,8 @@ from __future__ import annotations
 from random import Random
 from typing import Any
 
+from tests.one_slope import one_slope
+
 LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")
 SOFT = LAWS[:4]
 
@@ -37,7 +39,8 @@ def plain(seed: int) -> dict[str, Any]:
     if count > 1 and dice.random() < 0.2:
         scene["contact"]["pairs"] = {"A-B": _contact(dice)}
     if dice.random() < 0.4:
-        scene["effects"] = [_effect(dice, list(carts)) for _ in range(dice.choice([1, 1, 2]))]
+        listed = [_effect(dice, list(carts)) for _ in range(dice.choice([1, 1, 2]))]
+        scene["effects"] = one_slope(listed)
     return scene
 
 

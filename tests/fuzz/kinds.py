@@ -21,6 +21,7 @@ from tests.fuzz.rows import (
     row,
 )
 from tests.fuzz.units import scaled
+from tests.one_slope import one_slope
 
 
 def rest_on_slope(dice: Random) -> Plain:
@@ -104,7 +105,7 @@ def springs(dice: Random) -> Plain:
 def long_runs(dice: Random) -> Plain:
     """Ten minutes of what comes to rest, swings or rattles."""
     plain = row(dice, most=3, walls=0.6)
-    effects = [any_effect(dice, plain) for _ in range(dice.randint(1, 2))]
+    effects = one_slope([any_effect(dice, plain) for _ in range(dice.randint(1, 2))])
     return plain | {"effects": effects, "until": dice.choice([60, 600])}
 
 

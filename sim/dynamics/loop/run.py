@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable
 
 from sim.dynamics.loop import contacts, recontact, release, synchronise
+from sim.dynamics.loop.last_accelerations import last_accelerations
 from sim.dynamics.loop.simulation import Simulation
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError, refuse_written
@@ -179,6 +180,7 @@ def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
     """Bring everything to the end."""
     scene, record, ledger = sim.scene, sim.record, sim.ledger
     bodies = list(dict.fromkeys(sim.chain.bodies))
+    a = last_accelerations(bodies, len(scene.carts), end)
     touching = [gap for gap in sim.chain.gaps if gap is not None and gap.solver is not None]
     if touching or sim.forces is not None:
         synchronise.settle(bodies, touching, end, record, ledger)
@@ -207,6 +209,7 @@ def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
         t=end[0],
         x=tuple(x),
         v=tuple(v),
+        a=a,
         record=record,
         ledger=ledger,
         solvers=sim.solvers,

@@ -61,11 +61,6 @@ def _added(name: str, called: str, scene: Scene) -> Candidate:
         size, source = ", ".join(map(_numbers, own)), said("given by the scene")
     first = 1 + max((effect.index for effect in scene.effects), default=-1)
     acting = (*scene.effects, *(replace(e, index=first + k) for k, e in enumerate(added)))
-    rule = kinds()[name].rule
-    for problem in rule([e for e in acting if e.kind == name]) if rule is not None else ():
-        return Candidate(
-            effect=name, called=called, listed=False, scene=None, size=size, why=problem.message
-        )
     changed = replace(scene, effects=acting)
     return Candidate(
         effect=name, called=called, listed=False, scene=changed, size=size, source=source

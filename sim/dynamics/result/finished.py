@@ -14,6 +14,10 @@ REST = 1e-12
 """Of the greatest speed at the start. Slower than this at the end is called "at rest", in words
 only: it is what rounding leaves of nought. It changes no number."""
 
+TURNS = 1e-6
+"""Of the acceleration that the greatest speed in the time of the run makes, or the loads alone. One
+that has more than this at the end is not at rest but turns round, or starts."""
+
 
 @dataclass(frozen=True, slots=True)
 class Run:
@@ -23,6 +27,7 @@ class Run:
     t: float
     x: tuple[float, ...]  # m, per cart from left to right
     v: tuple[float, ...]  # m/s
+    a: tuple[float, ...]  # m/s², just then
     record: Record
     ledger: Ledger
     solvers: dict[str, int]
@@ -43,8 +48,19 @@ class Run:
                 "end (until), more events (--max-events), a larger restitution, or stiffnesses "
                 "and masses that differ less.",
             )
-        fastest = max(abs(cart.velocity) for cart in self.scene.carts)
         to_come = self.forces is not None and self.forces.switches_after(t)
-        if all(abs(speed) <= REST * fastest for speed in self.v) and not to_come:
+        if self._rests() and not to_come:
             return Outcome("came-to-rest", f"Every cart is at rest at t = {t:.6g} s.")
         return Outcome("reached-end", f"The run reached its end at t = {t:.6g} s.")
+
+    def _rests(self) -> bool:
+        """Does every cart stand still, with nothing that accelerates it?"""
+        carts, forces = self.scene.carts, self.forces
+        fastest = max(abs(cart.velocity) for cart in carts)
+        if any(abs(speed) > REST * fastest for speed in self.v):
+            return False
+        if not any(self.a):
+            return True
+        loads = (abs(forces.load((k,)).steady) / one.mass for k, one in enumerate(carts) if forces)
+        usual = max(fastest / self.t, *loads, 0.0)
+        return all(abs(a) <= TURNS * usual for a in self.a)

@@ -209,7 +209,8 @@ class Recorder:
         scene, run, ledger = self.scene, self.run, self.ledger
         self.story.finish(scene.until, run.v)
         ledger.v_final = list(run.v)
-        ledger.stored_final = self._stored(self._now(scene.until)[1].push)
+        a, detail = self._now(scene.until)
+        ledger.stored_final = self._stored(detail.push)
         self._links(first=False)
         evaluations = run.field.evaluations
         kinds = {one.kind for one in acting(scene) if not one.releases()}
@@ -218,6 +219,7 @@ class Recorder:
             t=scene.until,
             x=tuple(c.position + s for c, s in zip(scene.carts, run.s, strict=True)),
             v=tuple(run.v),
+            a=tuple(a),
             record=self.record,
             ledger=ledger,
             solvers={self.way.method: evaluations},

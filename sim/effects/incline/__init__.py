@@ -12,25 +12,22 @@ from sim.scene.problem import Problem
 from sim.scene.said import said, template
 
 STEEPEST = 1.5
-"""rad. All inclines under one cart together: a track that hangs over carries nothing."""
+"""rad. A track that hangs over carries nothing."""
 
 
-def _not_too_steep(listed: Sequence[Effect]) -> Iterator[Problem]:
-    total: dict[str, float] = {}
+def _one_under_each(listed: Sequence[Effect]) -> Iterator[Problem]:
+    """A cart stands on one plane: its weight along two of them would be counted twice."""
+    under: set[str] = set()
     for effect in listed:
-        for cart in effect.carts:
-            total[cart] = total.get(cart, 0.0) + effect.numbers["angle"]
-        if any(abs(total[cart]) > STEEPEST for cart in effect.carts):
+        both = [cart for cart in effect.carts if cart in under]
+        if both:
             yield Problem(
-                ("effects", effect.index, "incline", "angle"),
-                "out-of-range",
-                said(
-                    "all inclines under one cart together are more than {steepest} rad",
-                    steepest=str(STEEPEST),
-                ),
+                ("effects", effect.index, "incline"),
+                "twice",
+                said("there is already an incline under {cart}", cart=both[0]),
                 said("one incline is enough: angle: 2 deg"),
             )
-            return
+        under.update(effect.carts)
 
 
 KIND = EffectKind(
@@ -52,14 +49,11 @@ KIND = EffectKind(
     called=said("a slope"),
     switch=said("slope"),
     agent=said("the Earth"),
-    rule=_not_too_steep,
+    rule=_one_under_each,
 )
 
 
 def angle_under(cart: str, scene: Scene) -> float:
     """rad. Angle of the track under a cart: what presses it on the track is m g cos θ."""
-    return sum(
-        effect.numbers["angle"]
-        for effect in scene.effects
-        if effect.kind == KIND.name and cart in effect.carts
-    )
+    inclines = (e for e in scene.effects if e.kind == KIND.name and cart in e.carts)
+    return next((one.numbers["angle"] for one in inclines), 0.0)

@@ -9,6 +9,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from tests.dynamics.given.random_rows import decimals, scenes
+from tests.one_slope import one_slope
 
 KINDS = ("friction", "incline", "drag", "push", "spring", "magnets", "release")
 ELASTIC = st.fixed_dictionaries(
@@ -131,7 +132,7 @@ def acted_on(
     if contact is not None:
         plain["contact"] = draw(contact)
     count = draw(st.integers(1, most))
-    plain["effects"] = [draw(effect(plain, kinds)) for _ in range(count)]
+    plain["effects"] = one_slope([draw(effect(plain, kinds)) for _ in range(count)])
     gaps = len(plain["carts"]) - 1
     magnetic = {tuple(e["magnets"]["between"]) for e in plain["effects"] if "magnets" in e}
     soft = not {"instant", "velcro"} & set(str(plain["contact"]).split("'"))
