@@ -151,5 +151,5 @@ def test_a_value_that_is_gone_cannot_be_written() -> None:
 
 def test_the_page_knows_what_stands_in_the_place_of_a_teachers_text() -> None:
     """By it the page sees after every step, Undo too, whether notes are missing."""
-    session = (ROOT / "sim" / "web" / "src" / "teach" / "session.js").read_text("utf-8")
-    assert f'KEPT_OUT = "{WORDS}"' in session
+    source = (ROOT / "sim" / "web" / "src" / "teach" / "source.js").read_text("utf-8")
+    assert f'KEPT_OUT = "{WORDS}"' in source

@@ -85,7 +85,6 @@ def published(
         "file": file,
         "text": None if closed else shipped,
         "hash": hashlib.sha256(text.encode("utf-8")).hexdigest(),
-        "withheld": not closed and shipped != text,
         "files": {} if closed else _named_files(text, Lesson(file, folders), root),
         "lesson": {
             "file": file,

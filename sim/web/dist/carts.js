@@ -2766,6 +2766,7 @@
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
           const focused = button === document.activeElement;
           for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+          showProgress(this, 1, 1);
           for (const control of this.#axes) control.enable(true);
           this.#controls?.enable(true);
           const run = this.querySelector(".carts-map-run");
@@ -2801,11 +2802,8 @@
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame();
         waited("carts:map", at3);
-        this.#filling = this.#fill(settings, first.header.done, runs, generation).catch((error) => {
-          if (generation !== this.#generation) return;
-          showProgress(this, 1, 1);
-          this.#tell(error.message);
-        });
+        const filling = this.#fill(settings, first.header.done, runs, generation);
+        this.#filling = filling.catch((error) => this.#fail(error));
       }
       async #fill(settings, done, runs, generation) {
         while (done < runs) {

@@ -3231,6 +3231,10 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       this.#end(new Error(tr("Stopped.")));
     }
   };
+  function lineOf({ path = [] }) {
+    const [laws, , line2] = path;
+    return laws === "laws" ? Number(line2) || 0 : 0;
+  }
 
   // src/law/verdicts.js
   function verdicts(judged, show) {
@@ -3262,10 +3266,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/law/element.js
-  function lineOf({ path = [] }) {
-    const [laws, , line2] = path;
-    return laws === "laws" ? Number(line2) || 0 : 0;
-  }
   function lawElement(base) {
     return class CartsLaw extends HTMLElement {
       #facts = null;

@@ -3720,6 +3720,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
 
   // src/teach/source.js
+  var KEPT_OUT = "(stands in the teacher's own file)";
   async function loadLesson(address) {
     const packed2 = await bring("__cartsLesson", address);
     if (packed2 === null) throw new Error("the lesson's text is missing in this site");
@@ -3739,7 +3740,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   // src/teach/session.js
   var PAUSE2 = 250;
   var BODY = "carts-teaching";
-  var KEPT_OUT = "(stands in the teacher's own file)";
   var Session = class {
     #looking = {};
     #timer = 0;

@@ -10,19 +10,13 @@ import { ends } from "../worlds/ends.js";
 import { Pictures } from "../worlds/pictures.js";
 import { Editor } from "./editor.js";
 import { lawKeeper } from "./keep.js";
-import { OwnPython } from "./own-python.js";
+import { lineOf, OwnPython } from "./own-python.js";
 import { verdicts } from "./verdicts.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /** @typedef {import("./verdicts.js").Judged} Judged */
 /** @typedef {{id: string, hash: string, ask: string, file: string, start: string, baked: any}} Facts */
-
-/** The line of the law that was refused; 0 where it was something else. @param {any} error */
-function lineOf({ path = [] }) {
-  const [laws, , line] = path;
-  return laws === "laws" ? Number(line) || 0 : 0;
-}
 
 /** @param {string} base address of the folder `runtime/` */
 export function lawElement(base) {

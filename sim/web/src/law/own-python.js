@@ -75,3 +75,9 @@ export class OwnPython {
     this.#end(new Error(tr("Stopped.")));
   }
 }
+
+/** The line of the law that was refused; 0 where it was something else. @param {any} error */
+export function lineOf({ path = [] }) {
+  const [laws, , line] = path;
+  return laws === "laws" ? Number(line) || 0 : 0;
+}

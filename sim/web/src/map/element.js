@@ -129,6 +129,7 @@ export function mapElement(client) {
         need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
         const focused = button === document.activeElement;
         for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+        showProgress(this, 1, 1);
         for (const control of this.#axes) control.enable(true);
         this.#controls?.enable(true);
         const run = this.querySelector(".carts-map-run");
@@ -154,10 +155,7 @@ export function mapElement(client) {
       note.hidden = !message;
     }
 
-    /**
-     * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
-     * @param {Record<string, number | string>} settings @param {number} at
-     */
+    /** Asks for the whole map and draws it; what has to be run point by point comes afterwards. @param {Record<string, number | string>} settings @param {number} at */
     async #compute(settings, at) {
       this.#generation += 1;
       const generation = this.#generation;
@@ -170,17 +168,13 @@ export function mapElement(client) {
       this.#draw({ axes, rows, columns, why, values: first.numbers });
       await frame();
       waited("carts:map", at);
-      this.#filling = this.#fill(settings, first.header.done, runs, generation).catch((error) => {
-        if (generation !== this.#generation) return;
-        showProgress(this, 1, 1);
-        this.#tell(error.message);
-      });
+      const filling = this.#fill(settings, first.header.done, runs, generation);
+      this.#filling = filling.catch((error) => this.#fail(error));
     }
 
     /**
      * The points that have to be run one by one, slice after slice, drawn as they come.
-     * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
-     * @param {number} generation
+     * @param {Record<string, number | string>} settings @param {number} done @param {number} runs @param {number} generation
      */
     async #fill(settings, done, runs, generation) {
       while (done < runs) {

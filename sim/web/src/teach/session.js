@@ -5,15 +5,13 @@ import { restored, zipped } from "./asked.js";
 import { History } from "./history.js";
 import { LessonPage } from "./page.js";
 import { Panel } from "./panel.js";
-import { hashOf } from "./source.js";
+import { hashOf, KEPT_OUT } from "./source.js";
 
 /** @typedef {import("./types.js").Look} Look */
 /** @typedef {import("./types.js").Field} Field */
 
 const PAUSE = 250; // ms without a key until Python looks
 const BODY = "carts-teaching";
-/** What stands in the place of each, as in sim/pages/teach/withheld.py; a test holds the two together. */
-export const KEPT_OUT = "(stands in the teacher's own file)";
 
 export class Session {
   #looking = {};
@@ -92,8 +90,7 @@ export class Session {
     this.panel.root.dataset.state = "ready";
   }
 
-  /** A kept draft is the text before anything can be typed: it would be lost under the first key. */
-  /** @param {import("./drafts.js").Draft | null} draft @returns {import("./drafts.js").Draft | null} null: there is none */
+  /** A kept draft is the text before anything can be typed: it would be lost under the first key. @param {import("./drafts.js").Draft | null} draft @returns {import("./drafts.js").Draft | null} null: there is none */
   #takeBack(draft) {
     if (!draft || draft.text === this.text) return null;
     this.base = draft.base;

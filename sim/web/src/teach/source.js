@@ -3,12 +3,14 @@
 import { gunzip } from "../runtime/payload.js";
 import { bring } from "../shared/bring.js";
 
+/** What stands in the place of a note or a marking guide, as in sim/pages/teach/withheld.py; a test holds the two together. */
+export const KEPT_OUT = "(stands in the teacher's own file)";
+
 /**
  * @typedef {object} Told
  * @property {string} file path of the lesson in its site
  * @property {string | null} text null: it is not shipped, the teacher opens the file
  * @property {string} hash sha256 of the whole file
- * @property {boolean} withheld whether notes and rubrics were left out of `text`
  * @property {Record<string, string>} files scene files that the lesson names
  * @property {object} lesson what Python needs to know beside the text
  */
