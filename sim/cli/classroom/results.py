@@ -117,7 +117,7 @@ def command(ctx: click.Context, /, files: tuple[Path, ...], **options: Any) -> N
     carts class answers/ --key KEY.json --slips slips.html --sheet sheet.html
     carts class answers/ --key KEY.json --html laporan.html --language ms
     carts class answers.zip build/keys/
-    carts class answers/ --group "new=7a-*" --group "old=7b-*"
+    carts class answers/ --group "new=7a/*" --group "old=7b/*"
     carts class --table marks.csv --html report.html
     carts class --table pre=quiz-1.csv --table post=quiz-2.csv
     carts class answers/ --key KEY.json --summary school-a.json
