@@ -52,6 +52,12 @@ def test_each_cart_of_a_body_has_the_force_that_its_motion_needs(
         assert (found["a", name] == 0) == held
 
 
+def test_three_that_meet_at_once_and_rub_stay_together_and_stand() -> None:
+    """Two of velcro struck at one instant under friction: the run had no end and no bound."""
+    found = forces("A", 0.0)
+    assert [found["v", name] for name in MASSES] == [0, 0, 0]
+
+
 def test_a_wall_that_a_body_sticks_to_bears_all() -> None:
     found = forces("C", 3.0, wall=True)
     assert [found["E", "friction", name] for name in MASSES] == [0, 0, 0]

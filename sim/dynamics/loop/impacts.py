@@ -108,7 +108,7 @@ def side_by_side(
     for k, (gap, p) in enumerate(zip(block, found, strict=True)):
         after = (gap.left.v, gap.right.v)
         record.event("contact", gap, now, (before[k], before[k + 1]), after, p, None)
-        if gap in stay:
+        if gap in stay and not gap.contact.joins:
             gap.touching = Touching(now, (before[k], before[k + 1]))
     for gap in block:
         if gap.contact.joins:

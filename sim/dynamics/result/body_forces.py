@@ -53,14 +53,13 @@ def at(
         left_over.append(cart.mass * a - total)
     grips = [run.forces.friction_on(k) for k in range(len(states))]
     for body in _bodies(len(states), stuck):
-        held = math.fsum(left_over[k] for k in body)
-        if body[0] in stuck or body[-1] + 1 in stuck:
-            held = 0.0  # the wall that it sticks to bears all
+        on_wall = body[0] in stuck or body[-1] + 1 in stuck  # which bears all
+        held = 0.0 if on_wall else math.fsum(left_over[k] for k in body)
         limits = math.fsum(grip.static for k in body if (grip := grips[k]))
         for k in body:
             if (grip := grips[k]) is None:
                 continue
-            side = motion[k].sliding
+            side = 0 if on_wall else motion[k].sliding
             # No law says how a body shares it; so none bears more of its limit than another.
             share = grip.static / limits if limits else 1.0 / len(body)
             forces[FRICTION, run.scene.carts[k].name] = (
