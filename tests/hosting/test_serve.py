@@ -23,6 +23,7 @@ from sim.cli.site.build import build_site
 from sim.cli.site.page_server import own_names
 from sim.cli.site.serve import Previewer
 from sim.pages import runtime, site_files
+from sim.pages.teach.withheld import WORDS
 
 Edit = Callable[[str, str, str], None]
 
