@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import click
@@ -51,26 +52,27 @@ def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, .
             raise click.UsageError(
                 f"“{path.name}” is neither a lesson (.md) nor in {BANK_FOLDER}/."
             )
-        folder = lessons_folder(path)
         try:
-            text = author_text(path, shown_from(path, root))
+            _update(path, root, languages or OTHERS)
         except AuthorError as error:
             report(list(error.findings))
             ctx.exit(1)
-        units = units_of(path, text)
-        for language in languages or OTHERS:
-            target = source_of(path, folder, language).catalogue
-            shown = shown_from(target, root)
-            try:
-                made = updated(target, shown, units, language, shown_from(path, root))
-            except AuthorError as error:
-                report(list(error.findings))
-                ctx.exit(1)
-            write_out(target, made)
-            said = read_words(target, shown)
-            texts = {unit.text for unit in units}
-            left = len(texts - set(said.words))
-            click.echo(
-                f"{shown}: {len(texts)} texts, {left} not in {LANGUAGES[language]} yet"
-                + (f", {len(said.fuzzy)} of them with an old translation" if said.fuzzy else "")
-            )
+
+
+def _update(path: Path, root: Path, languages: Iterable[str]) -> None:
+    """Write the catalogues of one lesson or bank; raises `AuthorError`."""
+    folder = lessons_folder(path)
+    name = shown_from(path, root)
+    text = author_text(path, name)
+    units = units_of(path, text)
+    for language in languages:
+        target = source_of(path, folder, language).catalogue
+        shown = shown_from(target, root)
+        write_out(target, updated(target, shown, units, language, name))
+        said = read_words(target, shown)
+        texts = {unit.text for unit in units}
+        left = len(texts - set(said.words))
+        click.echo(
+            f"{shown}: {len(texts)} texts, {left} not in {LANGUAGES[language]} yet"
+            + (f", {len(said.fuzzy)} of them with an old translation" if said.fuzzy else "")
+        )

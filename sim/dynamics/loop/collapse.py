@@ -27,6 +27,7 @@ import math
 
 from sim.dynamics.loop import plastic
 from sim.dynamics.loop.first_struck import touches
+from sim.dynamics.loop.pair_laws import centre_velocity
 from sim.dynamics.loop.rounds import Hits
 from sim.dynamics.motion.hit_in_turn import at_once_for_ever, for_ever
 from sim.dynamics.result.ledger import Ledger
@@ -168,7 +169,7 @@ def one_velocity(group: list[Body], ledger: Ledger) -> None:
     movers = [body for body in group if body.mass < math.inf]
     fixed = len(movers) < len(group)  # a wall is among them, or a cart that sticks to one
     momentum = math.fsum(body.mass * body.v for body in movers)
-    v = 0.0 if fixed else momentum / math.fsum(body.mass for body in movers)
+    v = centre_velocity([(body.mass, body.v) for body in group])
     for body in movers:
         ledger.dissipate(0.5 * body.mass * (body.v - v) * (body.v + v))
         body.v = v

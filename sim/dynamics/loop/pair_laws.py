@@ -6,6 +6,7 @@ two carts  v' = V + e (V − v)  (see `impact`)        a wall  v' = −e v
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.state.body import Accounts, Body
@@ -16,6 +17,14 @@ def common_velocity(left: Body, right: Body) -> float:
     if math.inf in (left.mass, right.mass):
         return 0.0
     return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)
+
+
+def centre_velocity(bodies: Sequence[tuple[float, float]]) -> float:
+    """m/s, of the centre of mass of any number, by mass [kg] and velocity; 0 with a wall."""
+    if any(mass == math.inf for mass, _ in bodies):
+        return 0.0
+    momentum = math.fsum(mass * v for mass, v in bodies)
+    return momentum / math.fsum(mass for mass, _ in bodies)
 
 
 def velocities_after(left: Body, right: Body, e: float) -> tuple[float, float]:

@@ -11,10 +11,9 @@ impacts to rest: each takes a thousandth of its velocity.
 
 from __future__ import annotations
 
-import math
-
 from sim.dynamics.loop.first_struck import touches
-from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.loop.pair_laws import centre_velocity
+from sim.dynamics.state.body import Gap
 from sim.dynamics.state.chain import Chain, velocity
 from sim.dynamics.state.clock import Time
 
@@ -42,18 +41,11 @@ def _is_plastic(gap: Gap) -> bool:
 
 def _closes(chain: Chain, row: list[Gap], now: Time) -> Gap | None:
     """A gap beside the row that touches, and closes when the row has its common velocity."""
-    v = common_velocity([row[0].left, *(gap.right for gap in row)], now)
+    bodies = [row[0].left, *(gap.right for gap in row)]
+    v = centre_velocity([(body.mass, velocity(body, now)) for body in bodies])
     before, after = chain.neighbours(row[0])[0], chain.neighbours(row[-1])[1]
     if before is not None and touches(before, now) and velocity(before.left, now) >= v:
         return before
     if after is not None and touches(after, now) and velocity(after.right, now) <= v:
         return after
     return None
-
-
-def common_velocity(bodies: list[Body], now: Time) -> float:
-    """m/s. That of the centre of mass; with a wall among them 0."""
-    if any(body.mass == math.inf for body in bodies):
-        return 0.0
-    momentum = math.fsum(body.mass * velocity(body, now) for body in bodies)
-    return momentum / math.fsum(body.mass for body in bodies)

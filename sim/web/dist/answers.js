@@ -1263,11 +1263,11 @@
     return root;
   }
   function whereKept(book2) {
-    const how = book2.store?.how;
-    if (how === "memory")
+    if (!book2.lasts)
       return tr("This browser keeps nothing after the page is closed. Save your file now.");
     const words3 = [tr("Your answers are kept in this browser on this computer, and nowhere else.")];
-    if (how === "text") words3.push(tr("If the computer crashes, the last seconds may be lost."));
+    if (book2.store?.how === "text")
+      words3.push(tr("If the computer crashes, the last seconds may be lost."));
     if (location.protocol === "file:" && navigator.userAgent.includes("Firefox/")) {
       words3.push(
         tr(
@@ -3037,7 +3037,7 @@
         }
       }
       #keptWord() {
-        return book2.store?.kind === "memory" ? NOT_SAVED : tr("Saved");
+        return book2.lasts ? tr("Saved") : NOT_SAVED;
       }
       #attempt() {
         const problem = this.#form?.problem?.() ?? "";

@@ -7197,14 +7197,15 @@ ${lines4.join("\n")}
       this.#last.target = "";
     }
     replace(changes2) {
+      const before = [...this.#before];
       this.#before.push({ ...this.wanted });
       this.wanted = { ...changes2 };
       this.#last.target = "";
-    }
-    back() {
-      this.wanted = { ...this.good };
-      this.#before.pop();
-      this.#last.target = "";
+      return () => {
+        this.wanted = { ...this.good };
+        this.#before = before;
+        this.#last.target = "";
+      };
     }
     get canUndo() {
       return this.#before.length > 0;
@@ -7266,13 +7267,13 @@ ${lines4.join("\n")}
       this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
     }
     preset(changes2) {
-      this.values.replace(changes2);
+      const back = this.values.replace(changes2);
       const done = this.compute(changes2, performance.now());
       const asked3 = this.#asked;
       return done.then(
         () => true,
         (error) => {
-          if (asked3 === this.#asked) this.values.back();
+          if (asked3 === this.#asked) back();
           this.acts.say(error.message);
           return false;
         }

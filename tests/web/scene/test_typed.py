@@ -46,15 +46,32 @@ def test_a_refused_preset_leaves_all_values_as_they_were() -> None:
         const values = new Values();
         values.ask({ "A.mass": 2 });
         values.good = { "A.mass": 2 };
-        values.replace({ "contact.law": "hertz" });
+        const back = values.replace({ "contact.law": "hertz" });
         values.giveUp({ "contact.law": "hertz" });
-        values.back();
+        back();
         const refused = { ...values.wanted };
         values.undo();
         give([refused, values.wanted, values.canUndo]);""",
         None,
     )
     assert found == [{"A.mass": 2}, {}, False]
+
+
+def test_a_preset_that_is_refused_after_a_reset_takes_no_undo_away() -> None:
+    found = in_node(
+        """const { Values } = await import(source + "/scene/values.js");
+        const values = new Values();
+        values.ask({ "A.mass": 2 });
+        values.good = { "A.mass": 2 };
+        values.reset();
+        const back = values.replace({ "contact.law": "hertz" });
+        values.giveUp({ "contact.law": "hertz" });
+        back();
+        values.undo();
+        give(values.wanted);""",
+        None,
+    )
+    assert found == {"A.mass": 2}
 
 
 def test_a_slider_shows_the_gravity_and_the_track_of_the_run() -> None:

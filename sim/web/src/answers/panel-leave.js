@@ -49,11 +49,11 @@ export function leavePart(book) {
 
 /** What this browser does with answers. @param {import("./book.js").Book} book */
 function whereKept(book) {
-  const how = book.store?.how;
-  if (how === "memory")
+  if (!book.lasts)
     return tr("This browser keeps nothing after the page is closed. Save your file now.");
   const words = [tr("Your answers are kept in this browser on this computer, and nowhere else.")];
-  if (how === "text") words.push(tr("If the computer crashes, the last seconds may be lost."));
+  if (book.store?.how === "text")
+    words.push(tr("If the computer crashes, the last seconds may be lost."));
   if (location.protocol === "file:" && navigator.userAgent.includes("Firefox/")) {
     words.push(
       tr(

@@ -190,7 +190,7 @@ export function questionElement(book) {
     }
 
     #keptWord() {
-      return book.store?.kind === "memory" ? NOT_SAVED : tr("Saved");
+      return book.lasts ? tr("Saved") : NOT_SAVED;
     }
 
     /** One press on Check: what was answered, and the run that it was read off. */

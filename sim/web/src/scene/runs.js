@@ -67,13 +67,13 @@ export class Runs {
 
   /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
   preset(changes) {
-    this.values.replace(changes);
+    const back = this.values.replace(changes);
     const done = this.compute(changes, performance.now());
     const asked = this.#asked;
     return done.then(
       () => true,
       (error) => {
-        if (asked === this.#asked) this.values.back();
+        if (asked === this.#asked) back();
         this.acts.say(error.message);
         return false;
       },

@@ -43,18 +43,17 @@ export class Values {
     this.#last.target = "";
   }
 
-  /** Other values in the place of all, as one change. @param {Settings} changes */
+  /** Other values in the place of all, as one change. @param {Settings} changes @returns {() => void} how all is as it was, if they are refused */
   replace(changes) {
+    const before = [...this.#before];
     this.#before.push({ ...this.wanted });
     this.wanted = { ...changes };
     this.#last.target = "";
-  }
-
-  /** What took the place of all was refused: all is as it was before. */
-  back() {
-    this.wanted = { ...this.good };
-    this.#before.pop();
-    this.#last.target = "";
+    return () => {
+      this.wanted = { ...this.good };
+      this.#before = before;
+      this.#last.target = "";
+    };
   }
 
   get canUndo() {
