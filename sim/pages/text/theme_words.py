@@ -1,7 +1,10 @@
-"""The theme's own words (*Search*, *Next*, *Table of contents*) in the language of each page.
+"""The words around a lesson, the theme's own (*Search*, *Next*) and the menu's (*Lessons*), in the
+language of each page.
 
 A site has one language for the theme, and lessons in several. The theme reads its words from
 `partials/language.html`, made for the language of the site; the one below asks for the page's.
+What mkdocs.yml calls the parts of the menu is said as our catalogues have it. A teacher's own
+names stay: no catalogue knows them.
 """
 
 from __future__ import annotations
@@ -11,7 +14,7 @@ from typing import Any
 
 from jinja2 import ChoiceLoader, DictLoader, Environment
 
-from sim.pages.language import language_folder
+from sim.pages.language import UnknownLanguageError, language_folder, mark, of_page, words
 
 _FILE = "partials/languages/{}.html"
 _TEMPLATE = """\
@@ -23,6 +26,27 @@ _LANGUAGE = "partials/language.html"
 _SEARCH = "partials/search.html"
 _NAMELESS = 'role="dialog">'  # a dialog of which a screen reader cannot say what it is
 _NAMED = """role="dialog" aria-label="{{ lang.t('search') }}">"""
+_MENU = {
+    "partials/palette.html": "option.toggle.name",
+    "partials/tabs-item.html": "ref.title",
+    "partials/nav-item.html": "nav_item.title",
+    "partials/path-item.html": "nav_item.title",
+}
+"""Templates that say a name from mkdocs.yml, and what they call it."""
+MENU_WORDS = frozenset(
+    {
+        mark("About"),
+        mark("Dark"),
+        mark("For teachers"),
+        mark("Gallery"),
+        mark("Home"),
+        mark("Lessons"),
+        mark("Light"),
+        mark("Physics and accuracy"),
+        mark("Sandbox"),
+    }
+)
+"""Names in our mkdocs.yml that stand on every page of a lesson."""
 
 
 def speak(env: Environment, of_site: str) -> None:
@@ -35,8 +59,27 @@ def speak(env: Environment, of_site: str) -> None:
         _LANGUAGE: _TEMPLATE,
         _SEARCH: search.replace(_NAMELESS, _NAMED, 1),
     }
+    for file, name in _MENU.items():
+        if file in templates:
+            source, *_ = env.loader.get_source(env, file)
+            ours[file] = source.replace(f"{{{{ {name} }}}}", f"{{{{ menu_word(page, {name}) }}}}")
     env.globals["theme_words"] = _chosen(templates, of_site)
+    env.globals["menu_word"] = _named(of_site)
     env.loader = ChoiceLoader([DictLoader(ours), env.loader])
+
+
+def _named(of_site: str) -> Callable[[Any, str], str]:
+    def menu_word(page: Any, name: str) -> str:
+        """A name of mkdocs.yml in the language of the page. `page`: None for one without a file."""
+        if name not in MENU_WORDS:
+            return name
+        stated, file = (page.meta.get("language"), page.file.src_uri) if page else (None, "")
+        try:
+            return words(of_page(stated, file, of_site)).get(name, name)
+        except UnknownLanguageError:  # reported where the page is read
+            return name
+
+    return menu_word
 
 
 def _chosen(templates: frozenset[str], of_site: str) -> Callable[[Any], str]:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 from sim.cli.site.build import build_site
+from sim.pages.text.theme_words import MENU_WORDS
+from tests.conftest import ROOT
 from tests.pages.given.small_site import CONFIG, MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture
@@ -42,6 +45,37 @@ def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:
     assert '<html lang="ta"' in page
     assert (site / "assets" / "carts" / "words.ta.js").exists()
     assert 'placeholder="தேடு"' in page
+
+
+def test_the_menu_speaks_as_the_page_and_a_teacher_s_own_names_stay(make_site: MakeSite) -> None:
+    """The parts of the menu and the switch of the colours; on English pages nothing changes."""
+    ours = CONFIG.replace("{Home: index.md}, ", "{Home: index.md}, {Our carts: own.md}, ")
+    shades = "palette: [{scheme: default, toggle: {icon: material/weather-night, name: Dark}}]"
+    root = make_site(ours.replace("font: false", f"font: false, {shades}"), first=lesson())
+    (root / "docs" / "own.md").write_text("# Ours\n", encoding="utf-8")
+    (root / "worksheets" / "ms").mkdir()
+    (root / "worksheets" / "ms" / "first.md").write_text(lesson(), encoding="utf-8")
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+    english = _menu((site / "worksheets" / "first.html").read_text(encoding="utf-8"))
+    assert {"Home", "Lessons", "Our carts", "Dark"} <= english
+    malay = _menu((site / "worksheets" / "ms" / "first.html").read_text(encoding="utf-8"))
+    assert {"Laman utama", "Pelajaran", "Our carts", "Gelap"} <= malay
+    assert not {"Home", "Lessons", "Dark"} & malay
+
+
+def _menu(page: str) -> set[str]:
+    """The names in a page's menu, and of the switch of its colours."""
+    found = re.findall(r'md-ellipsis">\s*([^<]+?)\s*<|<label [^>]*title="([^"]+)"', page)
+    return {"".join(name) for name in found}
+
+
+def test_the_menu_of_our_own_site_is_in_the_catalogues() -> None:
+    """What mkdocs.yml calls its parts stands on every page of a lesson, translated ones too."""
+    config = Path(ROOT, "mkdocs.yml").read_text(encoding="utf-8")
+    parts = re.findall(r"^ {2}- ([^:\n]+):", config.partition("\nnav:")[2].partition("\n\n")[0], re.MULTILINE)
+    switches = re.findall(r"^ {8}name: (\w+)$", config, re.MULTILINE)
+    assert {*parts, *switches} == MENU_WORDS
 
 
 def test_the_theme_s_language_is_that_of_every_page(make_site: MakeSite) -> None:
