@@ -18,7 +18,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import Any
 
-from sim.dynamics.stepping.joint_forces import from_walls, told
+from sim.dynamics.stepping.joint_forces import from_walls, joint_forces
 from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
 from sim.effects.forces import FRICTION, BodyForce, checked
 from sim.laws.stepping import Mode
@@ -104,11 +104,14 @@ class Field:
             a, rub = self.moved(total, v, h)
         if self.keep is not None:
             outside = self._outside(t, v) | rub
+            joints: dict[int, float] = {}
             if self.joined:
                 outside |= from_walls(self, total)
-            if self.held:
-                push = told(self, push, total, rub, a)
-            self.keep.append(Detail(push, links, outside, *self._taken(push, s, v), list(v)))
+                joints = joint_forces(self, total, rub, a)
+                for gap in self.held:
+                    push[gap] = joints.pop(gap)
+            taken = self._taken(push, s, v)
+            self.keep.append(Detail(push, links, joints, outside, *taken, list(v)))
         return a
 
     def forces(self, t: Any, s: Row, v: Row) -> tuple[Row, dict[tuple[str, int], Any], Row]:
@@ -167,36 +170,32 @@ class Field:
                 continue
             mass, force = sum(self.mass[k] for k in body), sum(total[k] for k in body)
             if self.grips is not None:
-                kinetic = sum(self.grips[k][0] for k in body)
-                static = sum(self.grips[k][1] for k in body)
-                friction = self._friction(body[0], mass, v[body[0]], force, (kinetic, static), h)
+                grip = (
+                    sum(self.grips[k][0] for k in body),
+                    sum(self.grips[k][1] for k in body),
+                )
+                friction, slides = self._friction(body[0], mass, v[body[0]], force, grip, h)
                 force += friction
-                for k in body:
-                    share = self._share(k, kinetic, static)
-                    rub[FRICTION, k] = friction * share
+                each, whole = (0, grip[0]) if slides else (1, grip[1])
+                for k in body:  # what rests is shared as each could bear it
+                    rub[FRICTION, k] = friction * self.grips[k][each] / whole if whole else 0.0
             for k in body:
                 a[k] = force / mass
         return a, rub
 
-    def _share(self, k: int, kinetic: float, static: float) -> float:
-        """Of the friction on its body; static friction alone is shared as it could bear."""
-        assert self.grips is not None
-        if kinetic:
-            return self.grips[k][0] / kinetic
-        return self.grips[k][1] / static if static else 0.0
-
     def _friction(
         self, body: int, mass: float, v: float, others: float, grip: tuple[float, float], h: float
-    ) -> float:
+    ) -> tuple[float, bool]:
+        """N, and whether it is that of a body which slides."""
         kinetic, static = grip
         if self.modes is not None:
             side = self.sliding[body]
-            return -side * kinetic if side else -others
+            return (-side * kinetic, True) if side else (-others, False)
         if abs(v) > kinetic * h / mass:
-            return -math.copysign(kinetic, v)
+            return -math.copysign(kinetic, v), True
         if abs(others) <= static:
-            return -others - v * mass / h
-        return -math.copysign(kinetic, others)
+            return -others - v * mass / h, False
+        return -math.copysign(kinetic, others), True
 
     def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
         found: dict[tuple[str, int], float] = {}

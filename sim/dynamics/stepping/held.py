@@ -50,7 +50,9 @@ def guards(field: Field, t: float, s: Row, v: Row) -> dict[int, tuple[float, flo
     total = field.forces(t, s, v)[2]
     a, rub = field.moved(total, v, 0.0)
     found = {}
-    for gap, push in joint_forces(field, total, rub, a).items():
+    joints = joint_forces(field, total, rub, a)
+    for gap in field.held:
+        push = joints[gap]
         force = field.pair_at[gap].force
         assert force is not None
         found[gap] = (push, force.most(field.memory[gap]) - push)

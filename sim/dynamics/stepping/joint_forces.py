@@ -20,14 +20,8 @@ class Joined(Protocol):
     held: set[int]
 
 
-def told(row: Joined, push: list[Any], total: list[Any], rub: Rub, a: list[Any]) -> list[Any]:
-    """N in all contacts, with those that keep two carts together."""
-    between = joint_forces(row, total, rub, a)
-    return [between.get(gap, force) for gap, force in enumerate(push)]
-
-
 def joint_forces(row: Joined, total: list[Any], rub: Rub, a: list[Any]) -> dict[int, float]:
-    """N in every held gap; `total` [N] is all else that acts on each cart, `rub` the friction."""
+    """N in every joined gap; `total` [N] is all else that acts on each cart, `rub` the friction."""
     others = list(total)
     for (_, k), friction in rub.items():
         others[k] += friction
@@ -43,7 +37,7 @@ def joint_forces(row: Joined, total: list[Any], rub: Rub, a: list[Any]) -> dict[
             for k, left_over in zip(body, rest, strict=True):
                 push -= left_over
                 found[k + 1] = push
-    return {gap: push for gap, push in found.items() if gap in row.held}
+    return {gap: push for gap, push in found.items() if gap in row.joined}
 
 
 def from_walls(row: Joined, total: list[Any]) -> Rub:

@@ -42,6 +42,7 @@ class Detail:
 
     push: Row
     links: dict[tuple[str, int], float]
+    joints: dict[int, float]  # between two that move as one, held bumpers apart
     outside: dict[tuple[str, int], float]
     warming: float
     damped: dict[str, float]

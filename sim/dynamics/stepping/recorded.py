@@ -178,7 +178,8 @@ class Recorder:
             for kind, value in (("x", cart.position + run.s[k]), ("v", run.v[k]), ("a", a[k])):
                 columns[(kind, cart.name)].append(value)
         for pair in run.field.pairs:
-            force = detail.push[pair.gap] + math.fsum(
+            own = detail.push[pair.gap] + detail.joints.get(pair.gap, 0.0)
+            force = own + math.fsum(
                 linked for (_, gap), linked in detail.links.items() if gap == pair.gap
             )
             columns[("F", "-".join(self.scene.names_at(pair.gap)))].append(force)
