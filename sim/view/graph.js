@@ -2,7 +2,7 @@
 
 import { fixed, px } from "./numbers.js";
 import { axis, axisDecimals, span, ticks } from "./scales.js";
-import { valueAt } from "./trajectory.js";
+import { turnAfter, valueAt } from "./trajectory.js";
 
 /** @typedef {import("./scales.js").Axis} Axis */
 /** @typedef {import("./series.js").Series} Series */
@@ -33,15 +33,19 @@ export function valueY(plane, value) {
   );
 }
 
-/** @param {Series[]} curves @returns {[number, number]} smallest and greatest value of all */
-export function extent(curves) {
+/** @param {Series[]} curves @param {ArrayLike<number>} times of their rows @returns {[number, number]} smallest and greatest value of all, between rows too */
+export function extent(curves, times) {
   let low = 0;
   let high = 0;
-  for (const { values } of curves) {
+  const take = (/** @type {number} */ value) => {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  };
+  for (const { values, slopes } of curves) {
     for (let k = 0; k < values.length; k += 1) {
-      const value = /** @type {number} */ (values[k]);
-      if (value < low) low = value;
-      if (value > high) high = value;
+      take(Number(values[k]));
+      const turned = turnAfter(times, values, slopes, k);
+      if (turned !== null) take(turned);
     }
   }
   return [low, high];

@@ -1,17 +1,15 @@
 /**
- * The ledger where effects act: motion is in the run, all else Python counts when a reader opens it.
+ * The ledger where effects act: Python counts it when a reader opens it, also within a flight.
  * Who shows the graph asks by an event; the scene's element answers it.
  */
 
 import { listed } from "./bodies.js";
 import { viewOf } from "./effects.js";
 import { tr } from "./language.js";
-import { seriesOf } from "./series.js";
-import { valueAt } from "./trajectory.js";
+import { styleOf } from "./markers.js";
 
-/** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./series.js").Series} Series */
-/** @typedef {{names: string[], t: Float64Array, columns: Float64Array[]}} Parts J, column after column */
+/** @typedef {{names: string[], t: Float64Array, columns: Float64Array[], moving: Float64Array[]}} Parts J, by part and by cart, at t s */
 
 export const WANTED = "carts-energy-wanted";
 
@@ -34,20 +32,18 @@ export function askParts(root) {
 
 /**
  * Bands from below to above; their sum is the energy at the start with what was given since.
- * @param {Run} run @param {Parts} parts @returns {Series[]}
+ * @param {import("./types.js").Header} header @param {Parts} parts @returns {Series[]}
  */
-export function ledgerWithEffects({ header, trajectory }, parts) {
-  const times = trajectory.t;
-  const moving = seriesOf("energy", header, trajectory, 0).filter((c) => c.style !== "total");
-  const column = (/** @type {string} */ name) => {
-    const values = parts.columns[parts.names.indexOf(name)] ?? new Float64Array(times.length);
-    if (values.length === times.length) return values;
-    return Float64Array.from(times, (t) => valueAt(parts.t, values, null, Number(t)));
-  };
+export function ledgerWithEffects(header, parts) {
+  const column = (/** @type {string} */ name) =>
+    parts.columns[parts.names.indexOf(name)] ?? new Float64Array(parts.t.length);
   /** @type {Series[]} */
-  const bands = moving.map((curve) => ({
-    ...curve,
-    label: tr("motion of {cart}", { cart: curve.label }),
+  const bands = parts.moving.map((values, i) => ({
+    label: tr("motion of {cart}", { cart: header.bodies[i]?.name ?? "" }),
+    style: styleOf(i),
+    over: false,
+    values,
+    slopes: null,
   }));
   for (const name of parts.names.filter((one) => one !== WARMED)) {
     const [label, style] =

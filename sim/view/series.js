@@ -47,7 +47,11 @@ export function seriesOf(quantity, header, run, camera, signed = false, per = 1)
           slopes: Float64Array.from(a, (value) => mass * value),
         };
       default:
-        return { ...curve, values: seen.map((s) => (mass * s * s) / 2), slopes: null };
+        return {
+          ...curve,
+          values: seen.map((speed) => (mass * speed * speed) / 2),
+          slopes: Float64Array.from(a, (rate, k) => mass * Number(seen[k]) * rate),
+        };
     }
   });
   if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));

@@ -85,3 +85,16 @@ export function hermite(times, values, slopes, k, t) {
     at(slopes, k + 1) * h * r * s * s;
   return Number.isFinite(found) ? found : at(values, k); // slopes beyond all numbers: a step
 }
+
+/**
+ * Where the curve turns between row k and the next, as a cart does on a slope within one flight;
+ * exact where its slope is a straight line.
+ * @param {Column} times @param {Column} values @param {Column | null} slopes @param {number} k
+ * @returns {number | null} the value there; null where it does not turn
+ */
+export function turnAfter(times, values, slopes, k) {
+  const [before, after] = [Number(slopes?.[k]), Number(slopes?.[k + 1])];
+  const [begin, span] = [Number(times[k]), Number(times[k + 1]) - Number(times[k])];
+  if (!slopes || !(before * after < 0) || !(span > 0)) return null;
+  return hermite(times, values, slopes, k, begin + (span * before) / (before - after));
+}

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.energy_parts import energy_parts
 from sim.dynamics.result.trajectory import trajectory
@@ -44,6 +45,26 @@ def test_what_has_warmed_never_comes_back(name: str) -> None:
     assert warmed[0] >= -NEVER_BACK * scale
     for before, after in itertools.pairwise(warmed):
         assert after >= before - NEVER_BACK * scale
+
+
+def test_the_ledger_of_a_page_holds_within_a_flight() -> None:
+    """Up a slope and down again: in the middle all is height. The page draws straight lines."""
+    plain = {
+        "carts": {"A": {"mass": 1, "position": "0.2", "velocity": "0.6"}},
+        "effects": [{"incline": {"angle": "-2 deg"}}],
+        "until": 3,
+    }
+    header, numbers = answer({"id": 1, "kind": "energy", "scene": plain})
+    rows, names = header["rows"], header["parts"]
+    columns = [numbers[k * rows : (k + 1) * rows] for k in range(2 + len(names))]
+    t, (*parts, moving) = columns[0], columns[1:]
+    g = 9.81 * math.sin(math.radians(2))
+    for k, (before, after) in enumerate(itertools.pairwise(t)):
+        middle = (before + after) / 2
+        shown = (moving[k] + moving[k + 1]) / 2
+        assert shown == pytest.approx((0.6 - g * middle) ** 2 / 2, abs=2e-4)
+    height = parts[names.index("incline")]
+    assert [a + b for a, b in zip(moving, height, strict=True)] == pytest.approx([0.18] * rows)
 
 
 @pytest.mark.parametrize("law", ["bumper", "paper", "push-only", "hertz"])

@@ -63,6 +63,18 @@ def test_a_place_on_a_slope_lies_on_the_parabola_and_is_told_in_the_unit_asked_f
     assert found == pytest.approx(100 * (0.3 * 1.3 + 0.5 * a * 1.3**2), rel=FOUND)
 
 
+def test_the_farthest_place_of_a_cart_that_turns_round_lies_within_its_flight() -> None:
+    """Neither its first place nor its last, and no sample lies there."""
+    plain: dict[str, Any] = {
+        "carts": {"A": {"mass": 1, "position": "0.2", "velocity": "0.6"}},
+        "effects": [{"incline": {"angle": "-2 deg"}}],
+        "until": 3,
+    }
+    top = 0.2 + 0.6**2 / (2 * 9.81 * math.sin(math.radians(2)))
+    found = as_opened(reading("x.A", "largest"), read_scene(plain))
+    assert found == pytest.approx(top, rel=FOUND)
+
+
 def test_a_pair_that_never_meets_has_no_force_to_read() -> None:
     scene = read_scene(registry.two_carts(velocities=(0, 0), **ELASTIC))
     assert as_opened(reading("F.A-B", "largest"), scene) in (None, 0.0)

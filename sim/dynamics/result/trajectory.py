@@ -42,8 +42,11 @@ class Trajectory:
         return len(self.columns[("t",)])
 
 
-def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
-    """Sample a run that kept its motion; fewer samples per stretch make a lighter page."""
+def trajectory(run: Run, per_stretch: int = PER_STRETCH, per_flight: int = 1) -> Trajectory:
+    """Sample a run that kept its motion; fewer samples per stretch make a lighter page.
+
+    `per_flight`: into how many parts a flight is divided in which a steady force acts.
+    """
     scene, record = run.scene, run.record
     names = [cart.name for cart in scene.carts]
     solved = sorted(record.solved, key=lambda part: (part.begin, part.gaps))
@@ -61,7 +64,9 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
     live: list[Solved] = []
     numbers: array[float] = array("d")  # row after row
     upcoming, last = 0, None
-    for begin, end in pairwise(_marks(run)):
+    marks = _marks(run)
+    parabola = max(1, min(per_flight, MOST_NUMBERS // (len(titles) * len(marks))))
+    for begin, end in pairwise(marks):
         while upcoming < len(solved) and solved[upcoming].begin <= begin:
             live.append(solved[upcoming])
             upcoming += 1
@@ -73,7 +78,8 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
             for pieces, times in zip(record.pieces, starts, strict=True)
         ]
         stuck = {joint.gap for joint in record.joints if joint.begin <= begin < joint.end}
-        for t in _times(begin, end, live, dense):
+        steady = any(piece.motion is not None for piece in motion)
+        for t in _times(begin, end, live, dense, parabola if steady else 1):
             row = _row(t, run, motion, live, gaps, stuck, named, middle)
             if row != last:
                 numbers.extend(row)
@@ -104,11 +110,11 @@ def _density(contacts: int, columns: int) -> int:
     return max(2, min(PER_STRETCH, MOST_NUMBERS // (columns * 2 * contacts)))
 
 
-def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[float]:
+def _times(begin: float, end: float, live: list[Solved], dense: int, parabola: int) -> list[float]:
     """Sample times from begin to end, both included."""
     live = [part for part in live if not part.solver.parabolic]
     if not live:
-        return [begin, end]
+        return [*(begin + (end - begin) * k / parabola for k in range(parabola)), end]
     count = dense
     if all(part.solver.short_steps for part in live):
         count = max(2, dense // SHORT_STEPS)

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from math import isfinite
 
 from sim.dynamics.loop.run import run
@@ -37,16 +38,24 @@ def read_off(
     values = columns.get((what, whose))
     if values is None:
         return None
+    slopes, times = columns.get((SLOPES.get(what, ""), whose)), columns[("t",)]
     if reading.at == "largest":
-        found = max(values, key=abs)
+        found = max((*values, *_turns(times, values, slopes)), key=abs)
     elif reading.at == "start":
         found = values[0]
     elif reading.at == "end":
         found = values[-1]
     else:
-        slopes = columns.get((SLOPES.get(what, ""), whose))
-        found = _between(columns[("t",)], values, slopes, float(reading.at))
+        found = _between(times, values, slopes, float(reading.at))
     return factor * found
+
+
+def _turns(t: array[float], values: array[float], slopes: array[float] | None) -> Iterator[float]:
+    """What it is where it turns between two samples, as on a slope within one flight."""
+    for k, (before, after) in enumerate(pairwise(slopes or ())):
+        if before * after < 0 and t[k + 1] > t[k]:
+            turn = t[k] + (t[k + 1] - t[k]) * before / (before - after)
+            yield _between(t, values, slopes, turn)
 
 
 def _between(

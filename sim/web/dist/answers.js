@@ -2519,6 +2519,12 @@
     const found2 = at2(values, k) * (1 + 2 * s) * r * r + at2(slopes, k) * h * s * r * r + at2(values, k + 1) * (1 + 2 * r) * s * s - at2(slopes, k + 1) * h * r * s * s;
     return Number.isFinite(found2) ? found2 : at2(values, k);
   }
+  function turnAfter(times, values, slopes, k) {
+    const [before, after] = [Number(slopes?.[k]), Number(slopes?.[k + 1])];
+    const [begin, span] = [Number(times[k]), Number(times[k + 1]) - Number(times[k])];
+    if (!slopes || !(before * after < 0) || !(span > 0)) return null;
+    return hermite(times, values, slopes, k, begin + span * before / (before - after));
+  }
 
   // src/question/marking/own-run.js
   function reading(run, mass, quantity, at2) {
@@ -2530,7 +2536,11 @@
     const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
     if (at2 === "largest") {
       let most = 0;
-      for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
+      const take = (value) => {
+        if (Math.abs(value) > Math.abs(most)) most = value;
+      };
+      column.forEach(take);
+      for (let k = 0; k < column.length; k += 1) take(turnAfter(run.t, column, slopes, k) ?? 0);
       return most * factor;
     }
     const t = at2 === "end" ? run.t[run.t.length - 1] : at2 === "start" ? run.t[0] : Number(at2);

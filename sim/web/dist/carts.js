@@ -1844,6 +1844,12 @@
     const found3 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
     return Number.isFinite(found3) ? found3 : at3(values, k);
   }
+  function turnAfter(times2, values, slopes, k) {
+    const [before, after] = [Number(slopes?.[k]), Number(slopes?.[k + 1])];
+    const [begin, span2] = [Number(times2[k]), Number(times2[k + 1]) - Number(times2[k])];
+    if (!slopes || !(before * after < 0) || !(span2 > 0)) return null;
+    return hermite(times2, values, slopes, k, begin + span2 * before / (before - after));
+  }
 
   // ../effects/push/view.js
   var LET_GO = 1.5;
@@ -4306,74 +4312,6 @@
     if (undo instanceof HTMLButtonElement) undo.disabled = !on;
   }
 
-  // ../view/effects-forces.js
-  var FEW = 3;
-  function forcesAt({ header, trajectory }, t3, always = false) {
-    const found3 = [];
-    for (const kind2 of kindsOnOne(header)) {
-      const acting = header.effects.filter(
-        (effect) => effect.kind === kind2 && (always ? effect.active : actsAt(effect, t3))
-      );
-      for (const { name } of header.bodies) {
-        const own = acting.filter((effect) => effect.carts.includes(name));
-        const column = trajectory.E[`${kind2} ${name}`];
-        if (!own.length || !column?.length) continue;
-        const peak = greatest(column);
-        const on = own.some((effect) => actsAt(effect, t3));
-        const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
-        const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
-        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found3.push({ kind: kind2, on: name, by: listed([...new Set(own.map(agent))]), value, size });
-      }
-    }
-    return found3;
-  }
-  function partsOf(header, run, name) {
-    return kindsOnOne(header).flatMap((kind2) => {
-      const own = header.effects.filter(
-        (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(name)
-      );
-      const column = run.E[`${kind2} ${name}`];
-      return own.length && column?.length ? [{ by: listed([...new Set(own.map(agent))]), column }] : [];
-    });
-  }
-  function labels({ kind: kind2, on, by, size }) {
-    const told3 = { on, by, size };
-    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
-    return [
-      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
-      tr("on {on} by {by}: {size} N", brief2),
-      tr("by {by}: {size} N", brief2)
-      // whose force it is tells the line from the cart
-    ];
-  }
-  function outside(header) {
-    const { effects, track } = header;
-    const sides = (
-      /** @type {const} */
-      ["left", "right"]
-    );
-    const walls = sides.filter((side) => track[side] === "wall").map((side) => kind(side, track));
-    const kinds = kindsOnOne(header).map(viewOf);
-    const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
-    const others = effects.map((effect) => {
-      const { around } = viewOf(effect.kind);
-      return typeof around === "function" ? around(effect, agent(effect)) : "";
-    });
-    const earth = walls.length || kinds.some((view) => view.earth) ? tr("Earth") : "";
-    const parts2 = [...walls, ...media, ...others, earth];
-    return [...new Set(parts2.filter(Boolean))].join(" + ");
-  }
-  var known = /* @__PURE__ */ new WeakMap();
-  function greatest(column) {
-    const before = known.get(column);
-    if (before !== void 0) return before;
-    let most = 0;
-    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
-    known.set(column, most);
-    return most;
-  }
-
   // ../view/markers.js
   var MARKERS = {
     b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
@@ -4389,116 +4327,6 @@
   };
   function styleOf(index) {
     return `b${index % 8}`;
-  }
-
-  // ../view/series.js
-  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
-    if (quantity === "F") return forces(header, run, signed);
-    if (quantity === "R") return resultants(header, run);
-    const times2 = Float64Array.from(run.t);
-    const curves = header.bodies.map((body2, i2) => {
-      const { name, mass } = body2;
-      const [x2, v2, a2] = [run.x[name] ?? [], run.v[name] ?? [], run.a[name] ?? []];
-      const seen = Float64Array.from(v2, (speed) => speed - camera);
-      const curve2 = { label: name, style: styleOf(i2), over: false };
-      switch (quantity) {
-        case "x": {
-          const values = Float64Array.from(x2, (place4, k) => place4 - camera * Number(times2[k]));
-          return { ...curve2, values, slopes: seen };
-        }
-        case "v":
-          return {
-            ...curve2,
-            values: seen.map((speed) => speed / per),
-            slopes: Float64Array.from(a2, (rate) => rate / per)
-          };
-        case "a":
-          return { ...curve2, values: a2, slopes: null };
-        case "p":
-          return {
-            ...curve2,
-            values: seen.map((speed) => mass * speed),
-            slopes: Float64Array.from(a2, (value) => mass * value)
-          };
-        default:
-          return { ...curve2, values: seen.map((s3) => mass * s3 * s3 / 2), slopes: null };
-      }
-    });
-    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
-    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
-    return curves;
-  }
-  function resultants(header, run) {
-    return header.bodies.flatMap(({ name, mass }, i2) => {
-      const style = styleOf(i2);
-      const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
-      const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
-        label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
-        style,
-        over: true,
-        values: column,
-        slopes: null
-      }));
-      return [{ label: name, style, over: false, values, slopes: null }, ...parts2];
-    });
-  }
-  function partner(curves, label) {
-    const { values, slopes } = total(curves);
-    const start = Number(values[0]);
-    return {
-      label,
-      style: "wall",
-      over: false,
-      values: Float64Array.from(values, (value) => start - value),
-      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
-    };
-  }
-  function total(curves) {
-    const sum = (columns) => {
-      const rows = Float64Array.from(columns[0] ?? []);
-      for (const column of columns.slice(1)) {
-        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
-      }
-      return rows;
-    };
-    return {
-      label: curves.some(({ style }) => style === "wall") ? tr("all together") : tr("all carts"),
-      style: "total",
-      over: false,
-      values: sum(curves.map((c2) => c2.values)),
-      slopes: curves.every((c2) => c2.slopes) ? sum(curves.map((c2) => c2.slopes)) : null
-    };
-  }
-  function forces(header, run, signed) {
-    const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
-    const sign = signed ? -1 : 1;
-    const curves = [];
-    for (const contact of header.contacts) {
-      let force2 = run.F[contact.pair];
-      let slope = run.dF[contact.pair];
-      if (!force2 || !slope || !Array.prototype.some.call(force2, (f2) => f2 !== 0)) continue;
-      if (!signed) {
-        const pulls = Array.from(force2, (f2) => f2 < 0);
-        slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
-        force2 = Float64Array.from(force2, Math.abs);
-      }
-      const [left, right] = contact.bodies;
-      curves.push({
-        label: onBy(left, right, header.track),
-        style: styles.get(left) ?? "wall",
-        over: false,
-        values: Float64Array.from(force2, (f2) => sign * f2),
-        slopes: Float64Array.from(slope, (s3) => sign * s3)
-      });
-      curves.push({
-        label: onBy(right, left, header.track),
-        style: styles.get(right) ?? "wall",
-        over: true,
-        values: force2,
-        slopes: slope
-      });
-    }
-    return curves;
   }
 
   // ../view/ledger-effects.js
@@ -4518,17 +4346,14 @@
       if (!detail.heard) resolve(null);
     });
   }
-  function ledgerWithEffects({ header, trajectory }, parts2) {
-    const times2 = trajectory.t;
-    const moving = seriesOf("energy", header, trajectory, 0).filter((c2) => c2.style !== "total");
-    const column = (name) => {
-      const values = parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(times2.length);
-      if (values.length === times2.length) return values;
-      return Float64Array.from(times2, (t3) => valueAt(parts2.t, values, null, Number(t3)));
-    };
-    const bands = moving.map((curve2) => ({
-      ...curve2,
-      label: tr("motion of {cart}", { cart: curve2.label })
+  function ledgerWithEffects(header, parts2) {
+    const column = (name) => parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(parts2.t.length);
+    const bands = parts2.moving.map((values, i2) => ({
+      label: tr("motion of {cart}", { cart: header.bodies[i2]?.name ?? "" }),
+      style: styleOf(i2),
+      over: false,
+      values,
+      slopes: null
     }));
     for (const name of parts2.names.filter((one) => one !== WARMED)) {
       const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name, header), "stored"];
@@ -4605,7 +4430,7 @@
       )
     };
   }
-  function greatest2(run, pair) {
+  function greatest(run, pair) {
     const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
     const peak = run.header.events.find(
       (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
@@ -4702,7 +4527,7 @@
       const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
       const tables = pairs.map((pair) => {
         const rows = this.#rows.filter((row) => row.pair === pair);
-        const actual = greatest2(run, pair);
+        const actual = greatest(run, pair);
         const grid = html("div", "carts-compare");
         const newtons = (size) => `${fixed(size, this.decimals)} N`;
         const spoken = rows.map(
@@ -5135,7 +4960,7 @@
     compare(run) {
       this.draw([]);
       return this.#pairs.map((rows) => {
-        const actual = greatest2(run, rows[0]?.pair ?? "");
+        const actual = greatest(run, rows[0]?.pair ?? "");
         const most = Math.max(...rows.map(({ share }) => share ?? 0));
         const grid = html("div", "carts-compare");
         const yours = relation(rows, (row) => row.share);
@@ -6455,6 +6280,188 @@
     });
   }
 
+  // ../view/effects-forces.js
+  var FEW = 3;
+  function forcesAt({ header, trajectory }, t3, always = false) {
+    const found3 = [];
+    for (const kind2 of kindsOnOne(header)) {
+      const acting = header.effects.filter(
+        (effect) => effect.kind === kind2 && (always ? effect.active : actsAt(effect, t3))
+      );
+      for (const { name } of header.bodies) {
+        const own = acting.filter((effect) => effect.carts.includes(name));
+        const column = trajectory.E[`${kind2} ${name}`];
+        if (!own.length || !column?.length) continue;
+        const peak = greatest2(column);
+        const on = own.some((effect) => actsAt(effect, t3));
+        const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
+        const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
+        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
+        found3.push({ kind: kind2, on: name, by: listed([...new Set(own.map(agent))]), value, size });
+      }
+    }
+    return found3;
+  }
+  function partsOf(header, run, name) {
+    return kindsOnOne(header).flatMap((kind2) => {
+      const own = header.effects.filter(
+        (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(name)
+      );
+      const column = run.E[`${kind2} ${name}`];
+      return own.length && column?.length ? [{ by: listed([...new Set(own.map(agent))]), column }] : [];
+    });
+  }
+  function labels({ kind: kind2, on, by, size }) {
+    const told3 = { on, by, size };
+    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
+    return [
+      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
+      tr("on {on} by {by}: {size} N", brief2),
+      tr("by {by}: {size} N", brief2)
+      // whose force it is tells the line from the cart
+    ];
+  }
+  function outside(header) {
+    const { effects, track } = header;
+    const sides = (
+      /** @type {const} */
+      ["left", "right"]
+    );
+    const walls = sides.filter((side) => track[side] === "wall").map((side) => kind(side, track));
+    const kinds = kindsOnOne(header).map(viewOf);
+    const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
+    const others = effects.map((effect) => {
+      const { around } = viewOf(effect.kind);
+      return typeof around === "function" ? around(effect, agent(effect)) : "";
+    });
+    const earth = walls.length || kinds.some((view) => view.earth) ? tr("Earth") : "";
+    const parts2 = [...walls, ...media, ...others, earth];
+    return [...new Set(parts2.filter(Boolean))].join(" + ");
+  }
+  var known = /* @__PURE__ */ new WeakMap();
+  function greatest2(column) {
+    const before = known.get(column);
+    if (before !== void 0) return before;
+    let most = 0;
+    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
+    known.set(column, most);
+    return most;
+  }
+
+  // ../view/series.js
+  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
+    if (quantity === "F") return forces(header, run, signed);
+    if (quantity === "R") return resultants(header, run);
+    const times2 = Float64Array.from(run.t);
+    const curves = header.bodies.map((body2, i2) => {
+      const { name, mass } = body2;
+      const [x2, v2, a2] = [run.x[name] ?? [], run.v[name] ?? [], run.a[name] ?? []];
+      const seen = Float64Array.from(v2, (speed) => speed - camera);
+      const curve2 = { label: name, style: styleOf(i2), over: false };
+      switch (quantity) {
+        case "x": {
+          const values = Float64Array.from(x2, (place4, k) => place4 - camera * Number(times2[k]));
+          return { ...curve2, values, slopes: seen };
+        }
+        case "v":
+          return {
+            ...curve2,
+            values: seen.map((speed) => speed / per),
+            slopes: Float64Array.from(a2, (rate) => rate / per)
+          };
+        case "a":
+          return { ...curve2, values: a2, slopes: null };
+        case "p":
+          return {
+            ...curve2,
+            values: seen.map((speed) => mass * speed),
+            slopes: Float64Array.from(a2, (value) => mass * value)
+          };
+        default:
+          return {
+            ...curve2,
+            values: seen.map((speed) => mass * speed * speed / 2),
+            slopes: Float64Array.from(a2, (rate, k) => mass * Number(seen[k]) * rate)
+          };
+      }
+    });
+    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
+    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
+    return curves;
+  }
+  function resultants(header, run) {
+    return header.bodies.flatMap(({ name, mass }, i2) => {
+      const style = styleOf(i2);
+      const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
+      const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
+        label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
+        style,
+        over: true,
+        values: column,
+        slopes: null
+      }));
+      return [{ label: name, style, over: false, values, slopes: null }, ...parts2];
+    });
+  }
+  function partner(curves, label) {
+    const { values, slopes } = total(curves);
+    const start = Number(values[0]);
+    return {
+      label,
+      style: "wall",
+      over: false,
+      values: Float64Array.from(values, (value) => start - value),
+      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
+    };
+  }
+  function total(curves) {
+    const sum = (columns) => {
+      const rows = Float64Array.from(columns[0] ?? []);
+      for (const column of columns.slice(1)) {
+        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
+      }
+      return rows;
+    };
+    return {
+      label: curves.some(({ style }) => style === "wall") ? tr("all together") : tr("all carts"),
+      style: "total",
+      over: false,
+      values: sum(curves.map((c2) => c2.values)),
+      slopes: curves.every((c2) => c2.slopes) ? sum(curves.map((c2) => c2.slopes)) : null
+    };
+  }
+  function forces(header, run, signed) {
+    const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
+    const sign = signed ? -1 : 1;
+    const curves = [];
+    for (const contact of header.contacts) {
+      let force2 = run.F[contact.pair];
+      let slope = run.dF[contact.pair];
+      if (!force2 || !slope || !Array.prototype.some.call(force2, (f2) => f2 !== 0)) continue;
+      if (!signed) {
+        const pulls = Array.from(force2, (f2) => f2 < 0);
+        slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
+        force2 = Float64Array.from(force2, Math.abs);
+      }
+      const [left, right] = contact.bodies;
+      curves.push({
+        label: onBy(left, right, header.track),
+        style: styles.get(left) ?? "wall",
+        over: false,
+        values: Float64Array.from(force2, (f2) => sign * f2),
+        slopes: Float64Array.from(slope, (s3) => sign * s3)
+      });
+      curves.push({
+        label: onBy(right, left, header.track),
+        style: styles.get(right) ?? "wall",
+        over: true,
+        values: force2,
+        slopes: slope
+      });
+    }
+    return curves;
+  }
+
   // src/scene/take-along/csv.js
   function csv(run, quantities, camera, seen = Infinity) {
     if (!isTold(run)) return "";
@@ -6999,12 +7006,13 @@ ${lines4.join("\n")}
     };
     return new Predict(ask, baked, draw, locked, forgotten);
   }
-  function columnsOf({ parts: parts2, rows }, numbers) {
+  function columnsOf({ parts: parts2, carts, rows }, numbers) {
     const column = (k) => numbers.subarray(k * rows, (k + 1) * rows);
     return {
       names: parts2,
       t: column(0),
-      columns: parts2.map((_2, k) => column(k + 1))
+      columns: parts2.map((_2, k) => column(k + 1)),
+      moving: Array.from({ length: carts }, (_2, k) => column(parts2.length + k + 1))
     };
   }
 
@@ -8153,17 +8161,18 @@ ${lines4.join("\n")}
   function valueY(plane, value) {
     return BOTTOM5 - (value - plane.value.low) * ((BOTTOM5 - TOP6) / (plane.value.high - plane.value.low));
   }
-  function extent(curves) {
+  function extent(curves, times2) {
     let low = 0;
     let high = 0;
-    for (const { values } of curves) {
+    const take = (value) => {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    };
+    for (const { values, slopes } of curves) {
       for (let k = 0; k < values.length; k += 1) {
-        const value = (
-          /** @type {number} */
-          values[k]
-        );
-        if (value < low) low = value;
-        if (value > high) high = value;
+        take(Number(values[k]));
+        const turned = turnAfter(times2, values, slopes, k);
+        if (turned !== null) take(turned);
       }
     }
     return [low, high];
@@ -8523,18 +8532,18 @@ ${lines4.join("\n")}
     show(run, open2, changed) {
       const { events, until } = run.header;
       if (!this.asks) {
-        this.#take(run, ledger(run, touches(events, until), this.camera));
+        this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
       } else if (open2 && this.#of !== run) {
         this.#of = run;
         void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
-          this.#take(run, parts2 ? ledgerWithEffects(run, parts2) : []);
+          this.#take(parts2?.t ?? [], parts2 ? ledgerWithEffects(run.header, parts2) : []);
           changed();
         });
       }
     }
-    #take({ trajectory }, entries) {
-      this.times = trajectory.t;
+    #take(times2, entries) {
+      this.times = times2;
       this.entries = entries;
       this.tops = stacked(entries);
     }
@@ -8612,8 +8621,8 @@ ${lines4.join("\n")}
         this.fill();
       });
     }
-    show(run, curves) {
-      this.#waiting = { run, curves };
+    show(run, curves, rows) {
+      this.#waiting = { run, curves, rows };
       this.#shown = this.#waiting;
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST4);
@@ -8626,7 +8635,7 @@ ${lines4.join("\n")}
     }
     fill() {
       if (!this.#waiting) return;
-      const { run, curves } = this.#waiting;
+      const { run, curves, rows: instants } = this.#waiting;
       this.#waiting = null;
       const speed = speedUnit(this.view.velocity)[1];
       const unit = this.quantity === "v" ? speed : QUANTITIES[this.quantity]?.[2] ?? "";
@@ -8644,7 +8653,7 @@ ${lines4.join("\n")}
         const row = html("tr");
         row.append(html("td", "", fixed(t3, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
-          const value = valueAt(run.trajectory.t, values, slopes, t3);
+          const value = valueAt(instants, values, slopes, t3);
           row.append(html("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
         return row;
@@ -8741,7 +8750,8 @@ ${lines4.join("\n")}
       this.impulse?.show(run);
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t3);
-      this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
+      const told3 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
+      this.table.show(run, told3, this.#times(run));
     }
     grow(seen) {
       this.#seen = seen;
@@ -8791,17 +8801,18 @@ ${lines4.join("\n")}
       const { header } = run;
       this.#curves = this.#curvesOf(run);
       const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
-      const values = extent([...this.#curves, ...behind]);
-      const first = extent(this.#first ? this.#curvesOf(this.#first) : []);
-      const reached2 = reached(first, this.reach, this.#signed);
-      const both = (
+      const first = this.#first ? extent(this.#curvesOf(this.#first), this.#times(this.#first)) : (
         /** @type {[number, number]} */
-        [
-          Math.min(values[0], reached2[0]),
-          Math.max(values[1], reached2[1])
-        ]
+        [0, 0]
       );
-      this.#plane = planeFor(both, this.#window ?? [0, header.until]);
+      const all = [
+        extent(this.#curves, this.#times(run)),
+        extent(behind, this.behind?.trajectory.t ?? []),
+        reached(first, this.reach, this.#signed)
+      ];
+      const low = Math.min(...all.map((one) => one[0]));
+      const high = Math.max(...all.map((one) => one[1]));
+      this.#plane = planeFor([low, high], this.#window ?? [0, header.until]);
       drawAxes(this.root, this.#plane);
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));

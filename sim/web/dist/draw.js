@@ -11642,6 +11642,12 @@ ${table3(facts)}
     const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
     return Number.isFinite(found) ? found : at(values, k);
   }
+  function turnAfter(times2, values, slopes, k) {
+    const [before2, after2] = [Number(slopes?.[k]), Number(slopes?.[k + 1])];
+    const [begin, span2] = [Number(times2[k]), Number(times2[k + 1]) - Number(times2[k])];
+    if (!slopes || !(before2 * after2 < 0) || !(span2 > 0)) return null;
+    return hermite(times2, values, slopes, k, begin + span2 * before2 / (before2 - after2));
+  }
 
   // ../effects/push/view.js
   var LET_GO = 1.5;
@@ -12217,17 +12223,18 @@ ${rows}</tbody></table></div>
   function valueY(plane, value) {
     return BOTTOM4 - (value - plane.value.low) * ((BOTTOM4 - TOP4) / (plane.value.high - plane.value.low));
   }
-  function extent(curves) {
+  function extent(curves, times2) {
     let low = 0;
     let high = 0;
-    for (const { values } of curves) {
+    const take = (value) => {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    };
+    for (const { values, slopes } of curves) {
       for (let k = 0; k < values.length; k += 1) {
-        const value = (
-          /** @type {number} */
-          values[k]
-        );
-        if (value < low) low = value;
-        if (value > high) high = value;
+        take(Number(values[k]));
+        const turned = turnAfter(times2, values, slopes, k);
+        if (turned !== null) take(turned);
       }
     }
     return [low, high];
@@ -13382,7 +13389,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
             slopes: Float64Array.from(a, (value) => mass * value)
           };
         default:
-          return { ...curve3, values: seen.map((s) => mass * s * s / 2), slopes: null };
+          return {
+            ...curve3,
+            values: seen.map((speed) => mass * speed * speed / 2),
+            slopes: Float64Array.from(a, (rate, k) => mass * Number(seen[k]) * rate)
+          };
       }
     });
     if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
@@ -14344,17 +14355,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       if (!detail.heard) resolve(null);
     });
   }
-  function ledgerWithEffects({ header, trajectory }, parts2) {
-    const times2 = trajectory.t;
-    const moving = seriesOf("energy", header, trajectory, 0).filter((c) => c.style !== "total");
-    const column = (name) => {
-      const values = parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(times2.length);
-      if (values.length === times2.length) return values;
-      return Float64Array.from(times2, (t) => valueAt2(parts2.t, values, null, Number(t)));
-    };
-    const bands = moving.map((curve3) => ({
-      ...curve3,
-      label: tr("motion of {cart}", { cart: curve3.label })
+  function ledgerWithEffects(header, parts2) {
+    const column = (name) => parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(parts2.t.length);
+    const bands = parts2.moving.map((values, i) => ({
+      label: tr("motion of {cart}", { cart: header.bodies[i]?.name ?? "" }),
+      style: styleOf(i),
+      over: false,
+      values,
+      slopes: null
     }));
     for (const name of parts2.names.filter((one) => one !== WARMED)) {
       const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name, header), "stored"];
@@ -14404,18 +14412,18 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     show(run, open, changed) {
       const { events, until } = run.header;
       if (!this.asks) {
-        this.#take(run, ledger(run, touches(events, until), this.camera));
+        this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
       } else if (open && this.#of !== run) {
         this.#of = run;
         void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
-          this.#take(run, parts2 ? ledgerWithEffects(run, parts2) : []);
+          this.#take(parts2?.t ?? [], parts2 ? ledgerWithEffects(run.header, parts2) : []);
           changed();
         });
       }
     }
-    #take({ trajectory }, entries2) {
-      this.times = trajectory.t;
+    #take(times2, entries2) {
+      this.times = times2;
       this.entries = entries2;
       this.tops = stacked(entries2);
     }
@@ -14493,8 +14501,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.fill();
       });
     }
-    show(run, curves) {
-      this.#waiting = { run, curves };
+    show(run, curves, rows) {
+      this.#waiting = { run, curves, rows };
       this.#shown = this.#waiting;
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
@@ -14507,7 +14515,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     fill() {
       if (!this.#waiting) return;
-      const { run, curves } = this.#waiting;
+      const { run, curves, rows: instants } = this.#waiting;
       this.#waiting = null;
       const speed = speedUnit(this.view.velocity)[1];
       const unit = this.quantity === "v" ? speed : QUANTITIES[this.quantity]?.[2] ?? "";
@@ -14525,7 +14533,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         const row2 = html2("tr");
         row2.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
-          const value = valueAt2(run.trajectory.t, values, slopes, t);
+          const value = valueAt2(instants, values, slopes, t);
           row2.append(html2("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
         return row2;
@@ -14622,7 +14630,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.impulse?.show(run);
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t);
-      this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
+      const told3 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
+      this.table.show(run, told3, this.#times(run));
     }
     grow(seen) {
       this.#seen = seen;
@@ -14672,17 +14681,18 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const { header } = run;
       this.#curves = this.#curvesOf(run);
       const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
-      const values = extent([...this.#curves, ...behind]);
-      const first = extent(this.#first ? this.#curvesOf(this.#first) : []);
-      const reached2 = reached(first, this.reach, this.#signed);
-      const both = (
+      const first = this.#first ? extent(this.#curvesOf(this.#first), this.#times(this.#first)) : (
         /** @type {[number, number]} */
-        [
-          Math.min(values[0], reached2[0]),
-          Math.max(values[1], reached2[1])
-        ]
+        [0, 0]
       );
-      this.#plane = planeFor(both, this.#window ?? [0, header.until]);
+      const all = [
+        extent(this.#curves, this.#times(run)),
+        extent(behind, this.behind?.trajectory.t ?? []),
+        reached(first, this.reach, this.#signed)
+      ];
+      const low = Math.min(...all.map((one) => one[0]));
+      const high = Math.max(...all.map((one) => one[1]));
+      this.#plane = planeFor([low, high], this.#window ?? [0, header.until]);
       drawAxes(this.root, this.#plane);
       const group = need(this.root, '[data-part="curves"]');
       fit(group, this.#curves.length, () => svg("path"));

@@ -73,7 +73,9 @@ def _menu(page: str) -> set[str]:
 def test_the_menu_of_our_own_site_is_in_the_catalogues() -> None:
     """What mkdocs.yml calls its parts stands on every page of a lesson, translated ones too."""
     config = Path(ROOT, "mkdocs.yml").read_text(encoding="utf-8")
-    parts = re.findall(r"^ {2}- ([^:\n]+):", config.partition("\nnav:")[2].partition("\n\n")[0], re.MULTILINE)
+    parts = re.findall(
+        r"^ {2}- ([^:\n]+):", config.partition("\nnav:")[2].partition("\n\n")[0], re.MULTILINE
+    )
     switches = re.findall(r"^ {8}name: (\w+)$", config, re.MULTILINE)
     assert {*parts, *switches} == MENU_WORDS
 

@@ -94,11 +94,12 @@ export function askFirst(element, baked, view, { locked, forgotten }) {
 }
 
 /** @param {any} header @param {Float64Array} numbers @returns {import("../../../view/ledger-effects.js").Parts} */
-function columnsOf({ parts, rows }, numbers) {
+function columnsOf({ parts, carts, rows }, numbers) {
   const column = (/** @type {number} */ k) => numbers.subarray(k * rows, (k + 1) * rows);
   return {
     names: parts,
     t: column(0),
     columns: parts.map((/** @type {string} */ _, /** @type {number} */ k) => column(k + 1)),
+    moving: Array.from({ length: carts }, (_, k) => column(parts.length + k + 1)),
   };
 }

@@ -104,7 +104,7 @@ def curves(fence: dict[str, Any], quantity: str) -> dict[str, Any]:
           (name) => import(`${view}/${name}.js`)));
         const run = t.fromWire(data.header, Float64Array.from(data.numbers));
         const found = s.seriesOf(data.quantity, data.header, run, 0);
-        const plane = g.planeFor(g.extent(found), [0, data.header.until]);
+        const plane = g.planeFor(g.extent(found, run.t), [0, data.header.until]);
         give({ paths: found.map((curve) => g.path(curve, run.t, plane)),
           x: [0, 1].map((v) => g.timeX(plane, v)), y: [0, 1].map((v) => g.valueY(plane, v)) });""",
         {"header": header, "numbers": numbers.tolist(), "quantity": quantity},
@@ -131,6 +131,33 @@ def drawn_points(path: str) -> list[tuple[float, float]]:
                 )
             )
     return points
+
+
+UPHILL = {
+    "id": "uphill",
+    "carts": {"A": {"mass": 1, "position": 0.2, "velocity": 0.6}},
+    "effects": [{"incline": {"angle": "-2 deg"}}],
+    "until": 3,
+}
+
+
+def test_on_a_slope_the_curves_of_a_flight_are_those_of_its_parabola() -> None:
+    """A flight has two rows, and the cart turns between them: its energy is nothing there, and its
+    place is within the axis."""
+    g, (begin, end) = 9.81 * math.sin(math.radians(2)), (0.6, 0.2)
+    made = {quantity: curves(UPHILL, quantity) for quantity in ("energy", "x")}
+    true = {
+        "energy": lambda t: (begin - g * t) ** 2 / 2,
+        "x": lambda t: end + begin * t - g * t * t / 2,
+    }
+    for quantity, drawn in made.items():
+        (x0, x1), (y0, y1) = drawn["x"], drawn["y"]
+        points = drawn_points(drawn["paths"][0])
+        assert len(points) > 10, quantity
+        for x, y in points:
+            t, value = (x - x0) / (x1 - x0), (y - y0) / (y1 - y0)
+            assert value == pytest.approx(true[quantity](t), abs=2e-3), (quantity, t)
+            assert 8 <= y <= 129, quantity  # TOP and BOTTOM of graph.js
 
 
 def test_the_area_under_the_drawn_force_is_the_impulse() -> None:

@@ -1,6 +1,6 @@
 /** What a student's own run says about a quantity, in SI. */
 
-import { valueAt } from "../../../../view/trajectory.js";
+import { turnAfter, valueAt } from "../../../../view/trajectory.js";
 
 /**
  * @param {any} run `el.trajectory` of the scene @param {Record<string, number>} mass kg, by cart
@@ -16,7 +16,11 @@ export function reading(run, mass, quantity, at) {
   const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
   if (at === "largest") {
     let most = 0;
-    for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
+    const take = (/** @type {number} */ value) => {
+      if (Math.abs(value) > Math.abs(most)) most = value;
+    };
+    column.forEach(take);
+    for (let k = 0; k < column.length; k += 1) take(turnAfter(run.t, column, slopes, k) ?? 0);
     return most * factor;
   }
   const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);

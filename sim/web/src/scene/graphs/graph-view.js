@@ -85,7 +85,8 @@ export class GraphView {
     this.impulse?.show(run);
     this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
     this.#draw(t);
-    this.table.show(run, this.#stacked ? (this.ledger?.entries ?? []) : this.#curves);
+    const told = this.#stacked ? (this.ledger?.entries ?? []) : this.#curves;
+    this.table.show(run, told, this.#times(run));
   }
 
   /** Draws the curves as far as they were watched. @param {number} seen in s */
@@ -149,14 +150,17 @@ export class GraphView {
     const { header } = run;
     this.#curves = this.#curvesOf(run);
     const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
-    const values = g.extent([...this.#curves, ...behind]);
-    const first = g.extent(this.#first ? this.#curvesOf(this.#first) : []);
-    const reached = g.reached(first, this.reach, this.#signed);
-    const both = /** @type {[number, number]} */ ([
-      Math.min(values[0], reached[0]),
-      Math.max(values[1], reached[1]),
-    ]);
-    this.#plane = g.planeFor(both, this.#window ?? [0, header.until]);
+    const first = this.#first
+      ? g.extent(this.#curvesOf(this.#first), this.#times(this.#first))
+      : /** @type {[number, number]} */ ([0, 0]);
+    const all = [
+      g.extent(this.#curves, this.#times(run)),
+      g.extent(behind, this.behind?.trajectory.t ?? []),
+      g.reached(first, this.reach, this.#signed),
+    ];
+    const low = Math.min(...all.map((one) => one[0]));
+    const high = Math.max(...all.map((one) => one[1]));
+    this.#plane = g.planeFor([low, high], this.#window ?? [0, header.until]);
     drawAxes(this.root, this.#plane);
     const group = need(this.root, '[data-part="curves"]');
     fit(group, this.#curves.length, () => svg("path"));

@@ -47,20 +47,20 @@ export class LedgerLayer {
   show(run, open, changed) {
     const { events, until } = run.header;
     if (!this.asks) {
-      this.#take(run, ledger(run, touches(events, until), this.camera));
+      this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
     } else if (open && this.#of !== run) {
       this.#of = run;
       void askParts(this.root).then((parts) => {
         if (this.#of !== run) return; // a newer one is on its way
-        this.#take(run, parts ? ledgerWithEffects(run, parts) : []);
+        this.#take(parts?.t ?? [], parts ? ledgerWithEffects(run.header, parts) : []);
         changed();
       });
     }
   }
 
-  /** @param {Run} run @param {Series[]} entries */
-  #take({ trajectory }, entries) {
-    this.times = trajectory.t;
+  /** @param {ArrayLike<number>} times in s @param {Series[]} entries */
+  #take(times, entries) {
+    this.times = times;
     this.entries = entries;
     this.tops = stacked(entries);
   }

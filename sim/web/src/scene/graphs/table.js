@@ -13,6 +13,7 @@ import { html, need } from "../../shared/dom.js";
 
 /** @typedef {import("../../../../view/types.js").Run} Run */
 /** @typedef {import("../../../../view/series.js").Series} Series */
+/** @typedef {{run: Run, curves: Series[], rows: ArrayLike<number>}} Shown rows: s, of the curves' values */
 
 const ROWS = 10;
 const MOST_EVENTS = 24;
@@ -22,11 +23,11 @@ const OF_CONTACTS = ["F", "R", "a"];
 const REST = 250; // ms without a new run before a closed table is filled
 
 export class Table {
-  /** @type {{run: Run, curves: Series[]} | null} */
+  /** @type {Shown | null} */
   #waiting = null;
   #timer = 0;
   #seen = Infinity; // s, as far as the run was watched
-  /** @type {{run: Run, curves: Series[]} | null} */
+  /** @type {Shown | null} */
   #shown = null;
   #rows = 0;
 
@@ -41,9 +42,9 @@ export class Table {
     });
   }
 
-  /** @param {Run} run @param {Series[]} curves */
-  show(run, curves) {
-    this.#waiting = { run, curves };
+  /** @param {Run} run @param {Series[]} curves @param {ArrayLike<number>} rows in s, those of the curves */
+  show(run, curves, rows) {
+    this.#waiting = { run, curves, rows };
     this.#shown = this.#waiting;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
@@ -59,7 +60,7 @@ export class Table {
 
   fill() {
     if (!this.#waiting) return;
-    const { run, curves } = this.#waiting;
+    const { run, curves, rows: instants } = this.#waiting;
     this.#waiting = null;
     const speed = speedUnit(this.view.velocity)[1];
     const unit = this.quantity === "v" ? speed : (QUANTITIES[this.quantity]?.[2] ?? "");
@@ -77,7 +78,7 @@ export class Table {
       const row = html("tr");
       row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
       for (const { values, slopes } of curves) {
-        const value = valueAt(run.trajectory.t, values, slopes, t);
+        const value = valueAt(instants, values, slopes, t);
         row.append(html("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
       }
       return row;
