@@ -35,6 +35,8 @@ def short(value: float, figures: int = 3) -> str:
     power = exponent(value)
     if value and not -4 < power < 6:
         mantissa = _trim(fixed(value / float(f"1e{power}"), figures - 1))
+        if mantissa.endswith("10"):  # 9.999 is 1.00 of the next power
+            mantissa, power = mantissa[:-1], power + 1
         return f"{mantissa} × 10{str(power).translate(SUPERSCRIPT)}"
     return _trim(fixed(value, max(0, figures - 1 - power)))
 

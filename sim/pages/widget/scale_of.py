@@ -18,6 +18,7 @@ from sim.scene.laws import power_of
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
 ROOM_TO_GUESS = 1.7  # a prediction's longest arrow, over the estimate: the scale tells nothing
+MUCH_FASTER = 5.0  # times what it starts with: then the run's own speeds make the scale
 ROUNDING = 1e-12  # of what forces could do; less than that is nought
 TALLEST = 4.0  # reference heights; a heavier cart gets a break mark “not to scale”
 
@@ -49,15 +50,16 @@ def read_scales(
     force = max(force, greatest_force(header, controls, run))
     speed = max(abs(b["velocity"] - camera) for variant in variants for b in variant["bodies"])
     speed = max(speed, abs(camera))
-    if run is not None and speed == 0.0:
-        speed = max(abs(v) for column in run.v.values() for v in column)
-        lightest = min(b["mass"] for b in header["bodies"])
-        if speed <= ROUNDING * force * header["until"] / lightest:
-            speed = 0.0  # forces that cancel leave rounding, and rounding is no motion
+    lightest = min(b["mass"] for b in header["bodies"])
+    if run is not None:
+        fastest = max(abs(v - camera) for column in run.v.values() for v in column)
+        if fastest <= ROUNDING * force * header["until"] / lightest:
+            fastest = 0.0  # forces that cancel leave rounding, and rounding is no motion
+        if fastest > MUCH_FASTER * speed:
+            speed = fastest
     velocity = full_scale(speed) if speed > 0 else 1.0
     force = full_scale(force) if force > 0 else 0.0
     per = speed_unit(velocity)[0]
-    lightest = min(b["mass"] for b in header["bodies"])
     decimals = {
         "t": 3,
         "x": min(6, max(3, decimals_for(velocity))),
@@ -109,9 +111,9 @@ def _reachable_force(
     """The greatest contact force in N that a slider may lead to, about.
 
     Where the run may be known, its greatest force times what the estimate says the sliders do to
-    it; else the estimate.
+    it; else the estimate, as where nothing touches yet and a slider may make it.
     """
-    greatest = 0.0
+    greatest = reached = 0.0
     apart = kept_apart(header)
     for k, contact in enumerate(header["contacts"]):
         if contact["pair"] in apart:
@@ -125,7 +127,8 @@ def _reachable_force(
             greatest = max(greatest, ROOM_TO_GUESS * max(estimates))
         else:
             greatest = max(greatest, peak)
-    return greatest
+            reached = max([reached, *estimates[1:]])
+    return greatest or reached
 
 
 def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> float:

@@ -45,6 +45,34 @@ def test_an_axis_reaches_as_far_as_the_sliders_do() -> None:
     assert scales.reach["v"].high == pytest.approx(1.0)  # the fastest start of A
 
 
+@pytest.mark.parametrize("velocity", ["0 m/s", "-0.2 m/s"])
+def test_where_nothing_touches_yet_a_slider_that_makes_it_has_a_scale_of_forces(
+    velocity: str,
+) -> None:
+    """Arrows of the first touch would have no length, and no number of newtons beside the ruler."""
+    carts = {**MEETING["carts"], "A": {**MEETING["carts"]["A"], "velocity": velocity}}
+    controls = [{"set": "A.velocity", "from": "-0.2 m/s", "to": "1 m/s", "step": "0.1 m/s"}]
+    fence, header, numbers = baked({**MEETING, "carts": carts, "controls": controls})
+    assert not any(from_wire(header, numbers).F.values())
+    met = {"A": {**carts["A"], "velocity": "1 m/s"}, "B": carts["B"]}
+    _, other, moved = baked({**MEETING, "carts": met, "until": "2 s"})
+    scales = read_scales(header, fence.controls, from_wire(header, numbers), 0.0)
+    assert max(from_wire(other, moved).F["A-B"]) <= scales.force
+
+
+def test_a_run_much_faster_than_its_start_makes_the_scale_of_its_velocities() -> None:
+    """A push on a cart that creeps: metres per second, and an arrow that is not cut at once."""
+    creep = {"mass": "1 kg", "position": "0.4 m", "velocity": "0.005 m/s"}
+    push = [{"push": {"cart": "A", "force": "1 N", "until": "1 s"}}]
+    plain = {"id": "pushed", "carts": {"A": creep}, "effects": push, "until": "2 s"}
+    fence, header, numbers = baked(plain)
+    scales = read_scales(header, fence.controls, from_wire(header, numbers), 0.0)
+    assert scales.velocity == pytest.approx(1.5)
+    guessed = {**plain, "predict": {"ask": "How fast?", "choice": ["faster", "slower"]}}
+    fence, header, numbers = baked(guessed)
+    assert read_scales(header, fence.controls, None, 0.0).velocity == pytest.approx(0.005)
+
+
 def test_before_a_prediction_axes_know_only_the_start_and_the_sliders() -> None:
     fence, header, numbers = baked(QUESTIONS["choice"])
     run = from_wire(header, numbers)
