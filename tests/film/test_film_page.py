@@ -55,6 +55,17 @@ def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
     expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
     click(page, 10, 10)
     expect(said).to_contain_text("Nothing stands out there")
+    # One mark holds for its own frame only, too.
+    click(page, *film.clicks()[0])
+    expect(page.locator("[data-aim=A].carts-film-set")).to_have_count(1)
+    page.locator(".carts-film-time").focus()
+    page.keyboard.press("End")
+    expect(page.locator(".carts-film-set")).to_have_count(0)
+    expect(said).to_have_text("Click on the mark of cart A.")
+    clock = page.locator(".carts-film-clock")
+    expect(clock).to_have_text(f"{film.times[-1]:.3f} s")
+    page.keyboard.press("Home")
+    expect(clock).to_have_text(f"{film.times[0]:.3f} s")
     set_up(page, film)
     page.locator(".carts-film-follow").click()
     count = len(film.times)
@@ -71,10 +82,19 @@ def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
     page.locator(".carts-measured-save").click()
     read = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
     assert list(read.tracks[0].t) == pytest.approx(film.times, abs=1e-6)
+    # A ruler that was twice as long makes all places twice as far apart.
+    apart = read.tracks[1].value[0] - read.tracks[0].value[0]
+    page.locator(".carts-film-length").fill("100")
+    page.keyboard.press("Tab")
+    page.locator(".carts-measured-save").click()
+    again = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
+    assert again.tracks[1].value[0] - again.tracks[0].value[0] == pytest.approx(2 * apart, abs=1e-3)
+    page.locator(".carts-film-length").fill("50")
+    page.keyboard.press("Tab")
     # The model and the film move together.
     page.locator(".carts-measured-scrub").focus()
     page.keyboard.press("End")
-    expect(page.locator(".carts-film-clock")).to_have_text(f"{film.times[-1]:.3f} s")
+    expect(clock).to_have_text(f"{film.times[-1]:.3f} s")
     expect(page.locator(".carts-film-key")).to_be_visible()
     assert heard == []
 

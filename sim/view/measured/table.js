@@ -4,11 +4,13 @@ import { fixed } from "../numbers.js";
 
 /** @typedef {import("./types.js").Read} Read */
 
+/** What readings of each kind are, and their unit. @type {Record<Read["kind"], [string, string]>} */
+export const QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
 const PLACES = 4; // decimals of readings in SI units
 
 /** @param {Read} read @param {number[][] | null} residuals in m @returns {{head: string[], rows: string[][]}} */
 export function tableOf({ kind, names, tracks }, residuals) {
-  const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+  const [letter, unit] = QUANTITY[kind];
   const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
   if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
   /** @type {Map<number, string[]>} */

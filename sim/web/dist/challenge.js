@@ -34,7 +34,8 @@
     const power = exponent(value2);
     if (value2 && (power <= -4 || power >= 6)) {
       const mantissa = trim(fixed(value2 / Number(`1e${power}`), figures - 1));
-      return `${mantissa} × 10${superscript(power)}`;
+      const carried = mantissa.endsWith("10");
+      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power + Number(carried))}`;
     }
     return trim(fixed(value2, Math.max(0, figures - 1 - power)));
   }

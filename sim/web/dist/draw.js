@@ -10304,7 +10304,8 @@
     const power2 = exponent(value);
     if (value && (power2 <= -4 || power2 >= 6)) {
       const mantissa = trim(fixed(value / Number(`1e${power2}`), figures2 - 1));
-      return `${mantissa} × 10${superscript(power2)}`;
+      const carried = mantissa.endsWith("10");
+      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power2 + Number(carried))}`;
     }
     return trim(fixed(value, Math.max(0, figures2 - 1 - power2)));
   }
@@ -11174,9 +11175,10 @@ ${second && across3}
   }
 
   // ../view/measured/table.js
+  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
   var PLACES = 4;
   function tableOf2({ kind: kind2, names, tracks }, residuals) {
-    const [letter, unit] = kind2 === "length" ? ["x", "m"] : ["F", "N"];
+    const [letter, unit] = QUANTITY[kind2];
     const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
     if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
     const found = /* @__PURE__ */ new Map();
@@ -13221,7 +13223,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var LOW = { top: 8, bottom: 104 };
   var ROOM2 = 0.06;
   var HEAD = 1.15;
-  var unitOf = ({ kind: kind2 }) => kind2 === "length" ? "x in m" : "F in N";
+  var unitOf = ({ kind: kind2 }) => QUANTITY[kind2].join(" in ");
   function reach(lists) {
     let [low, high] = [Infinity, -Infinity];
     for (const list of lists) {

@@ -437,9 +437,8 @@
           changed();
         });
       }
-      for (const input of [...Object.values(this.boxes), this.unit]) {
-        input.addEventListener("input", changed);
-      }
+      this.inputs = [...Object.values(this.boxes), this.unit];
+      for (const input of this.inputs) input.addEventListener("input", changed);
     }
     set(point) {
       this.points[this.aim] = point;
@@ -449,6 +448,9 @@
       delete this.points.A;
       delete this.points.B;
       this.aim = "A";
+    }
+    get marked() {
+      return Boolean(this.points.A || this.points.B);
     }
     get placed() {
       return AIMS.every((aim) => this.points[aim]);
@@ -480,7 +482,7 @@
         button.setAttribute("aria-pressed", String(!button.disabled && aim === this.aim));
         button.classList.toggle("carts-film-set", Boolean(this.points[aim]));
       }
-      for (const input of [...Object.values(this.boxes), this.unit]) input.disabled = !offered.length;
+      for (const input of this.inputs) input.disabled = !offered.length;
     }
   };
 
@@ -683,6 +685,11 @@
       this.slider = /** @type {HTMLInputElement} */
       need(root, ".carts-film-time");
       this.slider.addEventListener("input", () => this.#seek());
+      for (const input of this.setup.inputs) {
+        input.addEventListener("change", () => {
+          if (this.phase === "followed") this.read();
+        });
+      }
       this.#on("follow", () => void this.follow());
       this.#on("cancel", () => this.helper.stop());
       this.#on("next", () => this.#repair?.next());
@@ -730,7 +737,7 @@
       this.#say(refusal(code, detail));
     }
     #seek() {
-      if (this.phase === "marking" && this.setup.marks.length) this.setup.forgetMarks();
+      if (this.phase === "marking" && this.setup.marked) this.setup.forgetMarks();
       void this.frames.want(this.slider.valueAsNumber);
       if (this.phase === "marking") this.#changed();
     }
@@ -766,10 +773,11 @@
       if (this.phase !== "marking") return;
       if (ENDS.includes(this.setup.aim)) this.setup.set(point);
       else {
-        const aim = this.setup.aim;
+        const { aim } = this.setup;
+        const when = this.slider.value;
         const asked2 = { do: "mark", time: this.frames.time, click: point };
         const { mark } = await this.helper.ask(asked2).catch(() => ({ mark: null }));
-        if (this.setup.aim !== aim) return;
+        if (this.setup.aim !== aim || this.slider.value !== when) return;
         if (!mark) return this.#say(nothingThere());
         this.setup.set(mark);
       }

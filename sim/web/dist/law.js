@@ -234,7 +234,8 @@
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
       const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-      return `${mantissa} × 10${superscript(power)}`;
+      const carried = mantissa.endsWith("10");
+      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power + Number(carried))}`;
     }
     return trim(fixed(value, Math.max(0, figures - 1 - power)));
   }

@@ -663,6 +663,26 @@
     }
   };
 
+  // ../view/measured/table.js
+  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
+  var PLACES = 4;
+  function tableOf({ kind, names, tracks }, residuals) {
+    const [letter, unit] = QUANTITY[kind];
+    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    const found = /* @__PURE__ */ new Map();
+    for (const [k, track] of tracks.entries()) {
+      for (const [n, t] of track.t.entries()) {
+        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+        cells[k] = fixed(Number(track.value[n]), PLACES);
+        if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
+        found.set(t, cells);
+      }
+    }
+    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
+    return { head, rows };
+  }
+
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   function axisDecimals(axis) {
@@ -691,6 +711,7 @@
   var LOW = { top: 8, bottom: 104 };
   var ROOM = 0.06;
   var HEAD = 1.15;
+  var unitOf = ({ kind }) => QUANTITY[kind].join(" in ");
   function reach(lists) {
     let [low, high] = [Infinity, -Infinity];
     for (const list of lists) {
@@ -817,25 +838,6 @@
     const made = svg("text", { class: name, x, y });
     made.textContent = words;
     return made;
-  }
-
-  // ../view/measured/table.js
-  var PLACES = 4;
-  function tableOf({ kind, names, tracks }, residuals) {
-    const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
-    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
-    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
-    const found = /* @__PURE__ */ new Map();
-    for (const [k, track] of tracks.entries()) {
-      for (const [n, t] of track.t.entries()) {
-        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
-        cells[k] = fixed(Number(track.value[n]), PLACES);
-        if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
-        found.set(t, cells);
-      }
-    }
-    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
-    return { head, rows };
   }
 
   // src/measured/result.js
@@ -1144,8 +1146,11 @@
       const film = files.find(isFilm);
       if (film) return this.films.open(film);
       if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
-      if (files.some(({ name, size }) => size > (ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES))) {
-        return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
+      for (const { name, size } of files) {
+        const most = ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES;
+        if (size <= most) continue;
+        const limit = `at most ${most / 1e6} MB`;
+        return this.tell(`This file is too large to be readings of two carts: ${limit}.`);
       }
       const texts = [];
       for (const file of files) {
@@ -1351,7 +1356,7 @@
       else if (!motion) this.#points(read);
     }
     #points(read) {
-      this.figure.show(read.tracks, "x in m", null);
+      this.figure.show(read.tracks, unitOf(read), null);
       showTable(need(this.root, ".carts-measured-table table"), read, null);
       say(this.#part("spread"), "");
     }
@@ -1359,7 +1364,7 @@
       const { forces, kind } = read;
       const summed = kind === "force";
       const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
-      this.figure.show(tracks, summed ? "F in N" : "a in m/s²", null);
+      this.figure.show(tracks, unitOf(read), null);
       if (forces && summed) {
         const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
         this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
@@ -1369,7 +1374,7 @@
       if (read.report) showResult(this.#part("result"), read.report);
     }
     draw(read, drawn) {
-      this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
+      this.figure.show(read.tracks, unitOf(read), drawn.curve, drawn.parameters.touch);
       this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1e3);
       this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
       showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
@@ -1381,7 +1386,7 @@
       this.#begin = Number(drawn.curve.t[0]);
       this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
       this.scrub.max = String(this.player.until);
-      this.#frame();
+      this.player.seek(Math.min(this.player.time, this.player.until));
     }
     #frame() {
       const t = this.#begin + this.player.time;
@@ -1414,7 +1419,7 @@
       );
     }
     note(textContent) {
-      Object.assign(need(this.root, ".carts-note"), { hidden: false, textContent });
+      Object.assign(need(this.root, ".carts-note"), { hidden: !textContent, textContent });
     }
     busy(text2) {
       say(this.#part("busy"), text2);
@@ -1997,6 +2002,7 @@
           const story = found.report ?? found;
           if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
           if (found.refused) return false;
+          this.picture?.note("");
           show(found);
           return true;
         } catch (error) {

@@ -1102,7 +1102,8 @@
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
       const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
-      return `${mantissa} × 10${superscript(power)}`;
+      const carried = mantissa.endsWith("10");
+      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power + Number(carried))}`;
     }
     return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
   }
@@ -1462,9 +1463,10 @@ ${second && across2}
   }
 
   // ../view/measured/table.js
+  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
   var PLACES = 4;
   function tableOf2({ kind: kind2, names, tracks }, residuals) {
-    const [letter, unit] = kind2 === "length" ? ["x", "m"] : ["F", "N"];
+    const [letter, unit] = QUANTITY[kind2];
     const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
     if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
     const found = /* @__PURE__ */ new Map();

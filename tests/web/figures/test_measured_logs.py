@@ -38,6 +38,9 @@ def test_two_phones_of_which_one_zipped_its_log_are_compared(
     expect(result).to_contain_text("Greatest acceleration of", timeout=STARTS)
     expect(result).to_contain_text("clock is set by the contact itself")
     expect(page.locator(".carts-measured-legend")).to_contain_text("phone on")
+    expect(page.locator(".carts-measured-figure .carts-unit").first).to_have_text("a in m/s²")
+    heads = page.locator(".carts-measured-table th").all_text_contents()
+    assert heads[1].startswith("a of ") and heads[1].endswith(" in m/s²")
     damaged = {**payloads[0], "buffer": packed.getvalue()[:300]}
     page.locator(".carts-measured-file").set_input_files([damaged])  # type: ignore[arg-type]
     expect(page.locator(".carts-measured-faults")).to_contain_text("damaged")

@@ -125,6 +125,13 @@ def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
     for _ in range(3):
         page.keyboard.press("PageUp")
     assert place.get_attribute("transform") != at_start
+    # Shorter readings end sooner, and so does the time that is shown.
+    page.keyboard.press("End")
+    rows = (f"{k / 30:.4f};{0.2 + 0.5 * k / 30:.4f};0.9" for k in range(30))
+    choose(page, "short.csv", "\n".join(["t;x_A;x_B", *rows]))
+    expect(page.locator(".carts-measured-said")).to_contain_text("short.csv")
+    clock = page.locator(".carts-measured-clock")
+    assert float(clock.inner_text().split()[2]) == pytest.approx(29 / 30, abs=0.05)
 
 
 @pytest.mark.one_browser

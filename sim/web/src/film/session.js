@@ -45,6 +45,11 @@ export class Session {
     );
     this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-film-time"));
     this.slider.addEventListener("input", () => this.#seek());
+    for (const input of this.setup.inputs) {
+      input.addEventListener("change", () => {
+        if (this.phase === "followed") this.read(); // by another ruler, or slower
+      });
+    }
     this.#on("follow", () => void this.follow());
     this.#on("cancel", () => this.helper.stop());
     this.#on("next", () => this.#repair?.next());
@@ -100,7 +105,7 @@ export class Session {
   }
 
   #seek() {
-    if (this.phase === "marking" && this.setup.marks.length) this.setup.forgetMarks();
+    if (this.phase === "marking" && this.setup.marked) this.setup.forgetMarks();
     void this.frames.want(this.slider.valueAsNumber);
     if (this.phase === "marking") this.#changed();
   }
@@ -141,10 +146,11 @@ export class Session {
     if (this.phase !== "marking") return;
     if (ENDS.includes(this.setup.aim)) this.setup.set(point);
     else {
-      const aim = this.setup.aim;
+      const { aim } = this.setup;
+      const when = this.slider.value;
       const asked = { do: "mark", time: this.frames.time, click: point };
       const { mark } = await this.helper.ask(asked).catch(() => ({ mark: null }));
-      if (this.setup.aim !== aim) return;
+      if (this.setup.aim !== aim || this.slider.value !== when) return; // of another frame now
       if (!mark) return this.#say(words.nothingThere());
       this.setup.set(mark);
     }

@@ -31,9 +31,8 @@ export class Setup {
         changed();
       });
     }
-    for (const input of [...Object.values(this.boxes), this.unit]) {
-      input.addEventListener("input", changed);
-    }
+    this.inputs = [...Object.values(this.boxes), this.unit];
+    for (const input of this.inputs) input.addEventListener("input", changed);
   }
 
   /** @param {Chosen} point for what is aimed at; the first that is still open is aimed at next */
@@ -47,6 +46,11 @@ export class Setup {
     delete this.points.A;
     delete this.points.B;
     this.aim = "A";
+  }
+
+  /** @returns {boolean} whether a cart's mark is set */
+  get marked() {
+    return Boolean(this.points.A || this.points.B);
   }
 
   /** @returns {boolean} whether every place is set */
@@ -87,6 +91,6 @@ export class Setup {
       button.setAttribute("aria-pressed", String(!button.disabled && aim === this.aim));
       button.classList.toggle("carts-film-set", Boolean(this.points[aim]));
     }
-    for (const input of [...Object.values(this.boxes), this.unit]) input.disabled = !offered.length;
+    for (const input of this.inputs) input.disabled = !offered.length;
   }
 }

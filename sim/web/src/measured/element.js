@@ -142,6 +142,7 @@ export function measuredElement(client, base) {
         const story = found.report ?? found; // a refused fit has one too
         if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
         if (found.refused) return false;
+        this.picture?.note("");
         show(found);
         return true;
       } catch (error) {

@@ -1,5 +1,6 @@
 /** Readings over time as points, the model as lines, what is left over below. */
 
+import { QUANTITY } from "../../../view/measured/table.js";
 import { fixed, px } from "../../../view/numbers.js";
 import { axisDecimals, span, ticks } from "../../../view/scales.js";
 import { put, svg } from "../shared/dom.js";
@@ -13,7 +14,7 @@ const ROOM = 0.06; // of the values, above and below the points
 const HEAD = 1.15; // of the greatest residual
 
 /** @param {import("../../../view/measured/types.js").Read} read @returns {string} what the axis of the values says */
-export const unitOf = ({ kind }) => (kind === "length" ? "x in m" : "F in N");
+export const unitOf = ({ kind }) => QUANTITY[kind].join(" in ");
 
 /** @param {number[][]} lists @returns {[number, number]} */
 function reach(lists) {

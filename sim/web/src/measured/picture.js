@@ -3,7 +3,7 @@
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
-import { Figure } from "./figure.js";
+import { Figure, unitOf } from "./figure.js";
 import { showResult, showTable } from "./result.js";
 import { Source } from "./source.js";
 import { Stage } from "./stage.js";
@@ -63,7 +63,7 @@ export class Picture {
 
   /** @param {Read} read */
   #points(read) {
-    this.figure.show(read.tracks, "x in m", null);
+    this.figure.show(read.tracks, unitOf(read), null);
     showTable(need(this.root, ".carts-measured-table table"), read, null);
     say(this.#part("spread"), "");
   }
@@ -73,7 +73,7 @@ export class Picture {
     const { forces, kind } = read;
     const summed = kind === "force"; // accelerations of unlike masses have no sum of use
     const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
-    this.figure.show(tracks, summed ? "F in N" : "a in m/s²", null);
+    this.figure.show(tracks, unitOf(read), null);
     if (forces && summed) {
       const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
       this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
@@ -85,7 +85,7 @@ export class Picture {
 
   /** The model over the readings. @param {Read} read @param {Drawn} drawn */
   draw(read, drawn) {
-    this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
+    this.figure.show(read.tracks, unitOf(read), drawn.curve, drawn.parameters.touch);
     this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1000);
     this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
     showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
@@ -97,7 +97,7 @@ export class Picture {
     this.#begin = Number(drawn.curve.t[0]);
     this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
     this.scrub.max = String(this.player.until);
-    this.#frame();
+    this.player.seek(Math.min(this.player.time, this.player.until)); // an earlier file may be longer
   }
 
   #frame() {
@@ -132,9 +132,9 @@ export class Picture {
     );
   }
 
-  /** @param {string} textContent */
+  /** @param {string} textContent "" where there is nothing to say (any more) */
   note(textContent) {
-    Object.assign(need(this.root, ".carts-note"), { hidden: false, textContent });
+    Object.assign(need(this.root, ".carts-note"), { hidden: !textContent, textContent });
   }
 
   /** @param {string} text */

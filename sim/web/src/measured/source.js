@@ -66,8 +66,11 @@ export class Source {
     const film = files.find(isFilm);
     if (film) return this.films.open(film);
     if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
-    if (files.some(({ name, size }) => size > (ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES))) {
-      return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
+    for (const { name, size } of files) {
+      const most = ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES;
+      if (size <= most) continue;
+      const limit = `at most ${most / 1e6} MB`;
+      return this.tell(`This file is too large to be readings of two carts: ${limit}.`);
     }
     const texts = [];
     for (const file of files) {
