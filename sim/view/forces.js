@@ -23,16 +23,26 @@ export function contactForce({ trajectory }, pair, t, zero) {
   return Math.abs(force) < zero ? 0 : force;
 }
 
-/** The contact forces on a cart, from the left neighbour first. */
-/** @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {Force[]} */
+/**
+ * The sum of all forces on a cart along the track, as they are drawn and told: m a, in N.
+ * @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {number}
+ */
+export function resultant(run, name, t, zero) {
+  const along = [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
+  return along.reduce((sum, { value }) => sum + value, 0);
+}
+
+/**
+ * The contact forces on a cart, from the left neighbour first. What holds two together that stick
+ * is told while it is there: their contact has no duration, and no force of its own.
+ * @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {Force[]}
+ */
 export function contactForces(run, name, t, zero) {
   return run.header.contacts
-    .filter(
-      ({ pair, bodies, stiffness }) =>
-        bodies.includes(name) && (stiffness || linkOf(run.header, pair)),
-    )
-    .map(({ pair, bodies: [left, right] }) => {
-      const size = contactForce(run, pair, t, zero);
+    .filter(({ bodies }) => bodies.includes(name))
+    .map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t, zero) }))
+    .filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair))
+    .map(({ bodies: [left, right], size }) => {
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {

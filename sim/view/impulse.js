@@ -30,6 +30,14 @@ export function area({ trajectory }, pair, from, to) {
  * @param {Run} run @param {Touch[]} windows @param {Touch} touch @param {number} t in s @returns {{name: string, change: number | null}[]}
  */
 export function changes({ header, trajectory }, windows, touch, t) {
+  /** Whether a contact without duration changed the motion meanwhile, or holds the two together. @param {string} pair */
+  const felt = (pair) =>
+    header.events.some(
+      (event) =>
+        event.bodies?.join("-") === pair &&
+        event.t <= t &&
+        (event.t >= touch.start || trajectory.F[pair]),
+    );
   return touch.bodies.map((name) => {
     const mass = header.bodies.find((body) => body.name === name)?.mass;
     const others = windows.some(
@@ -41,7 +49,11 @@ export function changes({ header, trajectory }, windows, touch, t) {
         effect.carts.includes(name) &&
         !(isLink(effect) && effect.between?.join("-") === touch.pair), // what a pair's own spring does is in its F
     );
-    if (mass === undefined || others || acting) return { name, change: null };
+    const brief = header.contacts.some(
+      ({ pair, bodies, stiffness }) =>
+        pair !== touch.pair && !stiffness && bodies.includes(name) && felt(pair),
+    );
+    if (mass === undefined || others || acting || brief) return { name, change: null };
     const v = (/** @type {number} */ at) =>
       valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at);
     return { name, change: mass * (v(t) - v(touch.start)) };

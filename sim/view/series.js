@@ -39,7 +39,7 @@ export function seriesOf(quantity, header, run, camera, signed = false, per = 1)
           slopes: Float64Array.from(a, (rate) => rate / per),
         };
       case "a":
-        return { ...curve, values: a, slopes: null };
+        return { ...curve, values: a, slopes: jerk(header, run, body, 1 / mass) };
       case "p":
         return {
           ...curve,
@@ -61,7 +61,8 @@ export function seriesOf(quantity, header, run, camera, signed = false, per = 1)
 
 /** The resultant force on each cart, m a, and what it is the sum of: the forces of effects. @param {Header} header @param {Trajectory} run @returns {Series[]} */
 function resultants(header, run) {
-  return header.bodies.flatMap(({ name, mass }, i) => {
+  return header.bodies.flatMap((body, i) => {
+    const { name, mass } = body;
     const style = styleOf(i);
     const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
     const parts = partsOf(header, run, name).map(({ by, column }) => ({
@@ -71,8 +72,28 @@ function resultants(header, run) {
       values: column,
       slopes: null,
     }));
-    return [{ label: name, style, over: false, values, slopes: null }, ...parts];
+    const slopes = jerk(header, run, body, 1);
+    return [{ label: name, style, over: false, values, slopes }, ...parts];
   });
+}
+
+/**
+ * How fast the resultant on a cart grows, from the forces of its contacts; null where an effect
+ * acts on it, whose forces come without their slopes.
+ * @param {Header} header @param {Trajectory} run @param {{name: string}} body @param {number} per each N/s times that
+ * @returns {Float64Array | null}
+ */
+function jerk(header, run, { name }, per) {
+  if (header.effects.some(({ active, carts }) => active && carts.includes(name))) return null;
+  const found = new Float64Array(run.t.length);
+  for (const { pair, bodies } of header.contacts) {
+    const column = bodies.includes(name) ? run.dF[pair] : null;
+    const sign = bodies[0] === name ? -per : per; // its right neighbour pushes it to the left
+    for (let k = 0; column && k < found.length; k += 1) {
+      found[k] = Number(found[k]) + sign * Number(column[k]);
+    }
+  }
+  return found;
 }
 
 /** What the carts have given away: to the wall, and the wall to the Earth. @param {Series[]} curves of all carts @param {string} label @returns {Series} */

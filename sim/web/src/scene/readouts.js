@@ -1,6 +1,7 @@
 /** Numbers of each cart at the instant shown. */
 
-import { fixed, short, speedUnit } from "../../../view/numbers.js";
+import { resultant } from "../../../view/forces.js";
+import { fixed, NOISE, short, speedUnit } from "../../../view/numbers.js";
 import { isTold, valueAt } from "../../../view/trajectory.js";
 import { need, say } from "../shared/dom.js";
 
@@ -15,6 +16,7 @@ export class Readouts {
     this.camera = baked.fence.camera;
     this.decimals = baked.view.decimals;
     this.per = speedUnit(baked.view.velocity)[0];
+    this.zero = NOISE * (baked.view.force || 1);
     /** @type {{name: string, outputs: Map<string, Element>}[]} */
     this.cards = baked.run.header.bodies.map(({ name }) => {
       const card = need(root, `.carts-card[data-body="${name}"]`);
@@ -38,13 +40,13 @@ export class Readouts {
     const told = isTold(run);
     for (const { name, outputs } of this.cards) {
       const mass = run.header.bodies.find((body) => body.name === name)?.mass ?? 0;
-      const acceleration = told ? valueAt(times, a[name] ?? [], null, t) : null;
+      const force = told ? resultant(run, name, t, this.zero) : null;
       /** @type {Map<string, number | null>} null: not told before the lock */
       const values = new Map([
         ["x", valueAt(times, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
         ["v", (valueAt(times, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
-        ["F", acceleration === null ? null : mass * acceleration],
-        ["a", acceleration],
+        ["F", force],
+        ["a", force === null ? null : force / mass],
       ]);
       for (const [quantity, output] of outputs) {
         if (quantity === "mass") {

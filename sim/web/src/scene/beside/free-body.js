@@ -3,7 +3,7 @@
  * acceleration, change of velocity. One scale in N for all, the same as in the picture.
  */
 
-import { contactForces, effectForces, verticalForces } from "../../../../view/forces.js";
+import { contactForces, effectForces, resultant, verticalForces } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, px, short, speedUnit } from "../../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "../../../../view/shapes.js";
@@ -61,15 +61,15 @@ export class FreeBody {
     for (const { name, mass } of run.header.bodies) {
       const along = [...contactForces(run, name, t, this.zero), ...effectForces(run, name, t)];
       this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
-      const resultant = along.reduce((sum, { value }) => sum + value, 0);
+      const whole = resultant(run, name, t, this.zero);
       const { t: times, v, a } = run.trajectory;
       const speed = (/** @type {number} */ at) => valueAt(times, v[name] ?? [], a[name] ?? [], at);
       const change = speed(t) - speed(touch?.start ?? 0);
       const { decimals, velocity } = this.view;
       const seen = Math.abs(change) < NOISE * velocity ? 0 : change / this.per;
-      this.#say(name, "F", fixed(resultant, decimals.F ?? 2));
+      this.#say(name, "F", fixed(whole, decimals.F ?? 2));
       this.#say(name, "mass", short(mass));
-      this.#say(name, "a", fixed(resultant / mass, decimals.a ?? 2));
+      this.#say(name, "a", fixed(whole / mass, decimals.a ?? 2));
       this.#say(name, "dv", fixed(seen, decimals.v ?? 2));
     }
   }
