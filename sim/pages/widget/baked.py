@@ -11,6 +11,7 @@ from typing import Any
 
 from sim.pages.language import told
 from sim.pages.widget.layout import lay_out
+from sim.pages.widget.reach import with_longest_track
 from sim.pages.widget.run import Run, from_wire
 from sim.pages.widget.scale_of import Scales, read_scales
 from sim.scene.presets import numbers_of
@@ -30,13 +31,14 @@ def baked_values(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]
     run = _rounded(from_wire(header, numbers), digits)
     if not told:
         run, header = run.start(), _untold(header)
-    scales = read_scales(header, fence.controls, run if told else None, fence.view_speed)
+    roomy = with_longest_track(header, fence.controls)
+    scales = read_scales(roomy, fence.controls, run if told else None, fence.view_speed)
     scales = replace(scales, alike=fence.boxes == "alike")
     return {
         **header,
         "numbers": run.as_dict(digits),
         "fence": _fence_facts(fence),
-        "view": _view(fence, header, scales),
+        "view": _view(fence, roomy, scales),
     }
 
 

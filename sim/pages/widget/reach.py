@@ -57,6 +57,13 @@ def reaches(
     }
 
 
+def with_longest_track(header: Mapping[str, Any], controls: tuple[Any, ...]) -> Mapping[str, Any]:
+    """The header as a slider of the track's length may make it: the picture has room for that."""
+    longest = max((c.high for c in controls if c.set == "track.length"), default=0.0)
+    track = header["track"]
+    return {**header, "track": {**track, "length": max(track["length"] or 0.0, longest) or None}}
+
+
 def picture_window(header: Mapping[str, Any], camera: float) -> tuple[float, float]:
     """What the picture shows, in m: the track, or without ends where the carts may get to.
 

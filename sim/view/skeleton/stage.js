@@ -88,12 +88,13 @@ function ground({ fence, run: { header } }, layout, hatch) {
   const at = (/** @type {number} */ x) => layout.origin + x * layout.scale;
   const first = left === "wall" ? 0 : low;
   const last = right === "wall" ? Number(length) : high;
+  const longest = fence.controls.find((control) => control.set === "track.length")?.high ?? last;
   const start = left === "wall" ? at(0) : at(low) - BEYOND;
   const end = right === "wall" ? at(last) : at(high) + BEYOND;
   const under = layout.track + layout.beam;
   let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
   while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
-  const numbers = { low: first, high: last, step };
+  const numbers = { low: first, high: Math.max(last, longest), step };
   const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
   const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
   const wall = (/** @type {string} */ side) =>

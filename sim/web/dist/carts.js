@@ -6371,7 +6371,7 @@
             slopes: Float64Array.from(a2, (rate) => rate / per)
           };
         case "a":
-          return { ...curve2, values: a2, slopes: null };
+          return { ...curve2, values: a2, slopes: jerk(header, run, body2, 1 / mass) };
         case "p":
           return {
             ...curve2,
@@ -6391,7 +6391,8 @@
     return curves;
   }
   function resultants(header, run) {
-    return header.bodies.flatMap(({ name, mass }, i2) => {
+    return header.bodies.flatMap((body2, i2) => {
+      const { name, mass } = body2;
       const style = styleOf(i2);
       const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
       const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
@@ -6401,8 +6402,21 @@
         values: column,
         slopes: null
       }));
-      return [{ label: name, style, over: false, values, slopes: null }, ...parts2];
+      const slopes = jerk(header, run, body2, 1);
+      return [{ label: name, style, over: false, values, slopes }, ...parts2];
     });
+  }
+  function jerk(header, run, { name }, per) {
+    if (header.effects.some(({ active, carts }) => active && carts.includes(name))) return null;
+    const found3 = new Float64Array(run.t.length);
+    for (const { pair, bodies } of header.contacts) {
+      const column = bodies.includes(name) ? run.dF[pair] : null;
+      const sign = bodies[0] === name ? -per : per;
+      for (let k = 0; column && k < found3.length; k += 1) {
+        found3[k] = Number(found3[k]) + sign * Number(column[k]);
+      }
+    }
+    return found3;
   }
   function partner(curves, label) {
     const { values, slopes } = total(curves);
@@ -7567,11 +7581,12 @@ ${lines4.join("\n")}
     const force2 = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
     return Math.abs(force2) < zero ? 0 : force2;
   }
+  function resultant(run, name, t3, zero) {
+    const along = [...contactForces(run, name, t3, zero), ...effectForces(run, name, t3)];
+    return along.reduce((sum, { value }) => sum + value, 0);
+  }
   function contactForces(run, name, t3, zero) {
-    return run.header.contacts.filter(
-      ({ pair, bodies, stiffness }) => bodies.includes(name) && (stiffness || linkOf(run.header, pair))
-    ).map(({ pair, bodies: [left, right] }) => {
-      const size = contactForce(run, pair, t3, zero);
+    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t3, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
@@ -7660,15 +7675,15 @@ ${lines4.join("\n")}
       for (const { name, mass } of run.header.bodies) {
         const along = [...contactForces(run, name, t3, this.zero), ...effectForces(run, name, t3)];
         this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
-        const resultant = along.reduce((sum, { value }) => sum + value, 0);
+        const whole = resultant(run, name, t3, this.zero);
         const { t: times2, v: v2, a: a2 } = run.trajectory;
         const speed = (at3) => valueAt(times2, v2[name] ?? [], a2[name] ?? [], at3);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity3 } = this.view;
         const seen = Math.abs(change2) < NOISE * velocity3 ? 0 : change2 / this.per;
-        this.#say(name, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name, "F", fixed(whole, decimals.F ?? 2));
         this.#say(name, "mass", short(mass));
-        this.#say(name, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name, "a", fixed(whole / mass, decimals.a ?? 2));
         this.#say(name, "dv", fixed(seen, decimals.v ?? 2));
       }
     }
@@ -8357,6 +8372,9 @@ ${lines4.join("\n")}
     return sum;
   }
   function changes({ header, trajectory }, windows, touch, t3) {
+    const felt = (pair) => header.events.some(
+      (event) => event.bodies?.join("-") === pair && event.t <= t3 && (event.t >= touch.start || trajectory.F[pair])
+    );
     return touch.bodies.map((name) => {
       const mass = header.bodies.find((body2) => body2.name === name)?.mass;
       const others = windows.some(
@@ -8366,7 +8384,10 @@ ${lines4.join("\n")}
         (effect) => effect.active && effect.carts.includes(name) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
         // what a pair's own spring does is in its F
       );
-      if (mass === void 0 || others || acting) return { name, change: null };
+      const brief2 = header.contacts.some(
+        ({ pair, bodies, stiffness }) => pair !== touch.pair && !stiffness && bodies.includes(name) && felt(pair)
+      );
+      if (mass === void 0 || others || acting || brief2) return { name, change: null };
       const v2 = (at3) => valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at3);
       return { name, change: mass * (v2(t3) - v2(touch.start)) };
     });
@@ -8875,6 +8896,7 @@ ${lines4.join("\n")}
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
       this.per = speedUnit(baked.view.velocity)[0];
+      this.zero = NOISE * (baked.view.force || 1);
       this.cards = baked.run.header.bodies.map(({ name }) => {
         const card = need(root, `.carts-card[data-body="${name}"]`);
         const outputs = (
@@ -8894,12 +8916,12 @@ ${lines4.join("\n")}
       const told3 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const acceleration = told3 ? valueAt(times2, a2[name] ?? [], null, t3) : null;
+        const force2 = told3 ? resultant(run, name, t3, this.zero) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times2, x2[name] ?? [], v2[name] ?? [], t3) - this.camera * t3],
           ["v", (valueAt(times2, v2[name] ?? [], a2[name] ?? [], t3) - this.camera) / this.per],
-          ["F", acceleration === null ? null : mass * acceleration],
-          ["a", acceleration]
+          ["F", force2],
+          ["a", force2 === null ? null : force2 / mass]
         ]);
         for (const [quantity, output] of outputs) {
           if (quantity === "mass") {
@@ -9228,6 +9250,42 @@ ${lines4.join("\n")}
     return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
   }
 
+  // src/scene/ground.js
+  var TRACK2 = "track.length";
+  var Ground = class {
+    #lines = [];
+    #numbers = [];
+    constructor(root, layout, { fence, run: { header } }) {
+      this.layout = layout;
+      this.moves = header.track.right === "wall" && fence.controls.some((control) => control.set === TRACK2);
+      if (!this.moves) return;
+      const ground = need(root, '[data-part="ground"]');
+      this.beam = need(ground, ".carts-beam");
+      this.rule = need(ground, ".carts-rule");
+      this.#numbers = [...ground.querySelectorAll(".carts-number")];
+      this.#lines = Array.from(ground.querySelectorAll(".carts-fine"), (drawn2) => ({
+        drawn: drawn2,
+        pieces: (drawn2.getAttribute("d") ?? "").split(/(?=M)/).filter(Boolean).map((d2) => ({ x: Number.parseFloat(d2.slice(1)), d: d2 }))
+      }));
+    }
+    show({ length }) {
+      if (!this.beam || !this.rule) return;
+      const end2 = this.layout.origin + Number(length) * this.layout.scale;
+      const inside2 = (x2) => x2 <= end2 + 1;
+      const start = Number(this.beam.getAttribute("x"));
+      put(this.beam, "width", px(end2 - start));
+      put(this.rule, "d", `M${px(start)} ${px(this.layout.track)}H${px(end2)}`);
+      for (const { drawn: drawn2, pieces } of this.#lines) {
+        const d2 = pieces.filter(({ x: x2 }) => inside2(x2)).map((piece) => piece.d);
+        put(drawn2, "d", d2.join(""));
+      }
+      for (const number of this.#numbers) {
+        const seen = inside2(Number(number.getAttribute("x")));
+        put(number, "visibility", seen ? "visible" : "hidden");
+      }
+    }
+  };
+
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW = 21;
@@ -9390,6 +9448,7 @@ ${lines4.join("\n")}
     #walls = [];
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
+      this.tallest = view.tallest;
       this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group2) => {
         const side = group2.getAttribute("data-wall") === "left" ? "left" : "right";
@@ -9400,6 +9459,7 @@ ${lines4.join("\n")}
     show(track) {
       for (const one of this.#walls) {
         one.what = whatIs(one.side, track);
+        one.wall = wallAt(one.side, track.length, this.layout, this.tallest);
         const drawn2 = one.group.querySelector(THING);
         if (one.what === "wall") drawn2?.remove();
         else if (!drawn2) one.group.append(svg("path", { "data-part": "thing" }));
@@ -9437,6 +9497,7 @@ ${lines4.join("\n")}
     #run;
     #carts = [];
     #walls;
+    #ground;
     #pushes;
     #effects;
     constructor(root, baked) {
@@ -9451,6 +9512,7 @@ ${lines4.join("\n")}
       this.starts = baked.run.header.bodies.map(({ velocity: velocity3 }) => velocity3);
       this.#run = baked.run;
       this.#walls = new Walls(root, layout, baked);
+      this.#ground = new Ground(root, layout, baked);
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
@@ -9487,6 +9549,7 @@ ${lines4.join("\n")}
         };
       });
       this.#walls.show(run.header.track);
+      this.#ground.show(run.header.track);
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }

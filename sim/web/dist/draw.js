@@ -12816,12 +12816,13 @@ ${legend(baked, layout)}
     const at = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last = right === "wall" ? Number(length) : high;
+    const longest = fence.controls.find((control2) => control2.set === "track.length")?.high ?? last;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
     const under3 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
-    const numbers = { low: first, high: last, step };
+    const numbers = { low: first, high: Math.max(last, longest), step };
     const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks2({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under3)}v4`);
     const wall = (side2) => html`<g data-wall=${side2}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>
@@ -13383,7 +13384,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
             slopes: Float64Array.from(a, (rate) => rate / per)
           };
         case "a":
-          return { ...curve3, values: a, slopes: null };
+          return { ...curve3, values: a, slopes: jerk(header, run, body2, 1 / mass) };
         case "p":
           return {
             ...curve3,
@@ -13403,7 +13404,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return curves;
   }
   function resultants(header, run) {
-    return header.bodies.flatMap(({ name, mass }, i) => {
+    return header.bodies.flatMap((body2, i) => {
+      const { name, mass } = body2;
       const style = styleOf(i);
       const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
       const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
@@ -13413,8 +13415,21 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         values: column,
         slopes: null
       }));
-      return [{ label: name, style, over: false, values, slopes: null }, ...parts2];
+      const slopes = jerk(header, run, body2, 1);
+      return [{ label: name, style, over: false, values, slopes }, ...parts2];
     });
+  }
+  function jerk(header, run, { name }, per) {
+    if (header.effects.some(({ active, carts }) => active && carts.includes(name))) return null;
+    const found = new Float64Array(run.t.length);
+    for (const { pair, bodies } of header.contacts) {
+      const column = bodies.includes(name) ? run.dF[pair] : null;
+      const sign = bodies[0] === name ? -per : per;
+      for (let k = 0; column && k < found.length; k += 1) {
+        found[k] = Number(found[k]) + sign * Number(column[k]);
+      }
+    }
+    return found;
   }
   function partner(curves, label) {
     const { values, slopes } = total(curves);
@@ -13540,11 +13555,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     const force = valueAt2(trajectory.t, column, trajectory.dF[pair] ?? null, t);
     return Math.abs(force) < zero ? 0 : force;
   }
+  function resultant(run, name, t, zero) {
+    const along = [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
+    return along.reduce((sum, { value }) => sum + value, 0);
+  }
   function contactForces(run, name, t, zero) {
-    return run.header.contacts.filter(
-      ({ pair, bodies, stiffness }) => bodies.includes(name) && (stiffness || linkOf(run.header, pair))
-    ).map(({ pair, bodies: [left, right] }) => {
-      const size = contactForce(run, pair, t, zero);
+    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
@@ -13633,15 +13649,15 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       for (const { name, mass } of run.header.bodies) {
         const along = [...contactForces(run, name, t, this.zero), ...effectForces(run, name, t)];
         this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
-        const resultant = along.reduce((sum, { value }) => sum + value, 0);
+        const whole = resultant(run, name, t, this.zero);
         const { t: times2, v, a } = run.trajectory;
         const speed = (at) => valueAt2(times2, v[name] ?? [], a[name] ?? [], at);
         const change = speed(t) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
         const seen = Math.abs(change) < NOISE * velocity2 ? 0 : change / this.per;
-        this.#say(name, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name, "F", fixed(whole, decimals.F ?? 2));
         this.#say(name, "mass", short(mass));
-        this.#say(name, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name, "a", fixed(whole / mass, decimals.a ?? 2));
         this.#say(name, "dv", fixed(seen, decimals.v ?? 2));
       }
     }
@@ -14186,6 +14202,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return sum;
   }
   function changes({ header, trajectory }, windows, touch, t) {
+    const felt = (pair) => header.events.some(
+      (event) => event.bodies?.join("-") === pair && event.t <= t && (event.t >= touch.start || trajectory.F[pair])
+    );
     return touch.bodies.map((name) => {
       const mass = header.bodies.find((body2) => body2.name === name)?.mass;
       const others = windows.some(
@@ -14195,7 +14214,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         (effect) => effect.active && effect.carts.includes(name) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
         // what a pair's own spring does is in its F
       );
-      if (mass === void 0 || others || acting) return { name, change: null };
+      const brief2 = header.contacts.some(
+        ({ pair, bodies, stiffness }) => pair !== touch.pair && !stiffness && bodies.includes(name) && felt(pair)
+      );
+      if (mass === void 0 || others || acting || brief2) return { name, change: null };
       const v = (at) => valueAt2(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at);
       return { name, change: mass * (v(t) - v(touch.start)) };
     });
@@ -14756,6 +14778,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
       this.per = speedUnit(baked.view.velocity)[0];
+      this.zero = NOISE * (baked.view.force || 1);
       this.cards = baked.run.header.bodies.map(({ name }) => {
         const card = need(root, `.carts-card[data-body="${name}"]`);
         const outputs = (
@@ -14775,12 +14798,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const told3 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const acceleration = told3 ? valueAt2(times2, a[name] ?? [], null, t) : null;
+        const force = told3 ? resultant(run, name, t, this.zero) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt2(times2, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
           ["v", (valueAt2(times2, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
-          ["F", acceleration === null ? null : mass * acceleration],
-          ["a", acceleration]
+          ["F", force],
+          ["a", force === null ? null : force / mass]
         ]);
         for (const [quantity, output] of outputs) {
           if (quantity === "mass") {
@@ -14975,6 +14998,42 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
   }
 
+  // src/scene/ground.js
+  var TRACK2 = "track.length";
+  var Ground = class {
+    #lines = [];
+    #numbers = [];
+    constructor(root, layout, { fence, run: { header } }) {
+      this.layout = layout;
+      this.moves = header.track.right === "wall" && fence.controls.some((control2) => control2.set === TRACK2);
+      if (!this.moves) return;
+      const ground2 = need(root, '[data-part="ground"]');
+      this.beam = need(ground2, ".carts-beam");
+      this.rule = need(ground2, ".carts-rule");
+      this.#numbers = [...ground2.querySelectorAll(".carts-number")];
+      this.#lines = Array.from(ground2.querySelectorAll(".carts-fine"), (drawn) => ({
+        drawn,
+        pieces: (drawn.getAttribute("d") ?? "").split(/(?=M)/).filter(Boolean).map((d) => ({ x: Number.parseFloat(d.slice(1)), d }))
+      }));
+    }
+    show({ length }) {
+      if (!this.beam || !this.rule) return;
+      const end2 = this.layout.origin + Number(length) * this.layout.scale;
+      const inside7 = (x) => x <= end2 + 1;
+      const start = Number(this.beam.getAttribute("x"));
+      put(this.beam, "width", px(end2 - start));
+      put(this.rule, "d", `M${px(start)} ${px(this.layout.track)}H${px(end2)}`);
+      for (const { drawn, pieces } of this.#lines) {
+        const d = pieces.filter(({ x }) => inside7(x)).map((piece) => piece.d);
+        put(drawn, "d", d.join(""));
+      }
+      for (const number of this.#numbers) {
+        const seen = inside7(Number(number.getAttribute("x")));
+        put(number, "visibility", seen ? "visible" : "hidden");
+      }
+    }
+  };
+
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW = 21;
@@ -15137,6 +15196,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #walls = [];
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
+      this.tallest = view.tallest;
       this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
         const side2 = group.getAttribute("data-wall") === "left" ? "left" : "right";
@@ -15147,6 +15207,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     show(track) {
       for (const one of this.#walls) {
         one.what = whatIs(one.side, track);
+        one.wall = wallAt(one.side, track.length, this.layout, this.tallest);
         const drawn = one.group.querySelector(THING);
         if (one.what === "wall") drawn?.remove();
         else if (!drawn) one.group.append(svg("path", { "data-part": "thing" }));
@@ -15184,6 +15245,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #run;
     #carts = [];
     #walls;
+    #ground;
     #pushes;
     #effects;
     constructor(root, baked) {
@@ -15198,6 +15260,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
       this.#run = baked.run;
       this.#walls = new Walls(root, layout, baked);
+      this.#ground = new Ground(root, layout, baked);
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
@@ -15234,6 +15297,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         };
       });
       this.#walls.show(run.header.track);
+      this.#ground.show(run.header.track);
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }

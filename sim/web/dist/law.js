@@ -1116,12 +1116,13 @@ ${legend(baked, layout)}
     const at2 = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last2 = right === "wall" ? Number(length) : high;
+    const longest = fence.controls.find((control) => control.set === "track.length")?.high ?? last2;
     const start = left === "wall" ? at2(0) : at2(low) - BEYOND;
     const end2 = right === "wall" ? at2(last2) : at2(high) + BEYOND;
     const under = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
-    const numbers = { low: first, high: last2, step };
+    const numbers = { low: first, high: Math.max(last2, longest), step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at2(x))} ${px(under)}v4`);
     const wall = (side) => html2`<g data-wall=${side}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>
@@ -1452,6 +1453,42 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return left > picture - right ? [4, "start"] : [picture - 4, "end"];
   }
 
+  // src/scene/ground.js
+  var TRACK = "track.length";
+  var Ground = class {
+    #lines = [];
+    #numbers = [];
+    constructor(root, layout, { fence, run: { header } }) {
+      this.layout = layout;
+      this.moves = header.track.right === "wall" && fence.controls.some((control) => control.set === TRACK);
+      if (!this.moves) return;
+      const ground2 = need(root, '[data-part="ground"]');
+      this.beam = need(ground2, ".carts-beam");
+      this.rule = need(ground2, ".carts-rule");
+      this.#numbers = [...ground2.querySelectorAll(".carts-number")];
+      this.#lines = Array.from(ground2.querySelectorAll(".carts-fine"), (drawn) => ({
+        drawn,
+        pieces: (drawn.getAttribute("d") ?? "").split(/(?=M)/).filter(Boolean).map((d) => ({ x: Number.parseFloat(d.slice(1)), d }))
+      }));
+    }
+    show({ length }) {
+      if (!this.beam || !this.rule) return;
+      const end2 = this.layout.origin + Number(length) * this.layout.scale;
+      const inside = (x) => x <= end2 + 1;
+      const start = Number(this.beam.getAttribute("x"));
+      put(this.beam, "width", px(end2 - start));
+      put(this.rule, "d", `M${px(start)} ${px(this.layout.track)}H${px(end2)}`);
+      for (const { drawn, pieces } of this.#lines) {
+        const d = pieces.filter(({ x }) => inside(x)).map((piece) => piece.d);
+        put(drawn, "d", d.join(""));
+      }
+      for (const number of this.#numbers) {
+        const seen = inside(Number(number.getAttribute("x")));
+        put(number, "visibility", seen ? "visible" : "hidden");
+      }
+    }
+  };
+
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW = 21;
@@ -1757,6 +1794,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #walls = [];
     constructor(root, layout, { run: { header }, view }) {
       this.layout = layout;
+      this.tallest = view.tallest;
       this.was = need(root, ".carts-was");
       this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
         const side = group.getAttribute("data-wall") === "left" ? "left" : "right";
@@ -1767,6 +1805,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     show(track) {
       for (const one of this.#walls) {
         one.what = whatIs(one.side, track);
+        one.wall = wallAt(one.side, track.length, this.layout, this.tallest);
         const drawn = one.group.querySelector(THING);
         if (one.what === "wall") drawn?.remove();
         else if (!drawn) one.group.append(svg("path", { "data-part": "thing" }));
@@ -1804,6 +1843,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #run;
     #carts = [];
     #walls;
+    #ground;
     #pushes;
     #effects;
     constructor(root, baked) {
@@ -1818,6 +1858,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
       this.#run = baked.run;
       this.#walls = new Walls(root, layout, baked);
+      this.#ground = new Ground(root, layout, baked);
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
@@ -1854,6 +1895,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         };
       });
       this.#walls.show(run.header.track);
+      this.#ground.show(run.header.track);
       this.#pushes.show(run, windows);
       this.#effects.show(run);
     }

@@ -2702,12 +2702,13 @@ ${legend(baked, layout)}
     const at = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last = right === "wall" ? Number(length) : high;
+    const longest = fence.controls.find((control2) => control2.set === "track.length")?.high ?? last;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
     const under2 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
-    const numbers = { low: first, high: last, step };
+    const numbers = { low: first, high: Math.max(last, longest), step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const wall = (side2) => html2`<g data-wall=${side2}><path class="carts-wall"/><path fill="url(#${hatch})"/><path class="carts-wall-face"/></g>

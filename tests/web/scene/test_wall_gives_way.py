@@ -106,3 +106,31 @@ def test_what_has_no_bumper_has_no_bumper_in_words(foam: Page) -> None:
     told = foam.locator("#foam .carts-events")
     expect(told).to_contain_text("A and the right wall: squeezed the most, 1.9")
     expect(told).not_to_contain_text("bumper")
+
+
+RULED = """await el.set({ "track.length": argument });
+el.time = 0;
+return ["wide", "narrow"].map((kind) => {
+  const stage = el.querySelector(`.carts-stage-${kind}`);
+  const [beam, face] = ["beam", "wall-face"].map((name) => stage.querySelector(`.carts-${name}`));
+  const told = [...stage.querySelectorAll(".carts-number")]
+    .filter((one) => one.getAttribute("visibility") !== "hidden");
+  return { face: Number(face.getAttribute("d").match(/[\\d.]+/)[0]),
+    end: Number(beam.getAttribute("x")) + Number(beam.getAttribute("width")),
+    last: Number(told.at(-1).textContent) };
+});"""
+
+
+@pytest.mark.parametrize("length", [1.2, 2.0])
+def test_a_slider_of_the_track_s_length_moves_wall_beam_and_ruler(
+    open_page: OpenPage, widget_site: Path, length: float
+) -> None:
+    """The cart turned in mid-track, or drove through the old wall."""
+    slider = {"set": "track.length", "from": "1.2 m", "to": "2 m", "step": "0.1 m"}
+    plain = {**FOAM, "track": {"length": "1.6 m", "right": "wall"}, "controls": [slider]}
+    page = live(open_page(write_page(widget_site, "track", {**plain, "id": "track"})), "track")
+    places = on_scene(page, RULED, length, name="track")
+    for place in places:
+        assert place["face"] == pytest.approx(place["end"], abs=0.2)
+        assert place["last"] <= length + 1e-9
+        assert place["last"] > length - 0.6

@@ -10,6 +10,7 @@ import { valueAt } from "../../../view/trajectory.js";
 import { pullable } from "../predict/pull.js";
 import { need, put, say, svg } from "../shared/dom.js";
 import { Effects } from "./effects.js";
+import { Ground } from "./ground.js";
 import { Pushes } from "./pushes.js";
 import { Walls } from "./walls.js";
 
@@ -26,6 +27,8 @@ export class Stage {
   #carts = [];
   /** @type {Walls} */
   #walls;
+  /** @type {Ground} */
+  #ground;
   /** @type {Pushes} */
   #pushes;
   /** @type {Effects} */
@@ -44,6 +47,7 @@ export class Stage {
     this.starts = baked.run.header.bodies.map(({ velocity }) => velocity);
     this.#run = baked.run;
     this.#walls = new Walls(root, layout, baked);
+    this.#ground = new Ground(root, layout, baked);
     this.#pushes = new Pushes(root, layout, baked.view);
     this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
   }
@@ -79,6 +83,7 @@ export class Stage {
       };
     });
     this.#walls.show(run.header.track);
+    this.#ground.show(run.header.track);
     this.#pushes.show(run, windows);
     this.#effects.show(run);
   }

@@ -19,6 +19,7 @@ export class Walls {
   /** @param {SVGElement} root @param {Layout} layout @param {import("../../../view/types.js").Baked} baked */
   constructor(root, layout, { run: { header }, view }) {
     this.layout = layout;
+    this.tallest = view.tallest;
     this.was = need(root, ".carts-was");
     this.#walls = Array.from(root.querySelectorAll("[data-wall]"), (group) => {
       const side = group.getAttribute("data-wall") === "left" ? "left" : "right";
@@ -31,6 +32,7 @@ export class Walls {
   show(track) {
     for (const one of this.#walls) {
       one.what = whatIs(one.side, track);
+      one.wall = wallAt(one.side, track.length, this.layout, this.tallest);
       const drawn = one.group.querySelector(THING);
       if (one.what === "wall") drawn?.remove();
       else if (!drawn) one.group.append(svg("path", { "data-part": "thing" }));
