@@ -1,6 +1,6 @@
 /** A graph against time as SVG attributes. */
 
-import { fixed, px } from "./numbers.js";
+import { exponent, fixed, px } from "./numbers.js";
 import { axis, axisDecimals, span, ticks } from "./scales.js";
 import { turnAfter, valueAt } from "./trajectory.js";
 
@@ -132,13 +132,24 @@ export function timeMarks(plane) {
   });
 }
 
-/** @param {Plane} plane @returns {{at: string, textY: string, label: string, zero: boolean}[]} horizontal grid lines */
+/** @param {Plane} plane @returns {{at: string, textY: string, label: string, zero: boolean}[]} horizontal grid lines, their numbers without the power of ten of all */
 export function valueMarks(plane) {
-  const decimals = axisDecimals(plane.value);
+  const power = valuePower(plane);
+  const decimals = power ? power - exponent(plane.value.step) : axisDecimals(plane.value);
   return ticks(plane.value).map((v) => ({
     at: px(valueY(plane, v)),
     textY: px(valueY(plane, v) + BELOW_LINE),
-    label: fixed(v, decimals),
+    label: fixed(v / Number(`1e${power}`), Math.max(0, decimals)),
     zero: v === 0,
   }));
+}
+
+/** @param {Plane} plane @returns {number} the power of ten that stands beside an axis whose numbers have no room; 0: they have */
+export function valuePower({ value }) {
+  const decimals = axisDecimals(value);
+  const widths = ticks(value).map(
+    (v) => LETTER * (fixed(v, decimals).length - (decimals ? 0.5 : 0)),
+  );
+  if (Math.max(...widths) <= LEFT) return 0;
+  return exponent(Math.max(Math.abs(value.low), Math.abs(value.high)));
 }

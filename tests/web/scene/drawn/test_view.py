@@ -82,6 +82,22 @@ def test_the_last_number_of_a_time_axis_stays_in_the_picture(until: float) -> No
     assert [mark["at"] for mark in marks[:-1]] == [mark["textX"] for mark in marks[:-1]]
 
 
+@pytest.mark.parametrize(
+    ("high", "power"), [(0.6, 0), (8_000, 0), (1_200_000, 6), (4e9, 9), (3e-6, -6)]
+)
+def test_the_numbers_of_an_axis_have_room_beside_it(high: float, power: int) -> None:
+    """A truck's energy lost its first digits, and “00000” stood there five times."""
+    found, labels = in_node(
+        """const g = await import(view + "/graph.js");
+        const plane = g.planeFor([0, data], [0, 1]);
+        give([g.valuePower(plane), g.valueMarks(plane).map(({ label }) => label)]);""",
+        high,
+    )
+    assert found == power
+    assert high / 2 < float(labels[-1]) * 10**power <= high * 1.1
+    assert max(map(len, labels)) <= 6
+
+
 def test_between_rows_a_cubic_is_met_exactly_and_a_jump_is_not_smoothed() -> None:
     times = [0.0, 1.0, 2.0, 2.0, 5.0]
     cubic = [0.0, 1.0, 8.0, -3.0, -9.0]  # t³ up to 2, then a jump and a straight line

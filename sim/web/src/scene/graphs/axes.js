@@ -1,6 +1,7 @@
 /** Grid lines of a graph with their numbers. */
 
 import * as g from "../../../../view/graph.js";
+import { superscript } from "../../../../view/numbers.js";
 import { need, put, say, svg } from "../../shared/dom.js";
 
 /** @param {HTMLElement} root of the graph @param {g.Plane} plane */
@@ -25,6 +26,16 @@ export function drawAxes(root, plane) {
     put(text, "y", textY);
     say(text, label);
   });
+  power(need(root, ".carts-plot"), g.valuePower(plane));
+}
+
+/** What all numbers of the values are times, at the top of their axis. @param {Element} plot @param {number} exponent 0: one */
+function power(plot, exponent) {
+  const found = plot.querySelector('[data-part="power"]');
+  if (!exponent) return found?.remove();
+  const at = { class: "carts-unit", "data-part": "power", x: g.LEFT + 4, y: g.TOP + 10 };
+  const text = found ?? plot.appendChild(svg("text", at));
+  say(text, `× 10${superscript(exponent)}`);
 }
 
 /** @param {Element} group @param {number} count @param {(line: Element, text: Element, i: number) => void} draw */
