@@ -15,6 +15,7 @@ from typing import Any
 from sim.pages.cost.block import CostBlock
 from sim.pages.drawing import draw
 from sim.pages.templates import element
+from sim.scene import read_scene
 
 MEASURED = Path(__file__).parent / "measured"
 BREAKS = MEASURED / "breaks.json"
@@ -40,11 +41,18 @@ def render_cost(block: CostBlock) -> str:
             **breaks,
         },
     )
+    untils = {name: read_scene(plain).until for name, plain in block.scenes.items()}
     return element(
         "cost",
         block.id,
         inside,
-        {"scenes": dict(block.scenes), "measured": tables, "run": run, **breaks},
+        {
+            "scenes": dict(block.scenes),
+            "untils": untils,  # s: a row's step is a part of it
+            "measured": tables,
+            "run": run,
+            **breaks,
+        },
     )
 
 

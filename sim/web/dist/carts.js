@@ -52,21 +52,21 @@
     return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
   function short(value, figures2 = 3) {
-    const power = exponent(value);
-    if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
+    const power2 = exponent(value);
+    if (value && (power2 <= -4 || power2 >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures2 - 1));
       const carried = mantissa.endsWith("10");
-      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power + Number(carried))}`;
+      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power2 + Number(carried))}`;
     }
-    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power2)));
   }
   function figures(value, count2 = 3) {
-    const power = exponent(value);
-    return power <= -4 || power >= 6 ? short(value, count2) : fixed(value, decimalsFor(value, count2));
+    const power2 = exponent(value);
+    return power2 <= -4 || power2 >= 6 ? short(value, count2) : fixed(value, decimalsFor(value, count2));
   }
-  function superscript(power) {
-    const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
-    return power < 0 ? `⁻${digits}` : digits;
+  function superscript(power2) {
+    const digits = String(Math.abs(power2)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
+    return power2 < 0 ? `⁻${digits}` : digits;
   }
   function decimalsOf(value, figures2 = 6) {
     const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
@@ -195,8 +195,8 @@
   var RATES = [0.5, 0.2, 0.1];
   function rateFor(duration2) {
     const wanted = duration2 / WATCH;
-    for (let power = 1; power > SLOWEST; power /= 10) {
-      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    for (let power2 = 1; power2 > SLOWEST; power2 /= 10) {
+      for (const rate of RATES) if (rate * power2 <= wanted) return rate * power2;
     }
     return wanted;
   }
@@ -649,6 +649,73 @@
     }
   };
 
+  // src/cost/measuring.js
+  var ADAPTIVE = ["rk45", "adaptive"];
+  var PACKAGES = ["numpy", "scipy"];
+  async function measureAll(client2, root, scene, { going, rows, tell: tell2 }) {
+    const ask = async (what) => {
+      const request = () => ({ kind: "cost", scene, ...what });
+      const { header } = await client2.ask(need(root, ".carts-cost-go"), request);
+      if (going() && !header.ok) throw refusal(header.problems ?? []);
+      return (
+        /** @type {any} */
+        header
+      );
+    };
+    await client2.need(PACKAGES);
+    const found3 = [];
+    for (let row = 0, of = 1; row < of; row += 1) {
+      if (!going()) return false;
+      const answer = await ask({ row });
+      if (!going()) return false;
+      of = answer.of;
+      found3.push(...answer.rows);
+      rows(found3);
+      const progress = (
+        /** @type {HTMLProgressElement} */
+        need(root, ".carts-cost-progress")
+      );
+      progress.value = (row + 1) / of;
+      say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
+    }
+    const { floor, digits } = await ask({ digits: found3 });
+    if (going()) tell2(floor, digits);
+    return going();
+  }
+
+  // src/cost/choice.js
+  var Choice = class {
+    constructor(root) {
+      this.root = root;
+    }
+    of(part) {
+      return (
+        /** @type {HTMLSelectElement} */
+        need(this.root, `.carts-cost-${part}`)
+      );
+    }
+    get scene() {
+      return this.of("scene").value;
+    }
+    get adaptive() {
+      return ADAPTIVE.includes(this.of("method").value);
+    }
+    get all() {
+      const [rtol, parts2] = ["rtol", "step"].map((part) => Number(this.of(part).value));
+      return { method: this.of("method").value, rtol: Number(rtol), parts: Number(parts2) };
+    }
+    asked(parts2) {
+      const { method, rtol, parts: chosen } = this.all;
+      this.of("step").hidden = this.adaptive;
+      this.of("rtol").hidden = !this.adaptive;
+      return this.adaptive ? { method, rtol } : { method, parts: parts2 ?? chosen };
+    }
+    follow(scene, method) {
+      this.of("scene").addEventListener("change", scene);
+      for (const part of ["method", "step", "rtol"]) this.of(part).addEventListener("change", method);
+    }
+  };
+
   // ../view/cost/figure.js
   var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [62, 14, 506, 330];
   var FLOOR = 1e-17;
@@ -738,8 +805,8 @@
   var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
   var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
   function withExponent(text) {
-    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power) => {
-      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power2) => {
+      return `e${lowered(raised ?? power2).replace(/[()]/g, "")}`;
     });
   }
 
@@ -818,40 +885,6 @@
     });
   }
 
-  // src/cost/measuring.js
-  var ADAPTIVE = ["rk45", "adaptive"];
-  var PACKAGES = ["numpy", "scipy"];
-  async function measureAll(client2, root, scene, { going, rows, tell: tell2 }) {
-    const ask = async (what) => {
-      const request = () => ({ kind: "cost", scene, ...what });
-      const { header } = await client2.ask(need(root, ".carts-cost-go"), request);
-      if (going() && !header.ok) throw refusal(header.problems ?? []);
-      return (
-        /** @type {any} */
-        header
-      );
-    };
-    await client2.need(PACKAGES);
-    const found3 = [];
-    for (let row = 0, of = 1; row < of; row += 1) {
-      if (!going()) return false;
-      const answer = await ask({ row });
-      if (!going()) return false;
-      of = answer.of;
-      found3.push(...answer.rows);
-      rows(found3);
-      const progress = (
-        /** @type {HTMLProgressElement} */
-        need(root, ".carts-cost-progress")
-      );
-      progress.value = (row + 1) / of;
-      say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
-    }
-    const { floor, digits } = await ask({ digits: found3 });
-    if (going()) tell2(floor, digits);
-    return going();
-  }
-
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
@@ -867,11 +900,11 @@
     return found3;
   }
   function niceAbove(value) {
-    const power = Number(`1e${exponent(value)}`);
+    const power2 = Number(`1e${exponent(value)}`);
     for (const factor of [1, 2, 5]) {
-      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+      if (value <= factor * power2 * (1 + STEP_SLACK)) return factor * power2;
     }
-    return 10 * power;
+    return 10 * power2;
   }
   function axis(low, high, count2) {
     const bottom = low < -NOUGHT ? low : 0;
@@ -1057,8 +1090,11 @@
       rows = [];
       run = null;
       complete = Promise.resolve();
+      choice = new Choice(this);
       #generation = 0;
       #measuring = 0;
+      #fresh = 0;
+      // rows of the newest measurement
       #stage = null;
       #figure = null;
       #player = null;
@@ -1072,7 +1108,7 @@
         for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
           need(this, `.carts-cost-${part}`).disabled = false;
         }
-        const known2 = facts.measured[this.#select("scene").value];
+        const known2 = facts.measured[this.choice.scene];
         this.rows = known2?.rows ?? [];
         this.#figure.floor = known2?.floor;
         this.#show(facts.run);
@@ -1084,10 +1120,10 @@
             void this.compute(point);
           });
         }
-        this.#select("scene").addEventListener("change", () => this.#newScene());
-        for (const part of ["method", "step", "rtol"]) {
-          this.#select(part).addEventListener("change", () => void this.compute());
-        }
+        this.choice.follow(
+          () => this.#newScene(),
+          () => void this.compute()
+        );
         need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
         const scrub = (
           /** @type {HTMLInputElement} */
@@ -1104,34 +1140,27 @@
         this.#player?.pause();
         this.stop();
       }
-      #select(part) {
-        return (
-          /** @type {HTMLSelectElement} */
-          need(this, `.carts-cost-${part}`)
-        );
-      }
       get #scene() {
-        return this.#facts?.scenes[this.#select("scene").value];
+        return this.#facts?.scenes[this.choice.scene];
+      }
+      get #until() {
+        return Number(this.#facts?.untils[this.choice.scene]);
       }
       async compute(point) {
         this.#generation += 1;
         const generation = this.#generation;
         if (point) {
-          this.#select("method").value = point.method;
+          this.choice.of("method").value = point.method;
           this.#note("The point of the map is being run …");
         }
-        const method = this.#select("method").value;
-        const adaptive = ADAPTIVE.includes(method);
-        this.#select("step").hidden = adaptive;
-        this.#select("rtol").hidden = !adaptive;
-        const size = adaptive ? { rtol: Number(this.#select("rtol").value) } : { parts: point?.parts ?? Number(this.#select("step").value) };
+        const asked3 = this.choice.asked(point?.parts);
         try {
-          if (adaptive) {
+          if (this.choice.adaptive) {
             this.#note("Python’s scipy is being loaded …");
             await client2.need(PACKAGES);
           }
           const scene = point?.scene ?? this.#scene;
-          const message = { kind: "cost", scene, method, ...size };
+          const message = { kind: "cost", scene, ...asked3 };
           const { header, numbers } = await client2.ask(this, () => message);
           if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
@@ -1160,11 +1189,12 @@
         if (!this.#measuring) return;
         this.#measuring = 0;
         showWorking(this, false);
-        say(need(this, ".carts-cost-say"), `Stopped after ${this.rows.length} rows.`);
+        say(need(this, ".carts-cost-say"), `Stopped after ${this.#fresh} rows.`);
       }
       async #measure() {
         const turn = Math.random() + 1;
         this.#measuring = turn;
+        this.#fresh = 0;
         showWorking(this, true);
         say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
         try {
@@ -1173,6 +1203,7 @@
             rows: (rows) => {
               this.#live();
               this.#rows(rows);
+              this.#fresh = rows.length;
             },
             tell: (floor, digits) => this.#figure?.tell(floor, digits)
           });
@@ -1192,7 +1223,7 @@
       }
       #newScene() {
         this.stop();
-        const known2 = this.#facts?.measured[this.#select("scene").value];
+        const known2 = this.#facts?.measured[this.choice.scene];
         this.#figure?.tell(known2?.floor, known2?.digits ?? {});
         this.#rows(known2?.rows ?? []);
         const said = known2?.measured ? `Measured ${known2.measured}.` : "Not measured yet.";
@@ -1203,20 +1234,11 @@
         this.rows = [...rows];
         this.#figure?.show(rows);
         this.#mark();
-        const until = Number(this.run?.header.until);
-        const lines4 = rows.map((row) => cells(row, until));
+        const lines4 = rows.map((row) => cells(row, this.#until));
         fill(need(this, ".carts-cost-table table"), lines4);
       }
       #mark() {
-        const [method, rtol, parts2] = ["method", "rtol", "step"].map(
-          (one) => this.#select(one).value
-        );
-        const chosen = rowOf(this.rows, Number(this.run?.header.until), {
-          method: String(method),
-          rtol: Number(rtol),
-          parts: Number(parts2)
-        });
-        this.#figure?.mark(chosen);
+        this.#figure?.mark(rowOf(this.rows, this.#until, this.choice.all));
       }
       #show(run) {
         this.run = run;
@@ -8252,13 +8274,22 @@ ${lines4.join("\n")}
     });
   }
   function valueMarks(plane) {
-    const decimals = axisDecimals(plane.value);
+    const power2 = valuePower(plane);
+    const decimals = power2 ? power2 - exponent(plane.value.step) : axisDecimals(plane.value);
     return ticks2(plane.value).map((v2) => ({
       at: px(valueY(plane, v2)),
       textY: px(valueY(plane, v2) + BELOW_LINE),
-      label: fixed(v2, decimals),
+      label: fixed(v2 / Number(`1e${power2}`), Math.max(0, decimals)),
       zero: v2 === 0
     }));
+  }
+  function valuePower({ value }) {
+    const decimals = axisDecimals(value);
+    const widths = ticks2(value).map(
+      (v2) => LETTER * (fixed(v2, decimals).length - (decimals ? 0.5 : 0))
+    );
+    if (Math.max(...widths) <= LEFT5) return 0;
+    return exponent(Math.max(Math.abs(value.low), Math.abs(value.high)));
   }
 
   // src/scene/how/ghost.js
@@ -8343,6 +8374,14 @@ ${lines4.join("\n")}
       put(text, "y", textY);
       say(text, label);
     });
+    power(need(root, ".carts-plot"), valuePower(plane));
+  }
+  function power(plot2, exponent2) {
+    const found3 = plot2.querySelector('[data-part="power"]');
+    if (!exponent2) return found3?.remove();
+    const at3 = { class: "carts-unit", "data-part": "power", x: LEFT5 + 4, y: TOP6 + 10 };
+    const text = found3 ?? plot2.appendChild(svg("text", at3));
+    say(text, `× 10${superscript(exponent2)}`);
   }
   function marks2(group2, count2, draw) {
     while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();

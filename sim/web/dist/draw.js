@@ -10301,21 +10301,21 @@
     return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
   function short(value, figures2 = 3) {
-    const power2 = exponent(value);
-    if (value && (power2 <= -4 || power2 >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures2 - 1));
+    const power3 = exponent(value);
+    if (value && (power3 <= -4 || power3 >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power3}`), figures2 - 1));
       const carried = mantissa.endsWith("10");
-      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power2 + Number(carried))}`;
+      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power3 + Number(carried))}`;
     }
-    return trim(fixed(value, Math.max(0, figures2 - 1 - power2)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power3)));
   }
   function figures(value, count = 3) {
-    const power2 = exponent(value);
-    return power2 <= -4 || power2 >= 6 ? short(value, count) : fixed(value, decimalsFor(value, count));
+    const power3 = exponent(value);
+    return power3 <= -4 || power3 >= 6 ? short(value, count) : fixed(value, decimalsFor(value, count));
   }
-  function superscript(power2) {
-    const digits = String(Math.abs(power2)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-    return power2 < 0 ? `⁻${digits}` : digits;
+  function superscript(power3) {
+    const digits = String(Math.abs(power3)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power3 < 0 ? `⁻${digits}` : digits;
   }
   function decimalsOf(value, figures2 = 6) {
     const text3 = Math.abs(value).toFixed(decimalsFor(value, figures2));
@@ -10786,11 +10786,11 @@ ${rows.map(row)}</tbody>
     return found;
   }
   function niceAbove(value) {
-    const power2 = Number(`1e${exponent(value)}`);
+    const power3 = Number(`1e${exponent(value)}`);
     for (const factor of [1, 2, 5]) {
-      if (value <= factor * power2 * (1 + STEP_SLACK)) return factor * power2;
+      if (value <= factor * power3 * (1 + STEP_SLACK)) return factor * power3;
     }
-    return 10 * power2;
+    return 10 * power3;
   }
   function axis(low, high, count) {
     const bottom = low < -NOUGHT ? low : 0;
@@ -12300,13 +12300,22 @@ ${rows}</tbody></table></div>
     });
   }
   function valueMarks(plane) {
-    const decimals = axisDecimals(plane.value);
+    const power3 = valuePower(plane);
+    const decimals = power3 ? power3 - exponent(plane.value.step) : axisDecimals(plane.value);
     return ticks2(plane.value).map((v) => ({
       at: px(valueY(plane, v)),
       textY: px(valueY(plane, v) + BELOW_LINE),
-      label: fixed(v, decimals),
+      label: fixed(v / Number(`1e${power3}`), Math.max(0, decimals)),
       zero: v === 0
     }));
+  }
+  function valuePower({ value }) {
+    const decimals = axisDecimals(value);
+    const widths = ticks2(value).map(
+      (v) => LETTER * (fixed(v, decimals).length - (decimals ? 0.5 : 0))
+    );
+    if (Math.max(...widths) <= LEFT4) return 0;
+    return exponent(Math.max(Math.abs(value.low), Math.abs(value.high)));
   }
 
   // ../view/skeleton/graph.js
@@ -14173,6 +14182,14 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(text3, "y", textY);
       say(text3, label);
     });
+    power2(need(root, ".carts-plot"), valuePower(plane));
+  }
+  function power2(plot2, exponent2) {
+    const found = plot2.querySelector('[data-part="power"]');
+    if (!exponent2) return found?.remove();
+    const at = { class: "carts-unit", "data-part": "power", x: LEFT4 + 4, y: TOP4 + 10 };
+    const text3 = found ?? plot2.appendChild(svg("text", at));
+    say(text3, `× 10${superscript(exponent2)}`);
   }
   function marks2(group, count, draw) {
     while (group.children.length > 2 * count) group.lastElementChild?.remove();

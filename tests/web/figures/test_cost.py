@@ -79,3 +79,17 @@ def test_methods_run_and_are_measured_in_the_readers_browser(
     first, _, euler, *_ = cost.evaluate("(el) => el.rows")
     assert (first["method"], first["time_ratio"], euler["evaluations"]) == ("exact", 1, 103)
     assert first["error_v"] <= 4e-16
+
+
+@pytest.mark.one_browser
+@pytest.mark.browser
+def test_the_table_of_another_scene_has_its_own_steps(site: Path, open_page: OpenPage) -> None:
+    """What was measured beforehand, also before Python has run the scene that was chosen."""
+    page = open_page(site / "accuracy" / "index.html", folder=site)
+    cost = page.locator("#cost-two-runs")
+    rows = cost.locator(".carts-cost-table tbody tr")
+    assert any("1 s / 103" in text for text in rows.all_text_contents())
+    cost.locator(".carts-cost-scene").select_option("spring-pair")
+    texts = rows.all_text_contents()
+    assert any("6 s / 103" in text for text in texts)
+    assert not any("1 s / " in text for text in texts)

@@ -6,9 +6,10 @@ import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { BreaksFigure } from "./breaks.js";
+import { Choice } from "./choice.js";
 import { CostFigure } from "./figure.js";
 import { guessFirst } from "./guess.js";
-import { ADAPTIVE, measureAll, PACKAGES } from "./measuring.js";
+import { measureAll, PACKAGES } from "./measuring.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
 import { showWorking } from "./working.js";
@@ -18,7 +19,7 @@ import { showWorking } from "./working.js";
 /** @typedef {{header: CostHeader, numbers: ArrayLike<number>}} CostRun */
 /**
  * @typedef {{rows: CostRow[], floor?: number, digits?: Record<string, number>, measured?: string}} Measured
- * @typedef {{breaks?: import("../../../view/cost/breaks.js").Breaks, scenes: Record<string, object>, measured: Record<string, Measured>, run: CostRun}} CostFacts
+ * @typedef {{breaks?: import("../../../view/cost/breaks.js").Breaks, scenes: Record<string, object>, untils: Record<string, number>, measured: Record<string, Measured>, run: CostRun}} CostFacts
  */
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
@@ -32,8 +33,10 @@ export function costElement(client) {
     run = null;
     /** Resolves when the newest measurement is complete or was stopped. @type {Promise<void>} */
     complete = Promise.resolve();
+    choice = new Choice(this);
     #generation = 0;
     #measuring = 0;
+    #fresh = 0; // rows of the newest measurement
     /** @type {CostStage | null} */
     #stage = null;
     /** @type {CostFigure | null} */
@@ -52,7 +55,7 @@ export function costElement(client) {
       for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
         /** @type {HTMLInputElement} */ (need(this, `.carts-cost-${part}`)).disabled = false;
       }
-      const known = facts.measured[this.#select("scene").value];
+      const known = facts.measured[this.choice.scene];
       this.rows = known?.rows ?? [];
       this.#figure.floor = known?.floor;
       this.#show(facts.run);
@@ -64,10 +67,10 @@ export function costElement(client) {
           void this.compute(point);
         });
       }
-      this.#select("scene").addEventListener("change", () => this.#newScene());
-      for (const part of ["method", "step", "rtol"]) {
-        this.#select(part).addEventListener("change", () => void this.compute());
-      }
+      this.choice.follow(
+        () => this.#newScene(),
+        () => void this.compute(),
+      );
       need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
       const scrub = /** @type {HTMLInputElement} */ (need(this, ".carts-cost-scrub"));
       scrub.addEventListener("input", () => {
@@ -83,13 +86,13 @@ export function costElement(client) {
       this.stop();
     }
 
-    /** @param {string} part @returns {HTMLSelectElement} */
-    #select(part) {
-      return /** @type {HTMLSelectElement} */ (need(this, `.carts-cost-${part}`));
+    get #scene() {
+      return this.#facts?.scenes[this.choice.scene];
     }
 
-    get #scene() {
-      return this.#facts?.scenes[this.#select("scene").value];
+    /** How long the chosen scene runs, in s; a point of the map may be shown instead. */
+    get #until() {
+      return Number(this.#facts?.untils[this.choice.scene]);
     }
 
     /**
@@ -100,23 +103,17 @@ export function costElement(client) {
       this.#generation += 1;
       const generation = this.#generation;
       if (point) {
-        this.#select("method").value = point.method;
+        this.choice.of("method").value = point.method;
         this.#note("The point of the map is being run …");
       }
-      const method = this.#select("method").value;
-      const adaptive = ADAPTIVE.includes(method);
-      this.#select("step").hidden = adaptive;
-      this.#select("rtol").hidden = !adaptive;
-      const size = adaptive
-        ? { rtol: Number(this.#select("rtol").value) }
-        : { parts: point?.parts ?? Number(this.#select("step").value) };
+      const asked = this.choice.asked(point?.parts);
       try {
-        if (adaptive) {
+        if (this.choice.adaptive) {
           this.#note("Python’s scipy is being loaded …");
           await client.need(PACKAGES);
         }
         const scene = point?.scene ?? this.#scene;
-        const message = { kind: "cost", scene, method, ...size };
+        const message = { kind: "cost", scene, ...asked };
         const { header, numbers } = await client.ask(this, () => message);
         if (generation !== this.#generation) return;
         if (!header.ok) throw refusal(header.problems ?? []);
@@ -142,12 +139,13 @@ export function costElement(client) {
       if (!this.#measuring) return;
       this.#measuring = 0;
       showWorking(this, false);
-      say(need(this, ".carts-cost-say"), `Stopped after ${this.rows.length} rows.`);
+      say(need(this, ".carts-cost-say"), `Stopped after ${this.#fresh} rows.`);
     }
 
     async #measure() {
       const turn = Math.random() + 1;
       this.#measuring = turn;
+      this.#fresh = 0;
       showWorking(this, true);
       say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
       try {
@@ -156,6 +154,7 @@ export function costElement(client) {
           rows: (rows) => {
             this.#live();
             this.#rows(rows);
+            this.#fresh = rows.length;
           },
           tell: (floor, digits) => this.#figure?.tell(floor, digits),
         });
@@ -174,7 +173,7 @@ export function costElement(client) {
     /** Another scene: the measurements were those of the one before. */
     #newScene() {
       this.stop();
-      const known = this.#facts?.measured[this.#select("scene").value];
+      const known = this.#facts?.measured[this.choice.scene];
       this.#figure?.tell(known?.floor, known?.digits ?? {});
       this.#rows(known?.rows ?? []);
       const said = known?.measured ? `Measured ${known.measured}.` : "Not measured yet.";
@@ -187,22 +186,13 @@ export function costElement(client) {
       this.rows = [...rows];
       this.#figure?.show(rows);
       this.#mark();
-      const until = Number(this.run?.header.until);
-      const lines = rows.map((row) => cells(row, until));
+      const lines = rows.map((row) => cells(row, this.#until));
       fill(need(this, ".carts-cost-table table"), lines);
     }
 
     /** The ring stands where the chosen method and step were measured. */
     #mark() {
-      const [method, rtol, parts] = ["method", "rtol", "step"].map(
-        (one) => this.#select(one).value,
-      );
-      const chosen = rowOf(this.rows, Number(this.run?.header.until), {
-        method: String(method),
-        rtol: Number(rtol),
-        parts: Number(parts),
-      });
-      this.#figure?.mark(chosen);
+      this.#figure?.mark(rowOf(this.rows, this.#until, this.choice.all));
     }
 
     /** @param {CostRun} run */
