@@ -2153,6 +2153,8 @@
   var KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 3, PageDown: -3 };
   var Controls = class {
     #views = /* @__PURE__ */ new Map();
+    on = false;
+    // values may be changed, here or in the picture
     constructor(root, controls, { change: change2, stops = () => void 0 }, switches = []) {
       this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
@@ -2164,6 +2166,7 @@
       }
     }
     enable(on) {
+      this.on = on;
       for (const view of this.#views.values()) view.enable(on);
       this.switches.enable(on);
     }
@@ -2254,8 +2257,8 @@
       this.box.removeAttribute("aria-invalid");
     }
     #typed(change2, at3) {
-      const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
+      const read = readTyped(withoutUnit(this.box.value, unit));
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
@@ -2285,6 +2288,11 @@
       return fixed(value, Math.max(this.decimals, decimalsOf(value)));
     }
   };
+  function withoutUnit(typed, unit) {
+    const text = typed.trim();
+    const number = text.slice(0, text.length - unit.length);
+    return unit && text.endsWith(unit) && /[\d.,\s]$/.test(number) ? number : text;
+  }
   function nearest(values, asked3) {
     const far = (x2) => Math.abs(x2 - asked3);
     return values.reduce((best, x2, k) => far(x2) < far(values[best] ?? 0) ? k : best, 0);
@@ -5422,6 +5430,7 @@
     }
     finish(all = false) {
       const begun2 = this.over;
+      const hidden = this.player.seen !== Infinity;
       const here = all ? this.presets.names : this.presets.pressed;
       this.over = true;
       this.player.seen = Infinity;
@@ -5432,7 +5441,7 @@
       }
       const done = !this.whole && this.presets.left.length === 0;
       if (done) this.#end();
-      if (!begun2 || done) this.player.seek(this.player.time);
+      if (!begun2 || done || hidden) this.player.seek(this.player.time);
       if (!begun2) this.acts.first();
       if (done) {
         this.acts.all();
@@ -6820,12 +6829,12 @@
     }
     return { settings, t: Number.isFinite(t3) ? Math.max(0, t3) : 0 };
   }
-  async function followLink(scene, id, say2) {
-    const asked3 = readLink(location.hash, id);
+  async function followLink(scene, runs, say2) {
+    const asked3 = readLink(location.hash, scene.id);
     if (!asked3) return;
     if ("problem" in asked3) return say2(asked3.problem);
     try {
-      await scene.set(asked3.settings);
+      await runs.become(asked3.settings);
       scene.time = asked3.t;
       scene.scrollIntoView();
     } catch (error) {
@@ -6990,7 +6999,7 @@ ${lines4.join("\n")}
     const { scene, controls, switches } = baked.fence;
     const sliders = new Controls(element, controls, acts, switches);
     view.draggable({
-      ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
+      ready: () => sliders.on && acts.told() && view.player.time === 0 && !view.player.playing,
       value: (target) => valueIn(view.run.header, target),
       change: (control, value, at3) => sliders.take(control.set, value, at3)
     });
@@ -7243,7 +7252,9 @@ ${lines4.join("\n")}
     }
     replace(changes2) {
       const before = [...this.#before];
-      this.#before.push({ ...this.wanted });
+      if (JSON.stringify(this.wanted) !== JSON.stringify(changes2)) {
+        this.#before.push({ ...this.wanted });
+      }
       this.wanted = { ...changes2 };
       this.#last.target = "";
       return () => {
@@ -7312,17 +7323,22 @@ ${lines4.join("\n")}
       this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
     }
     preset(changes2) {
-      const back = this.values.replace(changes2);
-      const done = this.compute(changes2, performance.now());
-      const asked3 = this.#asked;
-      return done.then(
+      return this.become(changes2).then(
         () => true,
         (error) => {
-          if (asked3 === this.#asked) back();
           this.acts.say(error.message);
           return false;
         }
       );
+    }
+    become(changes2) {
+      const back = this.values.replace(changes2);
+      const done = this.compute(changes2, performance.now());
+      const asked3 = this.#asked;
+      return done.catch((error) => {
+        if (asked3 === this.#asked) back();
+        throw error;
+      });
     }
     async ask(changes2 = {}) {
       const generation = this.#generation;
@@ -8582,6 +8598,8 @@ ${lines4.join("\n")}
     #of = null;
     entries = [];
     tops = [];
+    waits = "";
+    // why it is not there yet, or not at all
     constructor(root, baked) {
       this.areas = need(root, '[data-part="areas"]');
       this.key = need(root, ".carts-key");
@@ -8596,8 +8614,10 @@ ${lines4.join("\n")}
         this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
       } else if (open2 && this.#of !== run) {
         this.#of = run;
+        this.waits = tr("Starting Python …");
         void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
+          this.waits = parts2 ? "" : tr("This change needs Python, which does not run here.");
           this.#take(parts2?.t ?? [], parts2 ? ledgerWithEffects(run.header, parts2) : []);
           changed();
         });
@@ -8849,10 +8869,13 @@ ${lines4.join("\n")}
     #toggle() {
       this.#pressed = !this.#pressed;
       this.button?.setAttribute("aria-pressed", String(this.#pressed));
-      const [title, symbol, rest] = this.ledger ? [this.#pressed ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })] : this.#pressed ? [this.signedName, "F", tr(" in N, + is right")] : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
+      this.#name();
+      this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
+    }
+    #name() {
+      const [title, symbol, rest] = this.ledger ? [this.#stacked ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })] : this.#pressed ? [this.signedName, "F", tr(" in N, + is right")] : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
       const italic = Object.assign(document.createElement("i"), { textContent: symbol });
       need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
-      this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
     #draw(t3) {
       const run = (
@@ -8895,8 +8918,9 @@ ${lines4.join("\n")}
         this.ledger?.clear();
         const whole = this.#seen === Infinity;
         const note2 = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
-        this.key.show(this.#curves, note2);
+        this.key.show(this.#curves, this.#pressed && this.ledger?.waits || note2);
       }
+      if (this.ledger) this.#name();
       this.at(t3);
     }
     #lines(run) {
@@ -10452,7 +10476,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #live = new Live(this, client2, {
         first: () => this.#first(),
         told: () => this.#told,
-        live: () => this.#told && void followLink(this, this.id, (text) => note(this, text)),
+        live: () => this.#told && void followLink(this, this.#runs, (text) => note(this, text)),
         failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
         stepwise: () => this.#runs.stepwise
       });

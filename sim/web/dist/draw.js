@@ -14442,6 +14442,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #of = null;
     entries = [];
     tops = [];
+    waits = "";
+    // why it is not there yet, or not at all
     constructor(root, baked) {
       this.areas = need(root, '[data-part="areas"]');
       this.key = need(root, ".carts-key");
@@ -14456,8 +14458,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
       } else if (open && this.#of !== run) {
         this.#of = run;
+        this.waits = tr("Starting Python …");
         void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
+          this.waits = parts2 ? "" : tr("This change needs Python, which does not run here.");
           this.#take(parts2?.t ?? [], parts2 ? ledgerWithEffects(run.header, parts2) : []);
           changed();
         });
@@ -14709,10 +14713,13 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #toggle() {
       this.#pressed = !this.#pressed;
       this.button?.setAttribute("aria-pressed", String(this.#pressed));
-      const [title, symbol, rest] = this.ledger ? [this.#pressed ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })] : this.#pressed ? [this.signedName, "F", tr(" in N, + is right")] : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
+      this.#name();
+      this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
+    }
+    #name() {
+      const [title, symbol, rest] = this.ledger ? [this.#stacked ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })] : this.#pressed ? [this.signedName, "F", tr(" in N, + is right")] : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
       const italic = Object.assign(document.createElement("i"), { textContent: symbol });
       need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
-      this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
     #draw(t) {
       const run = (
@@ -14755,8 +14762,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.ledger?.clear();
         const whole = this.#seen === Infinity;
         const note = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
-        this.key.show(this.#curves, note);
+        this.key.show(this.#curves, this.#pressed && this.ledger?.waits || note);
       }
+      if (this.ledger) this.#name();
       this.at(t);
     }
     #lines(run) {

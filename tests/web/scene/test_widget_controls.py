@@ -60,7 +60,9 @@ def test_a_slider_and_its_box_are_one(open_page: OpenPage, widget_site: Path) ->
         ("99", "mass of A: 0.5 to 4.0 kg"),
         ("1e309", "too large"),
         ("2 s", "kg"),
-        ("-1 kg", "greater than 0 kg"),
+        ("-1 kg", "mass of A: 0.5 to 4.0 kg"),
+        ("100 kg", "mass of A: 0.5 to 4.0 kg"),
+        ("-1000 g", "greater than 0 kg"),
     ],
 )
 def test_a_wrong_number_is_explained_beside_its_box(

@@ -136,7 +136,7 @@ def test_the_table_tells_the_forces_of_effects_with_who_exerts_them() -> None:
         const { csv } = await import(source + "/scene/take-along/csv.js");
         const trajectory = fromWire(data.header, Float64Array.from(data.numbers));
         const run = { header: data.header, trajectory };
-        give([csv(run, ["x", "F"], 0), csv(run, ["x", "v"], 0)]);""",
+        give([csv(run, ["x", "F"], 0), csv(run, ["x", "v"], 0), csv(run, ["R"], 0)]);""",
         given,
     )
     heads, *rows = list(csv.reader(io.StringIO(text[0])))
@@ -145,3 +145,7 @@ def test_the_table_tells_the_forces_of_effects_with_who_exerts_them() -> None:
     rubbing = float(first["force on A by the track (friction) in N"])
     assert rubbing == pytest.approx(-0.02 * 0.5 * 9.81)
     assert "force on" not in text[1]
+    resultants = next(csv.reader(io.StringIO(text[2])))
+    assert resultants[1] == "resultant force R of A in N"
+    assert [head for head in resultants if "R of" in head and " by " in head] == []
+    assert "F on A by fan in N" in resultants

@@ -56,6 +56,12 @@ def test_a_link_restores_the_state_and_files_are_saved(
     # Where the page is open already, only what comes after # changes.
     other.goto((widget_site / "play.html").as_uri() + "#carts:play?A.mass=2&t=0.5")
     expect(other.locator('#play [data-set="A.mass"] .carts-number-box')).to_have_value("2.0")
+    # What a link does not name is as the lesson has it, whatever the reader changed before.
+    on_scene(other, "await el.set({ 'contact.restitution': 0.5 })", name="play")
+    other.goto((widget_site / "play.html").as_uri() + "#carts:play?t=1")
+    expect(other.locator('#play [data-set="A.mass"] .carts-number-box')).to_have_value("0.5")
+    bounce = other.locator('#play [data-set="contact.restitution"] .carts-number-box')
+    expect(bounce).to_have_value("0.80")
     other.goto("about:blank")
     other.goto((widget_site / "play.html").as_uri() + "#carts:play?A.mass=-1")
     live(other, "play")

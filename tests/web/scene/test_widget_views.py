@@ -209,8 +209,11 @@ def test_the_ledger_with_effects_adds_up_to_what_was_there_and_what_was_given(
     page = live(open_page(write_page(widget_site, "rough", ROUGH)), "rough")
     graph = page.locator('#rough .carts-graph[data-quantity="energy"]')
     key = graph.locator(".carts-key")
+    name = graph.locator(".carts-graph-name")
+    expect(name).to_contain_text("Kinetic energy")
     graph.locator(".carts-sign").click()
     expect(key).to_contain_text("has warmed the bumpers and track")
+    expect(name).to_have_text("Energy E in J")
     parts = """(key) => [...key.querySelectorAll("b")].map((b) => [b.textContent.split(": ")[0],
         parseFloat(b.textContent.split(": ")[1].replace("−", "-"))])"""
     on_scene(page, "el.time = 0;", name="rough")

@@ -15,6 +15,7 @@ const KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 
 export class Controls {
   /** @type {Map<string, ControlView>} */
   #views = new Map();
+  on = false; // values may be changed, here or in the picture
 
   /** @param {HTMLElement} root @param {Control[]} controls @param {{change: Change, stops?: Stops}} acts @param {import("../../../view/types.js").Fence["switches"]} switches */
   constructor(root, controls, { change, stops = () => undefined }, switches = []) {
@@ -29,6 +30,7 @@ export class Controls {
 
   /** @param {boolean} on */
   enable(on) {
+    this.on = on;
     for (const view of this.#views.values()) view.enable(on);
     this.switches.enable(on);
   }
@@ -137,8 +139,8 @@ class ControlView {
 
   /** @param {Change} change @param {number} at */
   #typed(change, at) {
-    const read = readTyped(this.box.value);
     const { low, high, unit, label } = this.control;
+    const read = readTyped(withoutUnit(this.box.value, unit));
     if ("problem" in read) return this.complain(read.problem);
     if ("text" in read) {
       this.#sent = this.box.value;
@@ -173,6 +175,13 @@ class ControlView {
   #text(value) {
     return fixed(value, Math.max(this.decimals, decimalsOf(value)));
   }
+}
+
+/** A number with the box's own unit behind it is that number; any other unit is Python's to read. @param {string} typed @param {string} unit */
+function withoutUnit(typed, unit) {
+  const text = typed.trim();
+  const number = text.slice(0, text.length - unit.length);
+  return unit && text.endsWith(unit) && /[\d.,\s]$/.test(number) ? number : text; // not of mm/s
 }
 
 /** @param {number[]} values @param {number} asked @returns {number} place of the nearest; of two alike the lower */

@@ -39,7 +39,7 @@ export function sceneElement(client, folder) {
     #live = new Live(this, client, {
       first: () => this.#first(),
       told: () => this.#told,
-      live: () => this.#told && void followLink(this, this.id, (text) => words.note(this, text)),
+      live: () => this.#told && void followLink(this, this.#runs, (text) => words.note(this, text)),
       failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
       stepwise: () => this.#runs.stepwise,
     });

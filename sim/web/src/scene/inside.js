@@ -33,7 +33,7 @@ export function wireInside(element, baked, view, client, acts) {
   const { scene, controls, switches } = baked.fence;
   const sliders = new Controls(element, controls, acts, switches);
   view.draggable({
-    ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
+    ready: () => sliders.on && acts.told() && view.player.time === 0 && !view.player.playing,
     value: (target) => valueIn(view.run.header, target),
     change: (control, value, at) => sliders.take(control.set, value, at),
   });

@@ -67,17 +67,24 @@ export class Runs {
 
   /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
   preset(changes) {
-    const back = this.values.replace(changes);
-    const done = this.compute(changes, performance.now());
-    const asked = this.#asked;
-    return done.then(
+    return this.become(changes).then(
       () => true,
       (error) => {
-        if (asked === this.#asked) back();
         this.acts.say(error.message);
         return false;
       },
     );
+  }
+
+  /** These values in the place of all; where they are refused, it rejects and all is as it was. @param {import("./values.js").Settings} changes */
+  become(changes) {
+    const back = this.values.replace(changes);
+    const done = this.compute(changes, performance.now());
+    const asked = this.#asked;
+    return done.catch((error) => {
+      if (asked === this.#asked) back();
+      throw error;
+    });
   }
 
   /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */

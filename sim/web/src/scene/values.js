@@ -46,7 +46,9 @@ export class Values {
   /** Other values in the place of all, as one change. @param {Settings} changes @returns {() => void} how all is as it was, if they are refused */
   replace(changes) {
     const before = [...this.#before];
-    this.#before.push({ ...this.wanted });
+    if (JSON.stringify(this.wanted) !== JSON.stringify(changes)) {
+      this.#before.push({ ...this.wanted });
+    }
     this.wanted = { ...changes };
     this.#last.target = "";
     return () => {

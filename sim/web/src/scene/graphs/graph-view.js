@@ -134,14 +134,19 @@ export class GraphView {
   #toggle() {
     this.#pressed = !this.#pressed;
     this.button?.setAttribute("aria-pressed", String(this.#pressed));
+    this.#name();
+    this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
+  }
+
+  /** What is drawn now: a ledger that was asked for may still be on its way. */
+  #name() {
     const [title, symbol, rest] = this.ledger
-      ? [this.#pressed ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })]
+      ? [this.#stacked ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })]
       : this.#pressed
         ? [this.signedName, "F", tr(" in N, + is right")]
         : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
     const italic = Object.assign(document.createElement("i"), { textContent: symbol });
     need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
-    this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
   }
 
   /** @param {number} t */
@@ -179,8 +184,9 @@ export class GraphView {
       this.ledger?.clear();
       const whole = this.#seen === Infinity; // else a note would tell what comes
       const note = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
-      this.key.show(this.#curves, note);
+      this.key.show(this.#curves, (this.#pressed && this.ledger?.waits) || note);
     }
+    if (this.ledger) this.#name();
     this.at(t);
   }
 

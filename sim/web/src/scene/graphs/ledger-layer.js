@@ -1,6 +1,7 @@
 /** The energy graph as a ledger: bands on top of each other, whose sum is the energy at the start. */
 
 import * as g from "../../../../view/graph.js";
+import { tr } from "../../../../view/language.js";
 import { ledger, stacked } from "../../../../view/ledger.js";
 import { askParts, ledgerWithEffects, needsParts } from "../../../../view/ledger-effects.js";
 import { fixed, px } from "../../../../view/numbers.js";
@@ -29,6 +30,7 @@ export class LedgerLayer {
   entries = [];
   /** @type {Series[]} */
   tops = [];
+  waits = ""; // why it is not there yet, or not at all
 
   /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").Baked} baked */
   constructor(root, baked) {
@@ -50,8 +52,10 @@ export class LedgerLayer {
       this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
     } else if (open && this.#of !== run) {
       this.#of = run;
+      this.waits = tr("Starting Python …");
       void askParts(this.root).then((parts) => {
         if (this.#of !== run) return; // a newer one is on its way
+        this.waits = parts ? "" : tr("This change needs Python, which does not run here.");
         this.#take(parts?.t ?? [], parts ? ledgerWithEffects(run.header, parts) : []);
         changed();
       });

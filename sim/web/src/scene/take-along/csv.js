@@ -1,6 +1,8 @@
 /** A run as a table for a spreadsheet: every row of the run, in full precision. */
 
+import { forceOn, listed } from "../../../../view/bodies.js";
 import { agent } from "../../../../view/effects.js";
+import { tr } from "../../../../view/language.js";
 import { seriesOf } from "../../../../view/series.js";
 import { isTold } from "../../../../view/trajectory.js";
 import { QUANTITIES } from "../../../../view/words.js";
@@ -17,12 +19,11 @@ export function csv(run, quantities, camera, seen = Infinity) {
   if (!isTold(run)) return "";
   const { header, trajectory } = run;
   /** @type {[string, ArrayLike<number>][]} */
-  const columns = [["t in s", trajectory.t]];
+  const columns = [[tr("t in s"), trajectory.t]];
   for (const quantity of quantities) {
     const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-    for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-      const name = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
-      columns.push([`${title.toLowerCase()} ${name} in ${unit}`, values]);
+    for (const { label, over, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+      columns.push([named(quantity, { title, symbol, label, over }) + inUnit(unit), values]);
     }
   }
   if (quantities.includes("F")) columns.push(...effectColumns(run));
@@ -40,10 +41,21 @@ function effectColumns({ header, trajectory }) {
     const own = header.effects.filter(
       (effect) => effect.kind === kind && effect.active && effect.carts.includes(on),
     );
-    const by = [...new Set(own.map(agent))].join(" and ");
-    return [`force on ${on} by ${by} (${kind}) in N`, values];
+    const by = listed([...new Set(own.map(agent))]);
+    return [`${forceOn(on, by)} (${kind})${inUnit("N")}`, values];
   });
 }
+
+/** @param {string} quantity @param {{title: string, symbol: string, label: string, over: boolean}} of a series */
+function named(quantity, { title, symbol, label, over }) {
+  const whole = title.toLowerCase();
+  if (quantity === "F") return `${whole} F ${label}`;
+  if (quantity === "R" && over) return `F ${label}`; // one of those that the resultant is the sum of
+  return tr("{quantity} of {cart}", { quantity: `${whole} ${symbol}`, cart: label });
+}
+
+/** @param {string} unit */
+const inUnit = (unit) => tr(" in {unit}", { unit });
 
 /** @param {string} text */
 function quoted(text) {

@@ -47,15 +47,15 @@ export function readLink(hash, id) {
 
 /**
  * Brings back the state that the page's address asks for.
- * @param {HTMLElement & {set: (settings: Settings) => Promise<void>, time: number}} scene @param {string} id
+ * @param {HTMLElement & {time: number}} scene @param {{become: (settings: Settings) => Promise<void>}} runs
  * @param {(message: string) => void} say
  */
-export async function followLink(scene, id, say) {
-  const asked = readLink(location.hash, id);
+export async function followLink(scene, runs, say) {
+  const asked = readLink(location.hash, scene.id);
   if (!asked) return;
   if ("problem" in asked) return say(asked.problem);
   try {
-    await scene.set(asked.settings);
+    await runs.become(asked.settings); // what a link does not name is as the lesson has it
     scene.time = asked.t;
     scene.scrollIntoView();
   } catch (error) {

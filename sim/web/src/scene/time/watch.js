@@ -43,6 +43,7 @@ export class Watch {
   /** The run on the page was seen. @param {boolean} all as if those of all ready-made settings were too */
   finish(all = false) {
     const begun = this.over;
+    const hidden = this.player.seen !== Infinity; // that of a further ready-made setting, too
     const here = all ? this.presets.names : this.presets.pressed;
     this.over = true;
     this.player.seen = Infinity;
@@ -53,7 +54,7 @@ export class Watch {
     }
     const done = !this.whole && this.presets.left.length === 0;
     if (done) this.#end();
-    if (!begun || done) this.player.seek(this.player.time);
+    if (!begun || done || hidden) this.player.seek(this.player.time);
     if (!begun) this.acts.first();
     if (done) {
       this.acts.all();
