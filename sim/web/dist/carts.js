@@ -1712,16 +1712,16 @@
     const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
-    const named2 = height >= NAMED;
+    const named3 = height >= NAMED;
     const mass = `${short(body2.mass)} kg`;
     return {
       x: -width * layout.scale / 2,
       width: width * layout.scale,
       height,
       cut,
-      nameY: named2 ? -(height + FACE) / 2 + 5 : null,
-      label: named2 ? mass : `${body2.name}: ${mass}`,
-      labelY: named2 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+      nameY: named3 ? -(height + FACE) / 2 + 5 : null,
+      label: named3 ? mass : `${body2.name}: ${mass}`,
+      labelY: named3 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
   }
   function wheels({ width }) {
@@ -2061,8 +2061,8 @@
     return name;
   }
   function agent(effect) {
-    const named2 = effect.by || effect.agent;
-    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told2(named2) : nameOf(effect));
+    const named3 = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named3 ? told2(named3) : nameOf(effect));
   }
   function actsAt(effect, t3) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
@@ -6512,12 +6512,11 @@
   function csv(run, quantities, camera, seen = Infinity) {
     if (!isTold(run)) return "";
     const { header, trajectory } = run;
-    const columns = [["t in s", trajectory.t]];
+    const columns = [[tr("t in s"), trajectory.t]];
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
-        columns.push([`${title.toLowerCase()} ${name} in ${unit}`, values]);
+      for (const { label, over, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        columns.push([named2(quantity, { title, symbol, label, over }) + inUnit(unit), values]);
       }
     }
     if (quantities.includes("F")) columns.push(...effectColumns(run));
@@ -6534,10 +6533,17 @@
       const own = header.effects.filter(
         (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(on)
       );
-      const by = [...new Set(own.map(agent))].join(" and ");
-      return [`force on ${on} by ${by} (${kind2}) in N`, values];
+      const by = listed([...new Set(own.map(agent))]);
+      return [`${forceOn(on, by)} (${kind2})${inUnit("N")}`, values];
     });
   }
+  function named2(quantity, { title, symbol, label, over }) {
+    const whole = title.toLowerCase();
+    if (quantity === "F") return `${whole} F ${label}`;
+    if (quantity === "R" && over) return `F ${label}`;
+    return tr("{quantity} of {cart}", { quantity: `${whole} ${symbol}`, cart: label });
+  }
+  var inUnit = (unit) => tr(" in {unit}", { unit });
   function quoted(text) {
     return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
   }
@@ -7151,12 +7157,13 @@ ${lines4.join("\n")}
   var TEXT_AT = 8;
   var Prepared = class {
     #loading = null;
-    constructor(scene, controls, folder) {
+    constructor(scene, { controls, switches = [] }, folder) {
       const { parts: parts2 = [], stops = {} } = JSON.parse(scene.dataset.prepared ?? "{}");
       this.parts = parts2;
       this.stops = stops;
       this.name = scene.id;
       this.controls = controls;
+      this.switches = switches;
       this.folder = folder;
     }
     get there() {
@@ -7184,7 +7191,8 @@ ${lines4.join("\n")}
     }
     #number(axis2, asked3) {
       const control = this.controls.find(({ set }) => set === axis2.set);
-      if (asked3 === void 0 && control) return control.value * control.per;
+      const box2 = this.switches.find(({ set }) => set === axis2.set);
+      if (asked3 === void 0) return control ? control.value * control.per : Number(box2?.value);
       if (typeof asked3 !== "string") return Number(asked3);
       const text = asked3.trim();
       const number = control && text.endsWith(control.unit) ? text.slice(0, -control.unit.length) : "";
@@ -9266,7 +9274,7 @@ ${lines4.join("\n")}
   };
   function arrows(run, layout, full, t3, centre) {
     const styles = new Map(run.header.bodies.map(({ name }, i2) => [name, `carts-${styleOf(i2)}`]));
-    const named2 = run.header.bodies.length <= FEW;
+    const named3 = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
     for (const force2 of forcesAt(run, t3)) {
@@ -9281,7 +9289,7 @@ ${lines4.join("\n")}
       const d2 = (cut ? cutArrow : blockArrow)(x2, y2, length);
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d: d2 });
       const row = `row ${force2.kind}`;
-      if (named2) {
+      if (named3) {
         const told3 = labels(force2).map((one) => one + (cut ? tr(", arrow cut") : ""));
         const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
         const [at3, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
@@ -10507,7 +10515,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const view = new SceneView(this, baked);
         this.#baked = baked;
         this.#view = view;
-        this.#runs.prepared ??= new Prepared(this, baked.fence.controls, folder);
+        this.#runs.prepared ??= new Prepared(this, baked.fence, folder);
         const inside2 = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#runs.undo(),

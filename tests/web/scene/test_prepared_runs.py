@@ -37,6 +37,16 @@ presets: {heavy: {A.mass: 9 kg}}
 ASKS = SLIDES.replace("id: slides", "id: asks").replace(
     "presets: {heavy: {A.mass: 9 kg}}", "predict: {choice: [It stops, It turns back]}"
 )
+RUBS = """```scene
+id: rubs
+carts:
+  A: {mass: 1 kg, position: 0.3 m, velocity: 0.5 m/s}
+until: 4 s
+effects: [friction: {coefficient: 0.02}]
+controls:
+  - {set: A.mass, from: 0.5 kg, to: 3 kg, step: 0.1 kg}
+  - switch: friction
+```"""
 LAST = """
     const drawn = new Promise((done) => el.addEventListener("carts-update", done, { once: true }));
     await Promise.race([drawn, new Promise((done) => setTimeout(done, 500))]);
@@ -51,7 +61,7 @@ def prepared_site(widget_site: Path) -> Path:
     folder = widget_site / "assets" / "carts" / "prepared"
     folder.mkdir(exist_ok=True)
     (widget_site / "no-python.js").write_text("delete window.WebAssembly;\n", encoding="utf-8")
-    for name, text in (("slides", SLIDES), ("asks", ASKS)):
+    for name, text in (("slides", SLIDES), ("asks", ASKS), ("rubs", RUBS)):
         (block,) = scan(text.splitlines(), front_matter=False)
         making = Making(Lesson(f"{name}.md"), prepares=True)
         body = made(block, making)
@@ -108,6 +118,21 @@ def test_without_python_a_slider_is_moved_by_hand_and_its_box_says_the_value_of_
     mass = float(told["boxes"][0])
     assert mass > 1
     assert told["v"] == pytest.approx(1.8 * mass * 2 / 3.6 / (mass + 1), rel=1e-9)
+
+
+@pytest.mark.one_browser
+def test_without_python_a_slider_leaves_the_boxes_to_tick_as_they_are(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    """Friction that acts from the start was gone with the first step of any slider."""
+    page = failed(open_page(prepared_site / "rubs-without.html"), "rubs")
+    box = page.locator("#rubs [data-switch]")
+    last = "await el.set(argument); return el.trajectory.v.A.at(-1);"
+    assert on_scene(page, last, {"A.mass": 2}, "rubs") == 0
+    expect(box).to_be_checked()
+    box.uncheck()
+    assert on_scene(page, last, {"A.mass": 1}, "rubs") == 0.5
+    expect(box).not_to_be_checked()
 
 
 def test_without_python_what_was_not_prepared_is_refused_and_the_run_stays(

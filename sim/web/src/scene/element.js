@@ -73,7 +73,7 @@ export function sceneElement(client, folder) {
       const view = new SceneView(this, baked);
       this.#baked = baked;
       this.#view = view;
-      this.#runs.prepared ??= new Prepared(this, baked.fence.controls, folder);
+      this.#runs.prepared ??= new Prepared(this, baked.fence, folder);
       const inside = wireInside(this, baked, view, client, {
         reset: () => this.#reset(),
         undo: () => this.#runs.undo(),

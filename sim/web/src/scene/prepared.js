@@ -19,10 +19,10 @@ export class Prepared {
   #loading = null;
 
   /**
-   * @param {HTMLElement} scene @param {import("../../../view/types.js").Control[]} controls
+   * @param {HTMLElement} scene @param {import("../../../view/types.js").Fence} fence
    * @param {string} folder address of the scripts, with a slash at its end
    */
-  constructor(scene, controls, folder) {
+  constructor(scene, { controls, switches = [] }, folder) {
     const { parts = [], stops = {} } = JSON.parse(scene.dataset.prepared ?? "{}");
     /** @type {import("../runtime/payload.js").Part[]} */
     this.parts = parts;
@@ -30,6 +30,7 @@ export class Prepared {
     this.stops = stops;
     this.name = scene.id;
     this.controls = controls;
+    this.switches = switches;
     this.folder = folder;
   }
 
@@ -70,7 +71,8 @@ export class Prepared {
   /** @param {Axis} axis @param {number | string | boolean | undefined} asked @returns {number} SI */
   #number(axis, asked) {
     const control = this.controls.find(({ set }) => set === axis.set);
-    if (asked === undefined && control) return control.value * control.per;
+    const box = this.switches.find(({ set }) => set === axis.set);
+    if (asked === undefined) return control ? control.value * control.per : Number(box?.value);
     if (typeof asked !== "string") return Number(asked);
     const text = asked.trim();
     const number =
