@@ -1,11 +1,13 @@
 /** A tilted track: a wedge with the true angle, downhill as the track is, and the angle in words. */
 
+import { listed } from "../../view/bodies.js";
 import { tr } from "../../view/language.js";
 import { px, short } from "../../view/numbers.js";
 
 /** @typedef {import("../../view/types.js").EffectView} EffectView */
 
 const STEEPEST = 22; // units, height of the wedge
+const ROW = 24; // units: of each wedge, as the layout has room for it
 /** @type {Record<string, number>} */
 const LENGTH = { wide: 120, narrow: 90 }; // units
 
@@ -23,15 +25,19 @@ export default {
     everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
     slopeText(numbers.angle ?? 0),
   ],
-  pieces({ numbers: { angle = 0 } }, { key, layout }) {
+  pieces({ index, carts, numbers: { angle = 0 } }, { key, header, layout }) {
     const slope = Math.abs(Math.tan(angle));
     const longest = LENGTH[layout.kind] ?? 0;
     const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
-    const [x, y, rise] = [12, layout.tilt, length * slope];
+    // A track that is bent between two carts has a wedge for either part, one under the other.
+    const inclines = header.effects.filter(({ kind }) => kind === "incline");
+    const place = inclines.findIndex((one) => one.index === index);
+    const [x, y, rise] = [12, layout.tilt + ROW * Math.max(0, place), length * slope];
+    const whose = carts.length < header.bodies.length ? `${listed(carts)}: ` : "";
     const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
     const d = `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`;
     const words = {
-      text: tiltText(angle),
+      text: whose + tiltText(angle),
       x: px(x + length + 10),
       y: px(y),
       anchor: /** @type {const} */ ("start"),

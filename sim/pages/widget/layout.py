@@ -100,11 +100,11 @@ def lay_out(
     acting = slots(header, top + BEAM_ROW * row_count) if forces and scales.force else {}
     beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
     foot = top + beam + RULER + (TAPE if tape else 0.0)
-    tilted = any(effect["kind"] == "incline" for effect in header["effects"])
+    tilted = sum(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
         kind=kind,
         width=width,
-        height=foot + LEGEND + (TILT if tilted else 0.0),
+        height=foot + LEGEND + TILT * tilted,
         origin=left - low * scale,
         scale=scale,
         low=low,

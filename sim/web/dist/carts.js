@@ -1604,6 +1604,7 @@
 
   // ../effects/incline/view.js
   var STEEPEST = 22;
+  var ROW = 24;
   var LENGTH = { wide: 120, narrow: 90 };
   var view_default3 = {
     name: tr("a slope"),
@@ -1618,15 +1619,18 @@
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
     ],
-    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+    pieces({ index, carts, numbers: { angle = 0 } }, { key, header, layout }) {
       const slope = Math.abs(Math.tan(angle));
       const longest = LENGTH[layout.kind] ?? 0;
       const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
-      const [x2, y2, rise] = [12, layout.tilt, length * slope];
+      const inclines = header.effects.filter(({ kind: kind2 }) => kind2 === "incline");
+      const place4 = inclines.findIndex((one) => one.index === index);
+      const [x2, y2, rise] = [12, layout.tilt + ROW * Math.max(0, place4), length * slope];
+      const whose = carts.length < header.bodies.length ? `${listed(carts)}: ` : "";
       const [tall, flat] = angle > 0 ? [x2, x2 + length] : [x2 + length, x2];
       const d2 = `M${px(tall)} ${px(y2)}V${px(y2 - rise)}L${px(flat)} ${px(y2)}Z`;
       const words = {
-        text: tiltText(angle),
+        text: whose + tiltText(angle),
         x: px(x2 + length + 10),
         y: px(y2),
         anchor: (
@@ -9359,7 +9363,7 @@ ${lines4.join("\n")}
 
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
-  var ROW = 21;
+  var ROW2 = 21;
   var GAP4 = 8;
   var EDGE3 = 6;
   var Pushes = class {
@@ -9476,12 +9480,12 @@ ${lines4.join("\n")}
       }
       const longest = Math.max(left, right);
       const taken = new Set(Object.values(this.layout.slots)).size;
-      if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
+      if (this.layout.beam < (2 + taken) * ROW2 || high - low < longest) return false;
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x2 - way * longest, low), high - longest);
       write3(first, labels2[0] ?? "", start, top, "start");
-      write3(second, labels2[1] ?? "", start, top + ROW, "start");
+      write3(second, labels2[1] ?? "", start, top + ROW2, "start");
       return true;
     }
     #between() {

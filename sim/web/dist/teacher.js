@@ -1669,6 +1669,7 @@ ${table2(facts)}
 
   // ../effects/incline/view.js
   var STEEPEST = 22;
+  var ROW = 24;
   var LENGTH = { wide: 120, narrow: 90 };
   var view_default3 = {
     name: tr("a slope"),
@@ -1683,15 +1684,18 @@ ${table2(facts)}
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
     ],
-    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+    pieces({ index, carts, numbers: { angle = 0 } }, { key, header, layout }) {
       const slope = Math.abs(Math.tan(angle));
       const longest = LENGTH[layout.kind] ?? 0;
       const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
-      const [x, y, rise] = [12, layout.tilt, length * slope];
+      const inclines = header.effects.filter(({ kind: kind2 }) => kind2 === "incline");
+      const place4 = inclines.findIndex((one) => one.index === index);
+      const [x, y, rise] = [12, layout.tilt + ROW * Math.max(0, place4), length * slope];
+      const whose = carts.length < header.bodies.length ? `${listed(carts)}: ` : "";
       const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
       const d = `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`;
       const words = {
-        text: tiltText(angle),
+        text: whose + tiltText(angle),
         x: px(x + length + 10),
         y: px(y),
         anchor: (

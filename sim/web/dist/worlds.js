@@ -491,6 +491,7 @@
 
   // ../effects/incline/view.js
   var STEEPEST = 22;
+  var ROW = 24;
   var LENGTH = { wide: 120, narrow: 90 };
   var view_default3 = {
     name: tr("a slope"),
@@ -505,15 +506,18 @@
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
     ],
-    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+    pieces({ index, carts, numbers: { angle = 0 } }, { key, header, layout }) {
       const slope = Math.abs(Math.tan(angle));
       const longest = LENGTH[layout.kind] ?? 0;
       const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
-      const [x, y, rise] = [12, layout.tilt, length * slope];
+      const inclines = header.effects.filter(({ kind: kind2 }) => kind2 === "incline");
+      const place3 = inclines.findIndex((one) => one.index === index);
+      const [x, y, rise] = [12, layout.tilt + ROW * Math.max(0, place3), length * slope];
+      const whose = carts.length < header.bodies.length ? `${listed(carts)}: ` : "";
       const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
       const d = `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`;
       const words = {
-        text: tiltText(angle),
+        text: whose + tiltText(angle),
         x: px(x + length + 10),
         y: px(y),
         anchor: (
@@ -1433,7 +1437,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
-  var ROW = 21;
+  var ROW2 = 21;
   var GAP3 = 8;
   var EDGE2 = 6;
   var Pushes = class {
@@ -1550,12 +1554,12 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       }
       const longest = Math.max(left, right);
       const taken = new Set(Object.values(this.layout.slots)).size;
-      if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
+      if (this.layout.beam < (2 + taken) * ROW2 || high - low < longest) return false;
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x - way * longest, low), high - longest);
       write(first, labels2[0] ?? "", start, top, "start");
-      write(second, labels2[1] ?? "", start, top + ROW, "start");
+      write(second, labels2[1] ?? "", start, top + ROW2, "start");
       return true;
     }
     #between() {

@@ -50,6 +50,19 @@ def test_what_is_switched_off_is_not_drawn() -> None:
     assert "carts-acts" not in page
 
 
+def test_a_track_that_is_bent_between_two_carts_has_a_wedge_for_either_part() -> None:
+    """They stood on each other, and each said that the whole track was tilted."""
+    bent = [
+        {"incline": {"angle": "2 deg", "carts": ["A"]}},
+        {"incline": {"angle": "-3 deg", "carts": ["B"]}},
+    ]
+    page = picture({**MEETING, "effects": bent})
+    words = re.findall(r'<text [^>]*y="([\d.]+)"[^>]*class="carts-tilt"[^>]*>([^<]*)<', page)
+    wide = words[: len(words) // 2]
+    assert [text.partition(":")[0] for _, text in wide] == ["A", "B"]
+    assert len({y for y, _ in wide}) == 2
+
+
 @pytest.mark.parametrize("name", SCENES)
 def test_no_word_of_a_picture_is_left_in_english(name: str) -> None:
     """In a language that marks every sentence, nothing of two words stands outside the marks."""
