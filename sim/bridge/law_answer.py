@@ -1,11 +1,13 @@
 """Laws that somebody wrote, as the wire delivers them: a run, and parts of a judgement.
 
     {"id": 9, "kind": "law", "do": "run", "scene": {… with "laws": {"mine.py": "def force …"}}}
-    {"id": 10, "kind": "law", "do": "judge", "scene": {…}, "part": 0, "before": null}
+    {"id": 10, "kind": "law", "do": "judge", "law": "mine.py", "scene": {…}, "part": 0,
+     "before": null}
 
 A run is answered like any other (see `protocol`), with columns ("on", pair, body) [N] where the two
-sides were answered differently. `before` is what the part before has told. A law that cannot be
-asked is a problem with its line: path ("laws", file, line).
+sides were answered differently. `law`: which of the scene's laws is judged; without it the first.
+`before` is what the part before has told. A law that cannot be asked is a problem with
+its line: path ("laws", file, line).
 """
 
 from __future__ import annotations
@@ -52,7 +54,11 @@ def run_written(plain: Mapping[str, Any], scene: Scene) -> Answer:
 
 def _judged(request: Mapping[str, Any], scene: Scene) -> dict[str, Any]:
     """One part: what was found up to now, and which part comes next (null: none)."""
-    ((file, text), *_) = scene.written.items()
+    file = str(request.get("law") or next(iter(scene.written)))
+    if file not in scene.written:
+        message = said("there is no text of the law {name}", name=file)
+        raise SceneError([Problem(("laws", file), "no-such-law", message, "")])
+    text = scene.written[file]
     part, before = int(request.get("part") or 0), request.get("before")
     so_far = judged_so_far(before, {file: text}) if isinstance(before, Mapping) else None
     try:

@@ -33,7 +33,8 @@ def worlds_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[flo
         raise SceneError(problems)
     world = next((one for one in named if one.kind.name == request.get("world")), None)
     if world is None:
-        problem = Problem(("world",), "unknown-world", "the scene does not name this world", "")
+        message = said("the scene does not name this world")
+        problem = Problem(("world",), "unknown-world", message, "")
         raise SceneError([problem])
     done = follow(scene, world)
     found = broken(done)

@@ -156,6 +156,7 @@ class Gap:
     struck: int = 0  # impacts so far
     hardest: Ball = ZERO  # m/s, of them
     loose: tuple[Line, ...] = ()  # those of them that an exploder let go
+    called: tuple[str, str] = ("", "")  # the two, as a sentence calls them
 
     @property
     def bound(self) -> bool:
@@ -221,8 +222,8 @@ class Gap:
 
     @property
     def shown(self) -> str:
-        """A and B, for a reason."""
-        return listed(self.names)
+        """A and the right wall, for a reason."""
+        return listed(self.called)
 
     @property
     def simple(self) -> bool:

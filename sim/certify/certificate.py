@@ -30,8 +30,9 @@ from sim.certify.numbers.balls import (
 from sim.certify.order import at_once, called
 from sim.certify.row import Told
 from sim.certify.run import BallRun, Limit
-from sim.scene.model import Scene
+from sim.scene.model import Scene, Track
 from sim.scene.said import reason_of, said
+from sim.scene.track import body_name
 
 BITS = (160, 320, 1280, 2560, 5120)
 """Precision of the balls, one after the other. A pair is done with the first; a thousand contacts
@@ -170,7 +171,7 @@ def _run(
         hopeless = isinstance(error, NoBoundError)
         return Certificate({}, {}, told, False, reason_of(error), ctx.prec, hopeless)
     events = _sorted(run, names)
-    doubt = run.doubt or _unordered(events)
+    doubt = run.doubt or _unordered(events, run.scene.track)
     seen = {
         t: ([p + m for p, m in zip(given.places, moved, strict=True)], speeds)
         for t, (moved, speeds) in run.seen.items()
@@ -194,11 +195,12 @@ def exact_middle(ball: Ball) -> Any:
     return (lower(ball) + upper(ball)) / 2
 
 
-def _unordered(events: tuple[Told, ...]) -> str:
+def _unordered(events: tuple[Told, ...], track: Track) -> str:
     """Two that follow each other in the list, though that is not proved; or ""."""
     for one, other in itertools.pairwise(events):
         if one.when is not other.when and not lower(other.when.ball) >= upper(one.when.ball):
-            return at_once(*(called(e.kind, e.bodies) for e in (one, other)))
+            names = [[body_name(name, track) for name in e.bodies] for e in (one, other)]
+            return at_once(called(one.kind, names[0]), called(other.kind, names[1]))
     return ""
 
 

@@ -27,6 +27,11 @@ WORDS = {
     "stick": said("the joining"),
     "release": said("the release"),
     "burst": said("the release"),
+    "turn": said("the turn"),
+    "climb": said("the next squeeze"),
+    "apart": said("the end of the contact"),
+    "fall": said("the end of the spring"),
+    "slip": said("the start"),
 }
 """What comes next or has come, as a reason calls it."""
 
@@ -77,13 +82,7 @@ class Order(Row):
             if self._in_one_row(first, other) or (
                 near and not (exactly and self._apart(first, other))
             ):
-                raise NotProvableError(
-                    said(
-                        "what comes first: {one} or {other}",
-                        one=self._called(first),
-                        other=self._called(other),
-                    )
-                )
+                raise NotProvableError(self._unknown(first, other))
             if not exactly:
                 self.doubt = self.doubt or at_once(self._called(first), self._called(other))
         return first
@@ -117,7 +116,17 @@ class Order(Row):
             if first < gap.index < last
         )
 
+    def _unknown(self, one: Next, other: Next) -> Said:
+        """Neither of two is provably first; two of one name are of two ways to the same."""
+        first, second = self._called(one), self._called(other)
+        if first == second:
+            return said("when {event} comes", event=first)
+        return said("what comes first: {one} or {other}", one=first, other=second)
+
     def _called(self, one: Next) -> Said:
-        if one.gap is not None:
-            return called(one.kind, one.gap.names)
-        return called(one.kind, [self.names[k] for body in one.bodies for k in body.carts])
+        """What ends a motion is called by its cause: the end of a contact, or a cart that stops."""
+        kind = one.cause if one.kind == "end" and one.cause in WORDS else one.kind
+        if one.gap is not None and one.body is None:
+            return called(kind, one.gap.called)
+        bodies = one.bodies if one.body is None else (one.body,)
+        return called(kind, [self.names[k] for body in bodies for k in body.carts])

@@ -47,8 +47,8 @@ class Releases(Contacts):
             struck = gap.contact.sudden and not gap.joined and not lower(gap.room) > 0
             opens = gap.rate > 0 or (is_zero(gap.rate) and not gap.contact.joins)
             if struck and not opens:
-                apart = self._gap(burst).names
-                raise NoBoundError(at_once(called("touch", gap.names), called("burst", apart)))
+                apart = self._gap(burst).called
+                raise NoBoundError(at_once(called("touch", gap.called), called("burst", apart)))
 
     def set_free(self, burst: Burst, now: Instant) -> None:
         """The energy goes into the two, or a spring lies between them from now on."""

@@ -18,6 +18,8 @@ from sim.certify.instants import Instant, instant
 from sim.certify.numbers.balls import ZERO, between, is_zero, upper
 from sim.certify.phases import ContactPhase
 from sim.certify.touches import Touch
+from sim.scene.model import Scene
+from sim.scene.track import body_name
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,6 +42,12 @@ class Told:
     when: Instant
     kind: str
     bodies: tuple[str, ...]
+
+
+def both_called(scene: Scene, gap: int) -> tuple[str, str]:
+    """The two of a gap, as sentences call them: A and the right wall."""
+    one, other = (body_name(name, scene.track) for name in scene.names_at(gap))
+    return one, other
 
 
 class Row:
@@ -66,6 +74,7 @@ class Row:
                 ZERO,
                 self.zero,
                 springs=tuple(inputs.springs.get(k, ())),
+                called=both_called(self.scene, k),
             )
             for k, contact in enumerate(self.scene.contacts)
             if contact is not None

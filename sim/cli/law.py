@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import shlex
+import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,11 +15,15 @@ import click
 
 from sim.cli import scene_file
 from sim.pages.findings import Finding
+from sim.scene.laws import is_written
 
 if TYPE_CHECKING:
     from sim.mine.judge.verdict import Judgement
     from sim.mine.wrong import WrongLawError
     from sim.scene import Scene
+
+MINE = "mine.py"
+"""What a scene calls a law whose own name none may have: of standard input, 2nd.py, my law.py."""
 
 CHECKS = ("third-law", "energy", "galilei", "mirror", "order", "step")
 
@@ -63,7 +70,7 @@ def command(
     from sim.mine.wrong import WrongLawError
 
     text = scene_file.text_of(law)
-    file = Path(law).name if law != "-" else "mine.py"
+    file = Path(law).name if is_written(Path(law).name) else MINE
     try:
         judged = judge(
             text,
@@ -79,7 +86,7 @@ def command(
     elif wanted:
         _one_scene(judged, wanted)
     else:
-        click.echo(_told(judged))
+        click.echo(_told(scene_file.shown_name(law), judged, _again(law, name, budget, seed)))
     sys.exit(0 if judged.holds else 1)
 
 
@@ -102,16 +109,26 @@ def _one_scene(judged: Judgement, wanted: str) -> None:
         click.echo(as_yaml(verdict.scene, verdict.sentence), nl=False)
 
 
-def _told(judged: Judgement) -> str:
+def _again(law: str, name: str | None, budget: int | None, seed: int | None) -> str:
+    """The same call, so that it judges the same scenes; empty where the law came by a pipe."""
+    if "-" in (law, name):
+        return ""
+    options = {"--scene": name, "--budget": budget, "--seed": seed}
+    given = [str(part) for pair in options.items() if pair[1] is not None for part in pair]
+    quoted = subprocess.list2cmdline if os.name == "nt" else shlex.join
+    return quoted(["carts", "law", law, *given])
+
+
+def _told(law: str, judged: Judgement, again: str) -> str:
     """For people: what holds, what does not, and where it can be seen."""
-    lines = [f"{judged.file}: {judged.sentence}", ""]
+    lines = [f"{law}: {judged.sentence}", ""]
     for one in judged.verdicts:
         lines.append(f"{'holds ' if one.holds else 'BROKEN'}  {one.check:<10} {one.says}")
         if one.scene is not None:
             lines += [f"{'':19}{text}" for text in (one.sentence, _scene_line(one.scene))]
     broken = [one.check for one in judged.verdicts if not one.holds]
-    if broken:
-        lines += ["", f"The scene itself: carts law {judged.file} --yaml {broken[0]}"]
+    if broken and again:
+        lines += ["", f"The scene itself: {again} --yaml {broken[0]}"]
     return "\n".join(lines)
 
 

@@ -11,6 +11,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Sequence
+from glob import escape
 from pathlib import Path
 from typing import Any
 
@@ -106,7 +107,7 @@ def _files(place: str) -> str:
         return place
     if not any(Path(place).glob("*.parquet")):
         raise CountryError(said("{place}: there is no Parquet file in this folder", place=place))
-    return f"{place}/*.parquet"
+    return f"{escape(place)}/*.parquet"  # a folder may be called answers [2025]
 
 
 def _first_line(error: Exception) -> str:

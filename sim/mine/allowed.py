@@ -50,6 +50,11 @@ COUNT, RESULT = "_count", "_result"
 """Names of what is put into a law; its author's names have no underscore in front."""
 
 
+def clean(text: str) -> str:
+    """Without the mark and the line ends that some editors write."""
+    return text.removeprefix("\ufeff").replace("\r\n", "\n")
+
+
 def parsed(text: str, file: str) -> ast.Module:
     """The law's tree, looked through and with its counting lines; raises `WrongLawError`."""
     if len(text) > LONGEST:
@@ -58,7 +63,7 @@ def parsed(text: str, file: str) -> ast.Module:
             said("at most {count} characters", count=str(LONGEST)),
         )  # fmt: skip
     try:
-        tree = ast.parse(text.replace("\r\n", "\n"), file)
+        tree = ast.parse(clean(text), file)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 1
         why = getattr(error, "msg", None) or str(error)

@@ -17,10 +17,23 @@ from typing import Any
 
 from sim.laws.stepping import Mode, begin_plain
 from sim.mine.arguments import PLACES
-from sim.mine.instance import Instance
+from sim.mine.instance import Instance, too_large
+from sim.mine.wrong import WrongLawError
+from sim.scene.said import said
 
 OVERLAP, RATE, TIME = (PLACES[name] for name in ("overlap", "rate", "time"))
 VELOCITY_SELF, VELOCITY_OTHER = PLACES["velocity_self"], PLACES["velocity_other"]
+
+
+FAR = 100.0
+"""Times the closing speed. A well that a law digs may take carts in some times faster than they
+came, and give them back; what is so fast in it does not come back."""
+
+HUGE = 1e9
+"""N. Where steps find no end beside such a force, it is the force."""
+
+SLOW = 0.1
+"""m/s. Of carts that close in less quickly, or stand, this is taken for it."""
 
 
 @dataclass(slots=True)
@@ -60,6 +73,8 @@ class WrittenForce:
     greatest: float = field(default=0.0, init=False)
     """N. The greatest force that was answered so far."""
     apart: Apart = field(default_factory=Apart, init=False)
+    last: tuple[float, float] = field(default=(0.0, 0.0), init=False)
+    """N. What was answered last, to the left one and to the right one."""
 
     def __post_init__(self) -> None:
         self.rows = [self._row(k) for k in (0, 1)]
@@ -86,6 +101,7 @@ class WrittenForce:
     def on(self, mode: Mode, d: float, v: float, memory: float) -> float:
         """N, the push; nought while they are apart."""
         if mode == "apart":
+            self.last = (0.0, 0.0)
             return 0.0
         answers = [0.0, 0.0]
         for k in self.asked:
@@ -94,12 +110,32 @@ class WrittenForce:
             answers[k] = self.law.ask(row)
         if len(self.asked) == 1:
             answers = [answers[self.asked[0]]] * 2
-        left, right = answers
+        self.last = left, right = answers[0], answers[1]
         self.odd = 0.5 * (left - right)
         self.greatest = max(self.greatest, abs(left), abs(right))
         if abs(self.odd) > abs(self.apart.odd):
             self.apart = Apart(self.odd, self.time, left, right)
         return 0.5 * (left + right)
+
+    def look_at(self, d: float, v: float, closing: float, *, stuck: bool = False) -> None:
+        """A step has ended with this overlap [m] and rate [m/s], or finds no end (`stuck`).
+
+        Raises `WrongLawError` where the law pulls the two into each other, faster and faster. Such
+        a motion is smooth and goes on for ever: neither steps nor any law of physics would say
+        what is wrong with it.
+        """
+        fast, written = 0.0 if stuck else FAR * max(closing, SLOW), self.law.written
+        if d > 0.0 and v > fast and max(self.last) < 0.0:
+            message = said(
+                "the force pulls the carts into each other: "
+                "at an overlap of {overlap} it is {force}",
+                overlap=f"{d:.3g} m",
+                force=f"\N{MINUS SIGN}{-max(self.last):.3g} N",
+            )
+            hint = said("is its sign right? A force above 0 pushes a cart away from the other one")
+            raise WrongLawError(written.file, written.line, message, hint)
+        if stuck and self.greatest > HUGE:
+            raise too_large(written, written.line, self.greatest)
 
     def push(self, d: float, v: float, memory: float) -> float:
         """Decided by the state."""

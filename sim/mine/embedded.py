@@ -36,7 +36,7 @@ DIFFERENCE = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525
 """The weights of the fifth order less those of the fourth."""
 
 RTOL = 1e-9
-"""Error of one step, relative to the greatest closing speed."""
+"""Error of one step, relative to the greatest closing speed, or to that of pairs in touch now."""
 
 QUICK = 0.01
 """s. A way counts as small beside that speed times this."""
@@ -55,6 +55,13 @@ SHORTEST = 1e-13
 
 Dense = Callable[[float], tuple[Row, Row]]
 """Places and velocities at s after the beginning of a step."""
+
+
+def longer(error: float) -> float:
+    """By how much the next step may be longer; an error beyond all numbers is a large one."""
+    if not error < math.inf:
+        return 0.2
+    return min(5.0, max(0.2, 0.9 * error**-0.2)) if error > 0.0 else 5.0
 
 
 class EmbeddedStepper(OwnSteps):
@@ -90,7 +97,8 @@ class EmbeddedStepper(OwnSteps):
         return self.own.calls > self.most_calls
 
     def lost(self, t: float) -> UnsolvedError:
-        """A law without values that belong together."""
+        """A law without values that belong together; `WrongLawError` where more can be said."""
+        self._look(self.s, self.v, stuck=True)
         return UnsolvedError(
             said("the steps became too short: the law has no values that belong together here"),
             said("a force changes little when overlap and rate change little"),
@@ -107,12 +115,13 @@ class EmbeddedStepper(OwnSteps):
         before = self.located.guards(t, s, v)
         while True:
             s1, v1, a0, a1, error = self._tried(t, h, s, v)
-            factor = min(5.0, max(0.2, 0.9 * error**-0.2)) if error > 0.0 else 5.0
+            factor = longer(error)
             if error <= 1.0:
                 break
             h *= factor
             if h < SHORTEST * self.field.scene.until or self.spent():
                 raise self.lost(t)
+        self._look(s1, v1)
         after = self.located.guards(t + h, s1, v1)
         roots: dict[Key, float] = {}
         for key in crossed(before, after):
@@ -156,13 +165,22 @@ class EmbeddedStepper(OwnSteps):
                 ]
             us.append(u)
             ks.append(field.accelerations(t + node * h, x, u, h))
-        small = self.rtol * self.speed
+        small = self.rtol * max(self.speed, self._closing(s, v), self._closing(x, u))
         error = max(
             abs(h * _sum(DIFFERENCE, part, k)) / size
             for k in count
             for part, size in ((us, small * QUICK), (ks, small))
         )
         return x, u, ks[0], ks[-1], error
+
+    def _closing(self, s: Row, v: Row) -> float:
+        """m/s. The fastest pair that touches."""
+        rates = (self.field.overlap(pair, s, v) for pair, _ in self.own.written)
+        return max((abs(rate) for d, rate in rates if d > 0.0), default=0.0)
+
+    def _look(self, s: Row, v: Row, *, stuck: bool = False) -> None:
+        for pair, force in self.own.written:
+            force.look_at(*self.field.overlap(pair, s, v), self.speed, stuck=stuck)
 
     def _told(self, t: float, h: float, s: Row, v: Row) -> None:
         before, self.s, self.v = self.s, s, v

@@ -14,9 +14,10 @@ from functools import lru_cache
 from types import CodeType
 from typing import Any
 
-from sim.mine.allowed import BUILTINS, COUNT, RESULT, parsed
+from sim.mine.allowed import BUILTINS, COUNT, RESULT, clean, parsed
 from sim.mine.arguments import ARGUMENTS, PLACES
 from sim.mine.bounded import PUT_IN
+from sim.mine.forgets import keeps_nothing
 from sim.mine.growing import OPERATORS, bounded_math, bounded_range, bounded_round
 from sim.mine.wrong import EndlessError, WrongLawError
 from sim.scene.problem import nearest
@@ -24,6 +25,10 @@ from sim.scene.said import said
 
 MOST_TURNS = 20_000
 """Turns of all loops in one answer. A spring needs none, a sum over a table some hundred."""
+
+
+LARGEST = 1e100
+"""N. With more than that neither velocities nor energies would stay numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,15 +51,13 @@ def read_law(text: str, file: str = "mine.py") -> Written:
     """Look a law through; raises `WrongLawError`."""
     tree = parsed(text, file)
     found = [n for n in tree.body if isinstance(n, ast.FunctionDef) and n.name == "force"]
-    example = "def force(overlap, rate):"
     if not found:
-        hint = said("begin with {example}", example=example)
-        raise WrongLawError(file, 1, said("there is no function called force here"), hint)
+        raise _no_force(file, 1)
     force = found[-1]
     given = force.args
     if given.vararg or given.kwarg or given.kwonlyargs:
         message = said("the arguments of force are plain names, without *")
-        raise WrongLawError(file, force.lineno, message, example)
+        raise WrongLawError(file, force.lineno, message, EXAMPLE)
     names = [one.arg for one in (*given.posonlyargs, *given.args)]
     asked = names[: len(names) - len(given.defaults)] if given.defaults else names
     for name in asked:
@@ -65,7 +68,7 @@ def read_law(text: str, file: str = "mine.py") -> Written:
                 hint = said("did you mean {name}?", name=f"“{near}”")
             message = said("force cannot be given “{name}”", name=name)
             raise WrongLawError(file, force.lineno, message, hint)
-    forgets = _forgets(ast.parse(text.replace("\r\n", "\n"), file))
+    forgets = keeps_nothing(ast.parse(clean(text), file))
     _Returns().visit(force)
     code = compile(ast.fix_missing_locations(tree), file, "exec")
     written = Written(file, text, tuple(asked), force.lineno, forgets, code)
@@ -73,22 +76,12 @@ def read_law(text: str, file: str = "mine.py") -> Written:
     return written
 
 
-def _forgets(tree: ast.Module) -> bool:
-    """Only functions, `math` and numbers outside; nothing outside is changed from within."""
-    for one in tree.body:
-        number = isinstance(one, (ast.Assign, ast.Expr)) and isinstance(one.value, ast.Constant)
-        if not (number or isinstance(one, (ast.FunctionDef, ast.Import, ast.ImportFrom))):
-            return False
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.Global, ast.Nonlocal)):
-            return False
-        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
-            return False
-        if isinstance(node, ast.arguments):
-            given = [value for value in (*node.defaults, *node.kw_defaults) if value is not None]
-            if not all(isinstance(value, ast.Constant) for value in given):
-                return False
-    return True
+EXAMPLE = "def force(overlap, rate):"
+
+
+def _no_force(file: str, line: int) -> WrongLawError:
+    hint = said("begin with {example}", example=EXAMPLE)
+    return WrongLawError(file, line, said("there is no function called force here"), hint)
 
 
 class _Returns(ast.NodeTransformer):
@@ -132,7 +125,10 @@ class Instance:
             exec(written.code, names)
         except (Exception, EndlessError) as error:
             raise self._told(error) from None
-        self._force: Callable[..., Any] = names["force"]
+        force = names.get("force")
+        if not callable(force):  # taken away again, or another thing of that name
+            raise _no_force(written.file, written.line)
+        self._force: Callable[..., Any] = force
 
     def ask(self, row: Sequence[Any]) -> float:
         """N on the side that asks; `row` holds all of `ARGUMENTS` in their order."""
@@ -167,7 +163,7 @@ class Instance:
         return True
 
     def _result(self, value: Any, line: int) -> float:
-        if type(value) is float and -math.inf < value < math.inf:
+        if type(value) is float and -LARGEST < value < LARGEST:
             return value
         file = self.written.file
         if isinstance(value, complex):
@@ -185,7 +181,15 @@ class Instance:
                            value=str(number))  # fmt: skip
             hint = said("look for inf − inf, 0 · inf, or a number beyond all bounds")
             raise WrongLawError(file, line, message, hint)
+        if abs(number) >= LARGEST:
+            raise too_large(self.written, line, number)
         return number
+
+
+def too_large(written: Written, line: int, force: float) -> WrongLawError:
+    """Of so many N."""
+    message = said("the force is too large to be reckoned with: {force}", force=f"{force:.3g} N")
+    return WrongLawError(written.file, line, message, said("bumpers push with some newtons"))
 
 
 def _kind(value: Any) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from sim.pages.text.author_text import author_text
 from sim.scene.read_written import named_laws
 
 MOST_BYTES = 100_000
@@ -18,6 +19,7 @@ def with_law_files(
     """The plain scene with the texts of the laws that it names, from the first of `folders`.
 
     `texts`: laws that are there already. What is missing stays so: the scene's reader says it.
+    Raises `AuthorError`, at its line, for one that is not UTF-8.
     """
     own = plain.get("laws", {})
     if not isinstance(own, Mapping):
@@ -27,6 +29,12 @@ def with_law_files(
     for name in sorted(asked - set(found)):
         path = next((folder / name for folder in folders if (folder / name).is_file()), None)
         if path is not None and path.stat().st_size <= MOST_BYTES:
-            found[name] = path.read_text(encoding="utf-8", errors="replace")
+            found[name] = author_text(path, _shown(path)).removeprefix("\ufeff")
     laws = {name: text for name, text in found.items() if name in asked or name in own}
     return {**plain, "laws": laws} if laws else dict(plain)
+
+
+def _shown(path: Path) -> str:
+    """From the current folder where that is possible."""
+    here = Path.cwd()
+    return (path.relative_to(here) if path.is_relative_to(here) else path).as_posix()

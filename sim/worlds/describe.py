@@ -17,6 +17,7 @@ from typing import Any, ClassVar, Literal
 from sim.scene.fields import Field
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem, did_you_mean
+from sim.scene.said import said
 from sim.scene.tables import mapping, number, unknown_keys
 
 FOLDER = "sim.worlds.kinds"
@@ -28,13 +29,15 @@ class WorldKind:
 
     `says` ends the sentence “a world in which …”. `needs`: what a scene must have for anything to
     be different there: two carts that push each other for a time, or a wall. `moves`: its law names
-    a velocity, so two observers who pass each other do not agree on it.
+    a velocity, so two observers who pass each other do not agree on it. `nothing`: what a reader
+    is told where a scene comes out as it would in ours.
     """
 
     impossible: ClassVar[bool] = True
     name: str
     belief: str
     says: str
+    nothing: str
     place: int
     fields: tuple[Field, ...] = ()
     needs: Literal["", "pair", "wall"] = ""
@@ -60,6 +63,11 @@ def kinds() -> Mapping[str, WorldKind]:
 def read_worlds(listed: object, scene: Scene, problems: list[Problem]) -> tuple[World, ...]:
     """The worlds of a scene; what cannot be meant is a problem."""
     path: Path = ("worlds",)
+    if scene.written:  # a world changes what a law of ours gives, and cannot follow another
+        message = said("worlds and a law of your own cannot be run together")
+        hint = said("remove worlds, or the law {name}", name=", ".join(scene.written))
+        problems.append(Problem(path, "own-law", message, hint))
+        return ()
     entries = listed if isinstance(listed, (list, tuple)) else [listed]
     found: list[World] = []
     for index, entry in enumerate(entries):
@@ -70,8 +78,9 @@ def read_worlds(listed: object, scene: Scene, problems: list[Problem]) -> tuple[
         if problem is not None:
             problems.append(problem)
         elif any(one.kind is world.kind for one in found):
-            message = f"{world.kind.name} is there twice"
-            problems.append(Problem((*path, index), "twice", message, "name each world once"))
+            message = said("{name} is there twice", name=world.kind.name)
+            hint = said("name each world once")
+            problems.append(Problem((*path, index), "twice", message, hint))
         else:
             found.append(world)
     return tuple(found)
@@ -85,7 +94,8 @@ def _entry(entry: object, path: Path, problems: list[Problem]) -> World | None:
     kind = kinds().get(name) if isinstance(name, str) else None
     if kind is None:
         hint = did_you_mean(name, kinds(), f"worlds: {', '.join(kinds())}")
-        problems.append(Problem(path, "unknown-world", f"unknown world “{str(name)[:40]}”", hint))
+        message = said("unknown world “{name}”", name=str(name)[:40])
+        problems.append(Problem(path, "unknown-world", message, hint))
         return None
     path = (*path, kind.name)
     table = mapping({} if body is None else body, path, problems, f"{kind.name}: {{}}")
@@ -104,10 +114,14 @@ def _nothing_to_see(kind: WorldKind, scene: Scene, path: Path) -> Problem | None
     """A world in which this scene would run as it does in ours."""
     if kind.needs == "wall" and "wall" not in (scene.track.left, scene.track.right):
         hint = "track: {right: wall, length: 2 m}"
-        return Problem(path, "no-wall", f"{kind.name} is about a wall, and there is none", hint)
+        message = said("{name} is about a wall, and there is none", name=kind.name)
+        return Problem(path, "no-wall", message, hint)
     between = scene.contacts[1:-1]
     lasting = any(contact is not None and contact.stiffness is not None for contact in between)
     if kind.needs == "pair" and not lasting:
-        message = f"{kind.name} is about two carts that push each other for a time; none do here"
+        message = said(
+            "{name} is about two carts that push each other for a time; none do here",
+            name=kind.name,
+        )
         return Problem(path, "no-pair", message, "contact: {law: bumper, stiffness: 200 N/m}")
     return None

@@ -1,8 +1,10 @@
 """A scene followed through a world: located steps of RK4, as long as what happens allows.
 
 Where nothing touches a step is a part of the run, in a contact a part of its swing, 1/(ω √2): a
-push may be twice the law's. Every touch and every separation ends a step. One contact of a bumper
-alone has a closed form also here (that of carts of mass m/α), which is what the tests hold it to.
+push may be twice the law's. What slows a cart down, v' = −λ v + …, shortens the step too: first so
+that λ⁵ h⁵/120 of what still fades, |v'|/λ, is nought, and always so that λ h stays in reach of RK4,
+which runs away from λ h = 2.78 on. Every touch and every separation ends a step. One contact of a
+bumper alone has a closed form also here (that of carts of mass m/α): the tests hold it to that.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.sided import OwnSteps, Side, SidedRecorder
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
+from sim.scene.said import said
 from sim.worlds.describe import World
 from sim.worlds.field import WorldField
 from sim.worlds.force import Impossible, at_work
@@ -31,6 +34,12 @@ SWING = 1 / 40
 
 LATE = 1 / 2
 """Of that, where a late force is read off between the ends of steps: 1e-5 of an impulse."""
+
+FADING = 1e-10
+"""m/s. Error of one step while a velocity fades; some 200 of them make a fading."""
+
+REACH = 2.0
+"""Of 1/λ. The longest step where nothing fades any more: each leaves a third of what is there."""
 
 MOST = 200_000
 """Steps of one run: some seconds."""
@@ -60,7 +69,7 @@ class WorldStepper(OwnSteps):
 
     def length(self, t: float) -> float:
         """s. The next step."""
-        whole = self.field.scene.until / PARTS
+        whole = min(self.field.scene.until / PARTS, self._fading(t))
         late = self.world.delay > 0.0
         least = min((self._swing(gap) for gap in self._pressed()), default=whole)
         if late and self.own.echoes(t):
@@ -73,7 +82,36 @@ class WorldStepper(OwnSteps):
 
     def lost(self, t: float) -> UnsolvedError:
         """Of a world there is no other way than steps."""
-        return UnsolvedError("this world does not come to its end", "a shorter run (until)", t, ())
+        message = said("this world does not come to its end")
+        return UnsolvedError(message, said("a shorter run (until)"), t, ())
+
+    def _fading(self, t: float) -> float:
+        """s. What the velocities allow that something slows down."""
+        rates = self._rates(t)
+        if not any(rates):
+            return math.inf
+        total, least = self.field.forces(t, self.s, self.v)[2], math.inf
+        for rate, force, inverse in zip(rates, total, self.field.inverse, strict=True):
+            if rate:
+                left = abs(force) * inverse / rate
+                part = min(REACH, (120.0 * FADING / left) ** 0.2) if left else REACH
+                least = min(least, part / rate)
+        return least
+
+    def _rates(self, t: float) -> list[float]:
+        """1/s. How fast each velocity fades: by the world, the air, dampers of springs."""
+        field = self.field
+        held = list(self.own.resistance)
+        if field.loaded:
+            for k, forces in enumerate(field.body_forces(t)):
+                for one in forces:
+                    held[k] += one.linear + 2.0 * one.quadratic * abs(self.v[k])
+        for pair in field.pairs:
+            damping = math.fsum(link.damping() for link in pair.links)
+            for side in (pair.left, pair.right):
+                if side is not None and damping:
+                    held[side] += 2.0 * damping  # the other one may come just as fast
+        return [each * inverse for each, inverse in zip(held, field.inverse, strict=True)]
 
     def _pressed(self) -> list[int]:
         modes = self.field.modes or {}
@@ -89,6 +127,8 @@ class WorldStepper(OwnSteps):
         return SWING / math.sqrt(2.0 * steep / pair.mu) if steep > 0.0 else math.inf
 
     def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
+        if not all(map(math.isfinite, (*s, *v))):
+            raise self.lost(t)
         super()._accept(t, h, s, v)
         if self.world.delay:
             push, links, _ = self.field.forces(t + h, s, v)

@@ -126,6 +126,41 @@ def test_what_bounces_ever_faster_is_given_up_at_once() -> None:
     })  # fmt: skip
     found = certify(scene)
     assert "without a last time" in found.reason and len(found.events) < 200
+    assert "the left wall and A" in found.reason  # not “left and A”
+
+
+@pytest.mark.parametrize(
+    ("left_is", "called"), [("wall", "the left wall"), ("foam", "the foam"), ("board", "the board")]
+)
+def test_a_reason_calls_the_ends_of_the_track_as_a_run_does(left_is: str, called: str) -> None:
+    track = {"left": "wall", "right": "wall", "length": 0.5, "left_is": left_is}
+    scene = read_scene({
+        "carts": {
+            "A": {"mass": 0.5, "position": 0.1, "velocity": -1},
+            "B": {"mass": 1, "position": 0.3},
+        },
+        "track": track, "contact": {"law": "bumper", "restitution": 1, "stiffness": 200},
+        "effects": [{"friction": {"coefficient": 0.05}},
+                    {"friction": {"coefficient": 0.1, "static": 0.3}}], "until": 3,
+    })  # fmt: skip
+    reason = certify(scene).reason
+    assert f"the end of the contact of {called} and A" in reason
+
+
+def test_a_reason_names_two_events_and_never_one_of_them_twice() -> None:
+    """Where a motion has two ends: a bumper turns, or friction stops a cart."""
+    scene = read_scene({
+        "carts": {
+            "A": {"mass": 0.5, "position": 0.3, "velocity": 1},
+            "B": {"mass": 2, "position": 0.8, "velocity": 0.3},
+        },
+        "track": {"right": "wall", "length": 1.1},
+        "contact": {"law": "bumper", "restitution": 0.5, "stiffness": 50},
+        "effects": [{"friction": {"coefficient": 0.1, "static": 0.3}}], "until": 3,
+    })  # fmt: skip
+    reason = certify(scene).reason
+    assert reason == "what comes first: the turn of A and B or the stop of A"
+    assert reason.values["one"] != reason.values["other"]
 
 
 def test_a_proof_ends_at_its_moment_and_says_so() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,14 @@ from sim.cli import main
 
 SPRING = "def force(overlap):\n    return 300 * overlap\n"
 HEAVY_WINS = "def force(overlap, mass_self):\n    return 300 * overlap / mass_self\n"
+SCENE = """\
+carts:
+  A: {mass: 2 kg, position: 0.4 m, velocity: 0.4 m/s}
+  B: {mass: 0.5 kg, position: 1.2 m}
+contact: {law: spring.py, stiffness: 150 N/m}
+until: 3 s
+"""
+UMLAUT = "\N{LATIN SMALL LETTER O WITH DIAERESIS}"
 FEW = ("--budget", "8000")
 
 
@@ -62,3 +71,60 @@ def test_a_mistake_is_told_at_its_line(written: Path, text: str, line: int) -> N
     assert result.exit_code == 1
     assert f"wrong.py:{line}:" in result.output
     assert "BROKEN" not in result.output
+
+
+@pytest.mark.parametrize("name", ["2nd.py", "my law.py", f"force_{UMLAUT}.py"])
+@pytest.mark.parametrize("above", ["", "    # my law, further in than the rest\n", "\n\n  # so\n"])
+def test_a_counterexample_runs_whatever_the_file_is_called_and_begins_with(
+    written: Path, name: str, above: str
+) -> None:
+    (written / name).write_text(above + HEAVY_WINS, encoding="utf-8")
+    worst = law(written / name, "--yaml", "third-law", *FEW)
+    (written / "worst.yml").write_text(worst.stdout, encoding="utf-8")
+    ran = CliRunner().invoke(main, ["run", str(written / "worst.yml"), "--json"])
+    assert ran.exit_code == 0, ran.output
+
+
+def test_the_call_that_is_printed_gives_the_scene_that_was_told_of(written: Path) -> None:
+    (written / "a folder").mkdir()
+    file = written / "a folder" / "heavy.py"
+    file.write_text(HEAVY_WINS, encoding="utf-8")
+    (written / "mine.yml").write_text(
+        "carts:\n  A: {mass: 3 kg, position: 0.4 m, velocity: 0.3 m/s}\n"
+        "  B: {mass: 0.7 kg, position: 1.2 m}\n",
+        encoding="utf-8",
+    )
+    given = ["--seed", "5", "--scene", str(written / "mine.yml"), *FEW]
+    told = law(file, *given)
+    call = shlex.split(told.output.split("The scene itself: carts ")[1])
+    again = CliRunner().invoke(main, call)
+    assert again.stdout == law(file, *given, "--yaml", "third-law").stdout
+    assert again.stdout.startswith("title:")
+
+
+def test_no_call_is_printed_for_a_law_that_came_through_a_pipe(written: Path) -> None:
+    told = CliRunner().invoke(main, ["law", "-", *FEW], input=HEAVY_WINS)
+    assert "BROKEN  third-law" in told.output
+    assert "carts law" not in told.output
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-8"])
+def test_run_takes_a_law_in_the_text_files_that_law_takes(written: Path, encoding: str) -> None:
+    (written / "spring.py").write_text(SPRING, encoding=encoding)
+    (written / "scene.yml").write_text(SCENE, encoding="utf-8")
+    assert law(written / "spring.py", *FEW).exit_code == 0
+    ran = CliRunner().invoke(main, ["run", "scene.yml"])
+    assert ran.exit_code == 0, ran.output
+    assert CliRunner().invoke(main, ["check", "scene.yml"]).exit_code == 0
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "latin-1"])
+def test_a_law_that_is_not_utf8_is_told_so_by_every_command(written: Path, encoding: str) -> None:
+    text = SPRING + "# " + UMLAUT + "\n"
+    (written / "spring.py").write_text(text, encoding=encoding)
+    (written / "scene.yml").write_text(SCENE, encoding="utf-8")
+    line = 1 if encoding == "utf-16" else 3
+    for call in (["law", "spring.py"], ["run", "scene.yml"], ["check", "scene.yml"]):
+        result = CliRunner().invoke(main, call)
+        assert result.exit_code == 1, call
+        assert f"spring.py:{line}:1: error: this is not UTF-8 text" in result.output, call

@@ -150,6 +150,15 @@ def test_another_backend_by_its_address_gives_the_same(school: Path, tmp_path: P
     assert mine == reported("--table", target)
 
 
+@pytest.mark.parametrize("name", ["answers [2025]", "what? all*", "a [b"])
+def test_a_table_is_read_from_the_folder_that_it_was_written_to(school: Path, name: str) -> None:
+    """Brackets and stars in its name are no pattern."""
+    target = table(school)
+    named = target.rename(target.with_name(name))
+    mine = reported("--table", named)
+    assert mine["files"]["counted"] > 0
+
+
 SPARK = "" if find_spec("pyspark") and shutil.which("java") else "pyspark or Java is not installed"
 
 

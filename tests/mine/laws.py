@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+PAIR: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": 2.0, "position": 0.4, "velocity": 0.4},
+        "B": {"mass": 0.5, "position": 1.2},
+    },
+    "until": 3.0,
+}
 SPRING = """\
 def force(overlap, rate, stiffness):
     return stiffness * overlap
@@ -172,3 +181,8 @@ def force(overlap, rate):
         "order",
     ),
 }
+
+
+def with_law(scene: dict[str, Any], text: str, **contact: Any) -> dict[str, Any]:
+    """The scene with that law between all carts."""
+    return {**scene, "contact": {"law": "mine.py", **contact}, "laws": {"mine.py": text}}

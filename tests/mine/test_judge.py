@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from sim.bridge.protocol import answer
 from sim.mine.follow import follow
 from sim.mine.judge.as_yaml import as_yaml
 from sim.mine.judge.checks import CHECKS
 from sim.mine.judge.document import for_page, judged_so_far
+from sim.mine.judge.scenes import usual
 from sim.mine.judge.search import IN_A_PAGE, PARTS, judge, judge_part
 from sim.pages.text.yaml_source import load
 from sim.scene import read_scene
@@ -84,3 +86,36 @@ def test_what_a_law_does_not_ask_for_is_no_excuse_for_one_that_remembers() -> No
     text = WRONG["who asks first gets more"][0]
     verdicts = {one.check: one for one in judge(text).verdicts}
     assert not verdicts["mirror"].holds and not verdicts["order"].holds
+
+
+def test_the_judge_begins_with_the_numbers_of_a_scene_also_where_nothing_is_given_back() -> None:
+    scene = read_scene(
+        {
+            "carts": {
+                "A": {"mass": 1.0, "position": 0.4, "velocity": 0.5},
+                "B": {"mass": 1.0, "position": 1.0},
+            },
+            "contact": {"law": "mine.py", "stiffness": 200, "restitution": 0},
+            "laws": {"mine.py": SPRING},
+        }
+    )
+    assert usual(scene).restitution == 0.0
+
+
+def test_of_two_laws_in_a_scene_the_one_that_was_asked_about_is_judged() -> None:
+    scene = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.4, "velocity": 0.5},
+            "B": {"mass": 1.0, "position": 1.0},
+            "C": {"mass": 1.0, "position": 1.6},
+        },
+        "contact": {"law": "mine.py", "pairs": {"A-B": {"law": "first.py"}}},
+        "laws": {"first.py": SPRING, "mine.py": WRONG["the heavier one feels more"][0]},
+    }
+    request = {"kind": "law", "do": "judge", "scene": scene, "part": 0}
+    for law, holds in (("first.py", True), ("mine.py", False)):
+        header, _ = answer({**request, "law": law})
+        assert header["judged"]["law"] == law
+        verdicts = {one["check"]: one["holds"] for one in header["judged"]["verdicts"]}
+        assert verdicts["third-law"] == holds
+    assert not answer({**request, "law": "other.py"})[0]["ok"]

@@ -19,7 +19,7 @@ from sim.mine.judge.chance import Chance
 from sim.mine.judge.scenes import USUAL, WIDE, at_random, plain
 from sim.mine.judge.trial import Counter, Trial
 from sim.scene import SceneError, read_scene
-from tests.mine.laws import RIGHT, SPRING, WRONG
+from tests.mine.laws import PAIR, RIGHT, SPRING, WRONG, with_law
 
 STEPS = 2e-8
 """m/s, m. What steps of relative error 1e-9 may be off by at the end of a run."""
@@ -27,13 +27,6 @@ STEPS = 2e-8
 WIDER_STEPS = 1e-4
 """m/s, m. The same for the steps of the judge, over a kink."""
 
-PAIR: dict[str, Any] = {
-    "carts": {
-        "A": {"mass": 2.0, "position": 0.4, "velocity": 0.4},
-        "B": {"mass": 0.5, "position": 1.2},
-    },
-    "until": 3.0,
-}
 ROW: dict[str, Any] = {
     "carts": {
         "A": {"mass": 0.5, "position": 0.5, "velocity": 0.6},
@@ -51,10 +44,6 @@ TWINS = {
         {"law": "hertz", "stiffness": 4000, "restitution": 1},
     ),
 }
-
-
-def with_law(scene: dict[str, Any], text: str, **contact: Any) -> dict[str, Any]:
-    return {**scene, "contact": {"law": "mine.py", **contact}, "laws": {"mine.py": text}}
 
 
 @pytest.mark.parametrize("name", ["push-only, e = 1", "hertz"])

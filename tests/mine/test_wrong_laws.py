@@ -7,8 +7,12 @@ from typing import Any
 import pytest
 
 from sim.mine.arguments import ARGUMENTS
+from sim.mine.follow import follow
 from sim.mine.instance import Instance, read_law
+from sim.mine.judge.search import judge
 from sim.mine.wrong import WrongLawError
+from sim.scene import read_scene
+from tests.mine.laws import PAIR, SPRING, with_law
 
 WRONG_TEXTS = {
     "no Python": ("def force(overlap)\n    return 1\n", 1, "not Python"),
@@ -68,6 +72,9 @@ WRONG_TEXTS = {
         1, "goes on and on"
     ),
     "a deep nest": (f"def force(overlap):\n    return {'+'.join('1' * 2000)}\n", 1, "longer"),
+    "more than can be reckoned with": ("def force(overlap):\n    return 1e308\n", 2, "too large"),
+    "force taken away": ("def force(overlap):\n    return 1\ndel force\n", 1, "no function"),
+    "force as a number": ("def force(overlap):\n    return 1\nforce = 3\n", 1, "no function"),
     "a file": ("def force(overlap):\n    return len(open('x').read())\n", 2, "“open”"),
     "what lies below": ("def force(overlap):\n    return ().__class__\n", 2, "“__class__”"),
     "a try that swallows": (
@@ -85,6 +92,42 @@ def test_a_law_that_cannot_be_asked_is_told_with_its_line(name: str) -> None:
         Instance(read_law(text)).ask([0.01, 0.1, *[1.0] * (len(ARGUMENTS) - 2)])
     assert found.value.line == line
     assert any(word in found.value.message for word in words.split("|")), found.value.message
+
+
+def test_the_mark_that_some_editors_write_is_no_part_of_a_law() -> None:
+    assert Instance(read_law("\ufeff" + SPRING)).ask([0.01, *[1.0] * (len(ARGUMENTS) - 1)]) == 0.01
+
+
+@pytest.mark.parametrize("body", ["-stiffness * overlap", "-300 * overlap ** 2", "-5"])
+def test_a_law_of_the_wrong_sign_is_told_so_and_not_that_its_steps_disagree(body: str) -> None:
+    """Carts that pull each other in get faster for ever, as smoothly as a cosh."""
+    text = f"def force(overlap, rate, stiffness):\n    return {body}\n"
+    with pytest.raises(WrongLawError, match="pulls the carts into each other") as found:
+        judge(text)
+    assert "sign" in found.value.hint
+    assert found.value.line == 1
+
+
+def test_a_run_of_a_law_of_the_wrong_sign_ends_with_that_and_not_with_a_velocity() -> None:
+    text = "def force(overlap, rate, stiffness):\n    return -stiffness * overlap\n"
+    for file in ({"until": 3.0}, {"until": 30.0}):
+        with pytest.raises(WrongLawError, match="pulls the carts into each other"):
+            follow(read_scene(with_law(PAIR | file, text, stiffness=100)))
+
+
+def test_carts_may_fall_into_a_well_that_gives_them_back() -> None:
+    """It pulls at first, and pushes deeper in: no energy is made, and the steps agree."""
+    text = "def force(overlap, rate):\n    return 400 * overlap - 20 * math.exp(-overlap / 0.01)\n"
+    assert judge("import math\n" + text).holds
+
+
+@pytest.mark.parametrize("force", ["1e12", "1e50", "1e99"])
+def test_no_velocity_of_a_huge_force_is_told_that_is_no_number(force: str) -> None:
+    text = f"def force(overlap, rate):\n    return {force}\n"
+    told = [verdict.sentence for verdict in judge(text).verdicts]
+    assert not any("nan" in sentence or "inf" in sentence for sentence in told)
+    with pytest.raises(WrongLawError, match="too large"):
+        follow(read_scene(with_law(PAIR, text)))
 
 
 def test_bounds_change_nothing_of_what_a_law_reckons() -> None:

@@ -22,6 +22,7 @@ from tests.web.runtime.boot_site import ROOT
 
 EDITOR = (ROOT / "sim" / "web" / "src" / "law" / "editor.js").read_text(encoding="utf-8")
 START = "start: |\n  def force(overlap, rate):\n      return 100 * overlap\n"
+OWN_PAIR = "contact: {pairs: {A-B: {law: bumper, stiffness: 100 N/m}}}\n"
 SCENE = """\
 id: with-a-file
 carts:
@@ -105,6 +106,8 @@ def test_a_scene_with_such_a_law_carries_its_text_and_its_package() -> None:
         (("100 * overlap", "100 * x"), 8, "line 2: NameError"),
         ((START, ""), None, "begins with"),
         (("id: my-law\n", ""), None, "id is missing"),
+        (("  B: {mass: 0.5 kg, position: 1.20 m}\n", ""), 6, "no two carts of this scene push"),
+        (("until: 3 s", OWN_PAIR + "until: 3 s"), 6, "no two carts of this scene push"),
         (("ask: Let the heavier one push harder.", "ask: 7"), 5, "ask is a text"),
         (("until: 3 s", "unti: 3 s"), 12, "unti"),
     ],

@@ -14,10 +14,15 @@ from click.testing import CliRunner
 from sim.bridge.protocol import answer
 from sim.cli import main
 from sim.scene import SceneError, read_fence
+from sim.scene.said import Said
 from sim.worlds.describe import kinds
 from tests.worlds.scenes import HEAVY_INTO_LIGHT
 
 WALLED = {"right": "wall", "length": 2.4}
+OWN_CODES = ("unknown-world", "no-wall", "no-pair", "twice")
+"""Of worlds alone; what is said of numbers is said by the reader of all numbers."""
+
+LAW = "def force(overlap, rate, stiffness):\n    return stiffness * overlap\n"
 FILE = """\
 carts:
   A: {mass: 2 kg, position: 0.4 m, velocity: 0.4 m/s}
@@ -57,6 +62,21 @@ def test_what_cannot_be_meant_is_an_error_at_its_place(
     (problem,) = caught.value.problems
     assert (problem.path[0], problem.code) == ("worlds", code)
     assert hint in problem.hint
+    assert isinstance(problem.message, Said) or code not in OWN_CODES
+
+
+def test_a_world_beside_a_law_of_ones_own_is_refused_and_throws_no_law_away() -> None:
+    """A world runs the laws that are there; carts of an unknown one went through each other."""
+    own = {"laws": {"mine.py": LAW}, "contact": {"law": "mine.py", "stiffness": 100}}
+    with pytest.raises(SceneError) as caught:
+        fence(["bigger-pushes-more"], **own)
+    (problem,) = caught.value.problems
+    assert (problem.path, problem.code) == (("worlds",), "own-law")
+    assert "mine.py" in problem.hint
+    request = {"kind": "worlds", "scene": HEAVY_INTO_LIGHT | own, "worlds": ["motion-needs-force"]}
+    header, _ = answer(request | {"world": "motion-needs-force"})
+    assert not header["ok"]
+    assert header["problems"][0]["code"] == "own-law"
 
 
 def test_nothing_of_them_is_imported_where_a_scene_names_none() -> None:

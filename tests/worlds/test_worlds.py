@@ -9,7 +9,10 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.lesson.beliefs import BELIEFS
+from sim.scene.said import Said
+from sim.worlds import follow
 from sim.worlds.breaks import broken
 from sim.worlds.describe import kinds
 from tests.worlds.scenes import (
@@ -78,6 +81,53 @@ def test_velocity_without_a_push_fades_as_in_a_drag_of_nothing(world: str, time:
     done = followed(plain, world).run
     assert done.v[0] == pytest.approx(0.6 * math.exp(-2.0 / time), abs=STEPS)
     assert done.x[0] == pytest.approx(0.4 + 0.6 * time * (1 - math.exp(-2.0 / time)), abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("stops", "until"),
+    [(0.1, 0.3), (0.1, 20.0), (0.1, 60.0), (0.1, 80.0), (0.005, 3.0), (0.004, 3.0), (0.001, 3.0)],
+)
+def test_velocity_fades_to_nothing_however_long_a_run_and_however_soon_a_thing_stops(
+    stops: float, until: float
+) -> None:
+    """Steps of a part of the run made 1e65 m/s and more of 0.6 m/s."""
+    plain = {"carts": {"A": {"mass": 0.5, "position": 0.4, "velocity": 0.6}}, "until": until}
+    done = followed(plain, {"motion-needs-force": {"stops": stops}}).run
+    gone = 0.5 * 0.5 * 0.6**2 * (1.0 - math.exp(-2.0 * until / stops))
+    assert done.v[0] == pytest.approx(0.6 * math.exp(-until / stops), abs=STEPS)
+    assert done.x[0] == pytest.approx(0.4 + 0.6 * stops * (1 - math.exp(-until / stops)), abs=STEPS)
+    assert done.ledger.works["motion-needs-force"] == pytest.approx(-gone, abs=STEPS)
+
+
+@pytest.mark.parametrize(
+    "held", [{"drag": {"linear": 4.0}}, {"spring": {"stiffness": 5.0, "damping": 4.0}}]
+)
+def test_what_slows_carts_down_in_ours_does_so_in_a_world_too(held: dict[str, Any]) -> None:
+    """1/τ is 40 per second and more; until 20 s a step of a part of the run is 80 ms."""
+    kind, numbers = next(iter(held.items()))
+    more = {"between": ["A", "B"], "length": 0.5} if kind == "spring" else {}
+    plain = {
+        "carts": {
+            "A": {"mass": 0.1, "position": 0.4, "velocity": 0.6},
+            "B": {"mass": 0.3, "position": 1.2},
+        },
+        "effects": [{kind: numbers | more}],
+        "until": 20.0,
+    }
+    done, ours = followed(plain, "bigger-pushes-more").run, run(scene(plain))
+    if kind == "drag":  # they do not come to touch, so both are one run
+        assert done.v == pytest.approx(ours.v, abs=STEPS)
+        assert done.x == pytest.approx(ours.x, abs=STEPS)
+    assert all(abs(v) < 1.0 for v in done.v)
+
+
+def test_a_run_beyond_all_numbers_is_refused_and_not_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(follow, "REACH", 1e3)
+    monkeypatch.setattr(follow, "FADING", math.inf)
+    plain = {"carts": {"A": {"mass": 0.5, "position": 0.4, "velocity": 0.6}}, "until": 900.0}
+    with pytest.raises(UnsolvedError, match="does not come to its end") as caught:
+        followed(plain, "motion-needs-force")
+    assert isinstance(caught.value.message, Said)
 
 
 def test_velocity_follows_the_push_where_motion_needs_force() -> None:

@@ -16,8 +16,11 @@ def as_yaml(scene: Mapping[str, Any], title: str = "") -> str:
     lines.append(f"until: {scene['until']:g}")
     lines.append("laws:")
     for file, text in scene["laws"].items():
-        lines.append(f"  {file}: |")
-        for line in text.expandtabs(4).strip("\n").splitlines():
+        rows = text.expandtabs(4).strip("\n").splitlines()
+        first = next((row for row in rows if row.strip()), "")
+        deep = "2" if first.startswith(" ") else ""  # else its first line would say how far in
+        lines.append(f"  {file}: |{deep}")
+        for line in rows:
             lines.append(f"    {line}".rstrip())
     return "\n".join(lines) + "\n"
 

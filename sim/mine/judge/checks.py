@@ -29,6 +29,9 @@ ENERGY = 1e-5
 ENDS = 1e-4
 """Of the closing speed. Steps of 1e-6 are off by 1e-5 over a contact with a kink in it."""
 
+FAST = 1e6
+"""m/s. Faster is told with a power of ten."""
+
 PARTED = 1e-9
 """m. Less overlap than that is none: what has not parted may still give energy back."""
 
@@ -145,7 +148,8 @@ def _joule(energy: float) -> str:
 
 
 def _speed(v: float) -> str:
-    return f"{v:.4f} m/s".replace("-", "\N{MINUS SIGN}")
+    text = f"{v:.4f}" if abs(v) < FAST else f"{v:.4g}"
+    return f"{text} m/s".replace("-", "\N{MINUS SIGN}")
 
 
 VELOCITIES = frozenset({"velocity_self", "velocity_other"})

@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.mine.contact import WrittenForce
-from sim.mine.embedded import DIFFERENCE, FIRST, QUICK, ROWS, SHORTEST
+from sim.mine.embedded import DIFFERENCE, FIRST, QUICK, ROWS, SHORTEST, longer
 
 Two = tuple[float, float]
 State = tuple[float, float, float, float]
@@ -52,19 +52,25 @@ class Contact:
         while t < self.until:
             h = min(h, self.until - t)
             after, b, error = self.step(t, h, y, a)
-            factor = min(5.0, max(0.2, 0.9 * error**-0.2)) if error > 0.0 else 5.0
-            if error > 1.0:
+            factor = longer(error)
+            if not error <= 1.0:
                 h *= factor
                 if h < SHORTEST * self.until or law.calls > self.most_calls:
-                    raise NoEndError
+                    raise self._no_end(y)
                 continue
+            self.force.look_at(after[0] - after[1], after[2] - after[3], self.closing)
             if after[0] - after[1] <= 0.0:
                 part = self._end(y, after, h)
                 return t + part, self.step(t, part, y, a)[0]
             t, y, a, h = t + h, after, b, h * factor
             if law.calls > self.most_calls:
-                raise NoEndError
+                raise self._no_end(y)
         return self.until, y
+
+    def _no_end(self, y: State) -> NoEndError:
+        """Why there is none may be clear."""
+        self.force.look_at(y[0] - y[1], y[2] - y[3], self.closing, stuck=True)
+        return NoEndError()
 
     def _end(self, y: State, after: State, h: float) -> float:
         """s into the step at which the overlap is nought again."""
@@ -123,7 +129,7 @@ class Contact:
         w7 = w + z1 * v + z3 * v3 + z4 * v4 + z5 * v5 + z6 * v6
         p, q = f(t + h, (x7, w7, u7, v7))
         z1, z3, z4, z5, z6, z7 = (r * h for r in ERROR)
-        small = self.rtol * self.closing
+        small = self.rtol * max(self.closing, abs(u - v), abs(u7 - v7))
         error = max(
             abs(z1 * a + z3 * e + z4 * i + z5 * k + z6 * m + z7 * p),
             abs(z1 * b + z3 * g + z4 * j + z5 * l + z6 * n + z7 * q),

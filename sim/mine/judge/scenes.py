@@ -137,8 +137,11 @@ def usual(scene: Scene | None = None) -> Draft:
         contact, closing = scene.contacts[k], -scene.approaches[k]
         if contact is None or contact.stiffness is None:
             continue
+        own = contact.restitution
         numbers = replace(
-            USUAL, stiffness=contact.stiffness, restitution=contact.restitution or USUAL.restitution
+            USUAL,
+            stiffness=contact.stiffness,
+            restitution=USUAL.restitution if own is None else own,
         )
         if closing <= 0.0:
             return numbers

@@ -102,6 +102,11 @@ def read_law_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: in
         fence = read_fence({"id": own.get("id"), **plain} if "id" in own else plain)
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
+    if file not in fence.scene.written:
+        where = ("start",) if start is not None else ("contact", "law")
+        message = "no two carts of this scene push each other by this law"
+        hint = "the law of the block is that of its contact: two carts without a law of their own"
+        raise AuthorError([places.finding(Problem(where, "no-pair", message, hint))])
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     text = fence.scene.written[str(file)]
     return LawBlock(fence.id, str(ask), str(file), text, fence, places)

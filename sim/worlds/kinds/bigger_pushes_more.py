@@ -17,6 +17,10 @@ KIND = WorldKind(
     name="bigger-pushes-more",
     belief="bigger-pushes-more",
     says=template("the heavier one pushes harder"),
+    nothing=template(
+        "With these values nothing breaks: the two are alike, or never push each other. "
+        "Change a mass or a velocity."
+    ),
     place=10,
     needs="pair",
 )

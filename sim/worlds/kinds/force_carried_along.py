@@ -18,6 +18,9 @@ KIND = WorldKind(
     name="force-carried-along",
     belief="force-carried-along",
     says=template("a push is carried along and used up"),
+    nothing=template(
+        "With these values nothing breaks that could be seen. Give a cart a velocity."
+    ),
     place=60,
     fields=(
         Field(

@@ -17,6 +17,9 @@ KIND = WorldKind(
     name="motion-needs-force",
     belief="motion-needs-force",
     says=template("things move only while they are pushed"),
+    nothing=template(
+        "With these values nothing breaks that could be seen. Give a cart a velocity."
+    ),
     place=70,
     fields=(
         Field(

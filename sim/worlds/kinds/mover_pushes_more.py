@@ -16,6 +16,10 @@ KIND = WorldKind(
     name="mover-pushes-more",
     belief="mover-pushes-more",
     says=template("the one that moves pushes harder"),
+    nothing=template(
+        "With these values nothing breaks: both are equally fast, or never push each other. "
+        "Change a velocity."
+    ),
     place=30,
     needs="pair",
     moves=True,

@@ -17,6 +17,10 @@ KIND = WorldKind(
     name="own-mass-own-force",
     belief="own-mass-own-force",
     says=template("the heavier one feels the larger force"),
+    nothing=template(
+        "With these values nothing breaks: the two are alike, or never push each other. "
+        "Change a mass or a velocity."
+    ),
     place=20,
     needs="pair",
 )

@@ -17,6 +17,7 @@ KIND = WorldKind(
     name="passive-cannot-push",
     belief="passive-cannot-push",
     says=template("a wall cannot push"),
+    nothing=template("What runs into it goes on as if nothing were there."),
     place=40,
     needs="wall",
 )

@@ -18,6 +18,9 @@ KIND = WorldKind(
     name="reaction-comes-later",
     belief="reaction-comes-later",
     says=template("the second force comes later"),
+    nothing=template(
+        "With these values nothing breaks: the two never push each other. Change a velocity."
+    ),
     place=50,
     fields=(
         Field(

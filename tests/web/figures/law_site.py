@@ -45,8 +45,8 @@ def element(body: str = BODY) -> tuple[str, Page]:
     return made(block, page), page
 
 
-def build_law(site: Path) -> Path:
-    """Write law.html into `site`, with the runtime that it needs."""
+def build_law(site: Path, body: str = BODY) -> Path:
+    """Write law.html with this block into `site`, with the runtime that it needs."""
     assets = site / "assets" / "carts"
     assets.mkdir(parents=True)
     pack(site, packages=frozenset({OWN_LAW}), cache=default_cache(ROOT), report=lambda _: None)
@@ -54,7 +54,7 @@ def build_law(site: Path) -> Path:
     (assets / "carts.css").write_bytes((web / "css" / "carts.css").read_bytes())
     for name in ("law", "answers"):
         bundle(web / "src" / f"{name}-main.js", assets / f"{name}.js")
-    content, page = element()
+    content, page = element(body)
     outline = script_json(page.items.outline("law"))
     text = PAGE.format(csp=html.escape(STRICT), element=content, outline=outline)
     (site / "law.html").write_text(text, encoding="utf-8")

@@ -119,3 +119,27 @@ def test_one_press_on_judge_is_one_try(open_page: OpenPage, bench: Path) -> None
     expect(page.locator(".carts-law-verdicts li")).to_have_count(6)
     press(page, "Run")
     assert [item["tries"] for item in saved_file(page)["items"]] == [2]
+
+
+def test_not_saved_is_said_as_long_as_it_is_so_and_by_nothing_else_taken_away(
+    open_page: OpenPage, bench: Path
+) -> None:
+    page = opened(open_page, bench)
+    unsaved = page.locator(".carts-law-unsaved")
+    kept(page, HEAVY)
+    expect(unsaved).to_have_text("")
+    page.evaluate(
+        """() => {
+          const own = IDBObjectStore.prototype.put;
+          IDBObjectStore.prototype.put = function () { this.transaction.abort(); };
+          globalThis.makeRoom = () => { IDBObjectStore.prototype.put = own; };
+        }"""
+    )
+    write(page, SPRING)
+    expect(unsaved).to_have_text("Not saved")
+    press(page, "Run")
+    expect(page.locator(".carts-law-shown figcaption")).to_have_text("Your law")
+    expect(unsaved).to_have_text("Not saved")
+    page.evaluate("makeRoom()")
+    write(page, SPRING + "# one more\n")
+    expect(unsaved).to_have_text("")

@@ -10,12 +10,29 @@ from playwright.sync_api import expect
 
 from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage
+from tests.web.figures.law_site import build_law
 from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
 
 __all__ = ["bench"]  # a fixture
 
 pytestmark = pytest.mark.browser
 
+TWO = """\
+id: my-law
+contact: {law: mine.py, pairs: {B-C: {law: another.py}}}
+laws:
+  another.py: |
+    def force(overlap, rate):
+        return 50 * overlap
+  mine.py: |
+    def force(overlap, rate):
+        return 100 * overlap
+carts:
+  A: {mass: 2.0 kg, position: 0.40 m, velocity: 0.40 m/s}
+  B: {mass: 0.5 kg, position: 1.20 m}
+  C: {mass: 0.5 kg, position: 1.80 m}
+until: 3 s
+"""
 SLOW = """\
 def force(overlap, rate):
     x = 0
@@ -54,6 +71,42 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
         "A counterexample", timeout=STARTS
     )
     assert page.get_by_label("Your law, in Python").input_value() == HEAVY
+
+
+@pytest.mark.one_browser
+def test_what_was_judged_goes_with_the_law_that_it_was_of(open_page: OpenPage, bench: Path) -> None:
+    page = opened(open_page, bench)
+    write(page, HEAVY)
+    press(page, "Judge")
+    expect(page.locator(".carts-law-verdicts li")).to_have_count(6)
+    box = page.get_by_label("Your law, in Python")
+    box.press("End")
+    page.keyboard.type(" ")
+    expect(page.locator(".carts-law-verdicts")).to_have_count(0)
+    note = page.locator(".carts-law-note")
+    expect(note).to_have_text("Your law has changed: judge it again.")
+    write(page, SPRING)
+    page.get_by_role("button", name="Judge", exact=True).click()
+    expect(note).to_contain_text("The judge looks", timeout=STARTS)
+    write(page, HEAVY)  # while it still looks at the spring
+    expect(note).to_have_text("Your law has changed: judge it again.", timeout=STARTS)
+    expect(page.locator(".carts-law-verdicts")).to_have_count(0)
+    press(page, "Judge")
+    expect(page.locator("li[data-check=third-law]")).to_have_class("carts-law-broken")
+
+
+@pytest.mark.one_browser
+def test_a_second_law_of_the_scene_stays_and_the_blocks_own_is_judged(
+    open_page: OpenPage, tmp_path: Path
+) -> None:
+    """It was sent without the text of the other one: “there is no text of the law”."""
+    page = opened(open_page, build_law(tmp_path, TWO))
+    press(page, "Run")
+    expect(page.locator(".carts-law-fault")).to_have_text("")
+    expect(page.locator(".carts-law-shown figcaption")).to_have_text("Your law")
+    write(page, HEAVY)
+    press(page, "Judge")
+    expect(page.locator("li[data-check=third-law]")).to_have_class("carts-law-broken")
 
 
 @pytest.mark.parametrize(

@@ -105,3 +105,22 @@ def test_sure_digits_are_those_in_which_both_bounds_agree() -> None:
         [list(bounds) for bounds, _ in cases],
     )
     assert found == [digits for _, digits in cases]
+
+
+def test_bounds_around_nought_say_to_how_many_decimals_it_is_nought() -> None:
+    """Thirty noughts are no “none”; the bounds are powers of ten, never rounded inwards."""
+    cases = {
+        ("-1.0408e-30", "1.0408e-30"): (["−1.06 × 10⁻³⁰", "1.06 × 10⁻³⁰"], "0, to 29 decimals"),
+        ("-3e-05", "0.00012"): (["−3.01 × 10⁻⁵", "1.21 × 10⁻⁴"], "0, to 3 decimals"),
+        ("0.0", "9.99e-17"): (["0", "1.00 × 10⁻¹⁶"], "0, to 15 decimals"),
+        ("-0.2", "0.4"): (None, "none"),
+        ("1e-30", "3e-30"): (None, "none"),
+        ("0.0", "0.0"): (["0.0", "0.0"], "all"),
+    }
+    found = in_node(
+        "const rows = await import(`${source}/proof/rows.js`); give(data.map(rows.cells));",
+        [list(bounds) for bounds in cases],
+    )
+    for told, (texts, count) in zip(found, cases.values(), strict=True):
+        assert told["count"] == count
+        assert texts is None or told["texts"] == texts

@@ -74,3 +74,33 @@ def test_arrows_of_our_own_world_are_no_worlds_arrows_and_start_again_hides_all(
     scene.locator(".carts-forget-yes").click()
     expect(worlds).to_be_hidden()
     assert worlds.locator("button").count() == 0
+
+
+@pytest.mark.one_browser
+def test_what_a_world_shows_goes_when_the_values_of_its_scene_change(
+    site: Path, open_page: OpenPage
+) -> None:
+    """The old run had gone on to be called “Our world”, beside another one above it."""
+    page = open_page(site / LESSON, folder=site, viewport={"width": 1366, "height": 768})
+    page.wait_for_selector(f"#{SCENE}[data-state=live]", timeout=60_000)
+    predict_and_watch(page, "0.8", "0.8")
+    worlds = page.locator(f"carts-worlds[data-for={SCENE}]")
+    pressed = worlds.locator("[aria-pressed=true]")
+    note = worlds.locator(".carts-worlds-note")
+    scene = page.locator(f"#{SCENE}")
+    heavier = worlds.get_by_role("button", name="the heavier one pushes harder")
+    heavier.click()
+    expect(worlds.locator("figure")).to_have_count(2)
+    scene.evaluate('(el) => el.set({ "A.mass": 0.5 })')
+    expect(note).to_have_text("The values have changed: press again.")
+    expect(worlds.locator("figure, .carts-worlds-ends")).to_have_count(0)
+    expect(pressed).to_have_count(0)
+    heavier.click()
+    expect(worlds.locator("figure")).to_have_count(2)
+    expect(note).to_have_text("")
+    rows = worlds.locator(".carts-worlds-ends tr").all_inner_texts()
+    assert any("0.20 → 0.20 N s\t0.20 → 0.20 N s" in row for row in rows), rows
+    expect(worlds.locator(".carts-worlds-broken li")).to_contain_text("nothing breaks")
+    scene.evaluate('(el) => el.set({ "A.mass": 0.5 })')  # the same values once more
+    scene.evaluate("(el) => new Promise((done) => setTimeout(done, 200))")
+    expect(worlds.locator("figure")).to_have_count(2)

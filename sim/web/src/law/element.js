@@ -8,8 +8,10 @@ import { html, need, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { ends } from "../worlds/ends.js";
 import { Pictures } from "../worlds/pictures.js";
+import { alongWith } from "./along-with.js";
 import { Editor } from "./editor.js";
 import { lawKeeper } from "./keep.js";
+import { KeptLine } from "./kept-line.js";
 import { lineOf, OwnPython } from "./own-python.js";
 import { verdicts } from "./verdicts.js";
 
@@ -45,11 +47,12 @@ export function lawElement(base) {
       this.note.setAttribute("role", "status");
       this.fault = html("p", "carts-law-fault");
       this.fault.setAttribute("role", "alert");
+      this.unsaved = new KeptLine(this);
       this.shown = html("div", "carts-law-shown");
       this.found = html("div", "carts-law-found");
-      const bar = this.#buttons();
       const live = need(this, ".carts-law-live");
-      live.append(this.editor.root, bar, this.fault, this.note, this.shown, this.found);
+      const told = [this.fault, this.unsaved.root, this.note, this.shown, this.found];
+      live.append(this.editor.root, this.#buttons(), ...told);
       live.hidden = false;
       this.classList.add("carts-law-ready");
       this.#first();
@@ -106,6 +109,7 @@ export function lawElement(base) {
     /** @param {string} text that was kept */
     #take(text) {
       if (this.editor) this.editor.text = text;
+      if (this.found?.childElementCount) this.#changed();
       this.#paper();
     }
 
@@ -113,14 +117,19 @@ export function lawElement(base) {
     #typed(text) {
       void this.#python.wake().catch(() => {}); // Python is there when the law is
       void this.#keep(text);
+      if (this.found?.childElementCount) this.#changed();
       this.#paper();
     }
 
+    /** What was judged is another law than that in the box. */
+    #changed() {
+      this.found?.replaceChildren();
+      say(/** @type {HTMLElement} */ (this.note), tr("Your law has changed: judge it again."));
+    }
+
     /** @param {string} text @param {boolean} tried */
-    async #keep(text, tried = false) {
-      const kept = await this.keeper?.put(text, tried);
-      if (!kept) say(/** @type {HTMLElement} */ (this.note), tr("Not saved"));
-      this.toggleAttribute("data-kept", Boolean(kept));
+    #keep(text, tried = false) {
+      return this.unsaved?.hear(this.keeper?.put(text, tried));
     }
 
     /** On paper stands what is in the box now. */
@@ -132,9 +141,9 @@ export function lawElement(base) {
       if (!this.editor || !this.#facts || !this.#baked) return;
       if (this.editor.text !== this.#facts.start) this.keeper?.setAside();
       this.editor.text = this.#facts.start;
+      this.found?.replaceChildren();
       this.#typed(this.editor.text);
       this.#tell("");
-      this.found?.replaceChildren();
       this.#first();
       this.editor.box.focus();
     }
@@ -174,18 +183,20 @@ export function lawElement(base) {
       void this.#keep(this.editor?.text ?? "", true);
       const note = /** @type {HTMLElement} */ (this.note);
       this.found?.replaceChildren();
-      const scene = this.#scene();
+      const [scene, { file }] = [this.#scene(), /** @type {Facts} */ (this.#facts)];
       /** @type {any} */
       let before = null;
       for (let part = 0, parts = 6; part !== null; ) {
         say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
-        const { header } = await this.#python.ask({ do: "judge", scene, part, before });
+        const { header } = await this.#python.ask({ do: "judge", law: file, scene, part, before });
         before = header.judged;
         parts = header.parts;
         part = header.next;
       }
       say(note, "");
-      this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
+      const meanwhile = this.#scene().laws[file] !== scene.laws[file];
+      if (meanwhile) this.#changed();
+      else this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
     }
 
     /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
@@ -199,8 +210,8 @@ export function lawElement(base) {
     /** The scene of the page, with the law as it is in the box. */
     #scene() {
       const { file } = /** @type {Facts} */ (this.#facts);
-      const scene = /** @type {Baked} */ (this.#baked).fence.scene;
-      return { ...scene, laws: { [file]: this.editor?.text || "\n" } };
+      const scene = /** @type {any} */ (/** @type {Baked} */ (this.#baked).fence.scene);
+      return { ...scene, laws: { ...scene.laws, [file]: this.editor?.text || "\n" } };
     }
 
     /** @param {Run} run @param {Baked} baked @param {string} caption */
@@ -236,11 +247,4 @@ export function lawElement(base) {
       this.toggleAttribute("data-working", on);
     }
   };
-}
-
-/** The same picture, moving with the middle of the two: so they stay in it. @param {Baked} baked @param {Run} run @returns {Baked} */
-function alongWith(baked, { header }) {
-  const mass = header.bodies.reduce((sum, body) => sum + body.mass, 0);
-  const camera = header.bodies.reduce((sum, body) => sum + body.mass * body.velocity, 0) / mass;
-  return { ...baked, fence: { ...baked.fence, camera } };
 }

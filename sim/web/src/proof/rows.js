@@ -1,7 +1,8 @@
 /** The rows of a certificate: what it is of, its two bounds, and how many digits they agree in. */
 
 import { body, isWall, whatIs } from "../../../view/bodies.js";
-import { tr } from "../../../view/language.js";
+import { counted, tr } from "../../../view/language.js";
+import { exponent, fixed, superscript } from "../../../view/numbers.js";
 import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Track} Track */
@@ -13,6 +14,7 @@ import { html } from "../shared/dom.js";
 
 const MANY = 8; // sure digits: all of a bound is shown
 const MORE = 3; // digits beside the sure ones
+const LEAST = 3; // decimals of a nought that are told: from there on it is one
 const FINEST = 17; // digits that tell one double from the next
 
 /** @param {Certificate} certificate @param {Track} track @returns {Element[]} events in their order, then the end */
@@ -51,13 +53,40 @@ function row(label, bounds, unit) {
   const head = html("th", "", label);
   head.setAttribute("scope", "row");
   line.append(head);
-  const sure = sureDigits(bounds);
-  for (const bound of shown(bounds, sure)) {
-    line.append(html("td", "carts-proof-bound", `${bound} ${unit}`));
-  }
-  const count = sure ? String(sure) : tr("none");
-  line.append(html("td", "", Number.isFinite(sure) ? count : tr("all")));
+  const { texts, count } = cells(bounds);
+  for (const text of texts) line.append(html("td", "carts-proof-bound", `${text} ${unit}`));
+  line.append(html("td", "", count));
   return line;
+}
+
+/** What a row says of its bounds. @param {Bounds} bounds @returns {{texts: string[], count: string}} */
+export function cells(bounds) {
+  const sure = sureDigits(bounds);
+  if (!Number.isFinite(sure)) return { texts: [...bounds], count: tr("all") };
+  const decimals = noughts(bounds);
+  if (decimals >= LEAST) {
+    const count = counted("0, to one decimal", "0, to {n} decimals", decimals);
+    return { texts: [asPower(bounds[0], -1), asPower(bounds[1], 1)], count };
+  }
+  return { texts: shown(bounds, sure), count: sure ? String(sure) : tr("none") };
+}
+
+/** How many decimals of a value around 0 are 0 for sure, as one would round it; 0: it is not around 0. @param {Bounds} bounds */
+function noughts([low, high]) {
+  if (Number(low) > 0 || Number(high) < 0) return 0;
+  const size = Math.max(Math.abs(Number(low)), Math.abs(Number(high)));
+  return Math.max(0, Math.floor(-Math.log10(2 * size)));
+}
+
+/** −1.06 × 10⁻³⁰, rounded outwards. @param {string} bound @param {1 | -1} side */
+function asPower(bound, side) {
+  const value = Number(bound);
+  if (!value) return "0";
+  const digits = 100 * Number(value.toExponential().split("e")[0]);
+  // One unit further out than the nearest, as in `shown`: a product may be rounded.
+  const outside = (side > 0 ? Math.ceil(digits) : Math.floor(digits)) + side;
+  const more = Math.abs(outside) >= 1000 ? 1 : 0;
+  return `${fixed(outside / 10 ** (2 + more), 2)} × 10${superscript(exponent(value) + more)}`;
 }
 
 /** Of wide bounds some digits more than are sure, rounded outwards. @param {Bounds} bounds @param {number} sure */

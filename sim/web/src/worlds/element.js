@@ -9,7 +9,7 @@ import { readBaked } from "../scene/baked.js";
 import { WATCHED } from "../scene/time/watch.js";
 import { askScene } from "../shared/ask-scene.js";
 import { html, need, say } from "../shared/dom.js";
-import { refusal } from "../shared/waiting.js";
+import { RESET, refusal } from "../shared/waiting.js";
 import { ends } from "./ends.js";
 import { Pictures } from "./pictures.js";
 import { isYours } from "./yours.js";
@@ -22,6 +22,7 @@ export class WorldsElement extends HTMLElement {
   /** @type {Pictures | null} */
   #pictures = null;
   #turn = 0;
+  #values = "{}"; // that the reader has set, as the scene tells them
 
   connectedCallback() {
     this.#leaving = new AbortController();
@@ -29,6 +30,11 @@ export class WorldsElement extends HTMLElement {
     document.addEventListener(WATCHED, ({ target }) => target === this.scene && this.#open(), {
       signal,
     });
+    for (const kind of ["carts-update", RESET]) {
+      const hear = (/** @type {Event} */ event) =>
+        event.target === this.scene && this.#heard(event);
+      document.addEventListener(kind, hear, { signal });
+    }
     const waits = this.scene.querySelector(".carts-predict, .carts-end") !== null;
     if (!waits || "watched" in this.scene.dataset) this.#open();
     const again = new MutationObserver(() => {
@@ -81,6 +87,22 @@ export class WorldsElement extends HTMLElement {
     this.#turn += 1;
     this.#pictures?.leave();
     for (const part of [...this.children]) if (part.localName !== "script") part.remove();
+  }
+
+  /** Other values are set: what is shown here, or being computed, is of the old ones. @param {Event} event */
+  #heard(event) {
+    const values = JSON.stringify(/** @type {CustomEvent} */ (event).detail ?? {});
+    if (values === this.#values) return;
+    this.#values = values;
+    if (!this.querySelector('[aria-pressed="true"]')) return;
+    this.#turn += 1;
+    this.#pictures?.leave();
+    this.#pictures = null;
+    need(this, ".carts-worlds-show").replaceChildren();
+    for (const one of this.querySelectorAll(".carts-worlds-names button")) {
+      one.setAttribute("aria-pressed", "false");
+    }
+    say(need(this, ".carts-worlds-note"), tr("The values have changed: press again."));
   }
 
   /** @param {World} world @param {Element} button */
