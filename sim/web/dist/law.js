@@ -2283,6 +2283,13 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
   };
 
+  // src/law/along-with.js
+  function alongWith(baked, { header }) {
+    const mass = header.bodies.reduce((sum, body2) => sum + body2.mass, 0);
+    const camera = header.bodies.reduce((sum, body2) => sum + body2.mass * body2.velocity, 0) / mass;
+    return { ...baked, fence: { ...baked.fence, camera } };
+  }
+
   // src/law/editor.js
   var STEP2 = "    ";
   var LONGEST2 = 2e4;
@@ -2739,6 +2746,24 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
     };
   }
+
+  // src/law/kept-line.js
+  var KeptLine = class {
+    #puts = 0;
+    constructor(owner) {
+      this.owner = owner;
+      this.root = html("p", "carts-law-unsaved");
+      this.root.setAttribute("role", "status");
+    }
+    async hear(put2) {
+      this.#puts += 1;
+      const turn = this.#puts;
+      const kept = Boolean(await put2);
+      if (turn !== this.#puts) return;
+      say(this.root, kept ? "" : tr("Not saved"));
+      this.owner.toggleAttribute("data-kept", kept);
+    }
+  };
 
   // src/runtime/failure.js
   var MESSAGES = {
@@ -3333,11 +3358,12 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.note.setAttribute("role", "status");
         this.fault = html("p", "carts-law-fault");
         this.fault.setAttribute("role", "alert");
+        this.unsaved = new KeptLine(this);
         this.shown = html("div", "carts-law-shown");
         this.found = html("div", "carts-law-found");
-        const bar = this.#buttons();
         const live = need(this, ".carts-law-live");
-        live.append(this.editor.root, bar, this.fault, this.note, this.shown, this.found);
+        const told2 = [this.fault, this.unsaved.root, this.note, this.shown, this.found];
+        live.append(this.editor.root, this.#buttons(), ...told2);
         live.hidden = false;
         this.classList.add("carts-law-ready");
         this.#first();
@@ -3390,22 +3416,26 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       #take(text) {
         if (this.editor) this.editor.text = text;
+        if (this.found?.childElementCount) this.#changed();
         this.#paper();
       }
       #typed(text) {
         void this.#python.wake().catch(() => {
         });
         void this.#keep(text);
+        if (this.found?.childElementCount) this.#changed();
         this.#paper();
       }
-      async #keep(text, tried = false) {
-        const kept = await this.keeper?.put(text, tried);
-        if (!kept) say(
+      #changed() {
+        this.found?.replaceChildren();
+        say(
           /** @type {HTMLElement} */
           this.note,
-          tr("Not saved")
+          tr("Your law has changed: judge it again.")
         );
-        this.toggleAttribute("data-kept", Boolean(kept));
+      }
+      #keep(text, tried = false) {
+        return this.unsaved?.hear(this.keeper?.put(text, tried));
       }
       #paper() {
         say(need(this, ".carts-law-paper code"), this.editor?.text ?? "");
@@ -3414,9 +3444,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         if (!this.editor || !this.#facts || !this.#baked) return;
         if (this.editor.text !== this.#facts.start) this.keeper?.setAside();
         this.editor.text = this.#facts.start;
+        this.found?.replaceChildren();
         this.#typed(this.editor.text);
         this.#tell("");
-        this.found?.replaceChildren();
         this.#first();
         this.editor.box.focus();
       }
@@ -3468,17 +3498,23 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           this.note
         );
         this.found?.replaceChildren();
-        const scene = this.#scene();
+        const [scene, { file }] = [
+          this.#scene(),
+          /** @type {Facts} */
+          this.#facts
+        ];
         let before = null;
         for (let part = 0, parts = 6; part !== null; ) {
           say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
-          const { header } = await this.#python.ask({ do: "judge", scene, part, before });
+          const { header } = await this.#python.ask({ do: "judge", law: file, scene, part, before });
           before = header.judged;
           parts = header.parts;
           part = header.next;
         }
         say(note, "");
-        this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
+        const meanwhile = this.#scene().laws[file] !== scene.laws[file];
+        if (meanwhile) this.#changed();
+        else this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
       }
       async #example(verdict) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });
@@ -3496,10 +3532,11 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           this.#facts
         );
         const scene = (
+          /** @type {any} */
           /** @type {Baked} */
           this.#baked.fence.scene
         );
-        return { ...scene, laws: { [file]: this.editor?.text || "\n" } };
+        return { ...scene, laws: { ...scene.laws, [file]: this.editor?.text || "\n" } };
       }
       #show(run, baked, caption) {
         this.#picture(run, baked, caption);
@@ -3536,11 +3573,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.toggleAttribute("data-working", on);
       }
     };
-  }
-  function alongWith(baked, { header }) {
-    const mass = header.bodies.reduce((sum, body2) => sum + body2.mass, 0);
-    const camera = header.bodies.reduce((sum, body2) => sum + body2.mass * body2.velocity, 0) / mass;
-    return { ...baked, fence: { ...baked.fence, camera } };
   }
 
   // src/runtime/page-python.js

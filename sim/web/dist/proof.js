@@ -10,6 +10,9 @@
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
   }
+  function counted(one, more, n, values = {}) {
+    return filled(form(one, more, n), { n, ...values });
+  }
   function form(one, more, n) {
     const ours = catalogue[more]?.split(FORMS);
     if (!ours) return n === 1 ? one : more;
@@ -158,6 +161,7 @@
   // src/proof/rows.js
   var MANY = 8;
   var MORE = 3;
+  var LEAST = 3;
   var FINEST = 17;
   function rows({ final, events }, track) {
     const times = events.filter(({ kind }) => kind !== "end").map(
@@ -198,13 +202,33 @@
     const head = html("th", "", label);
     head.setAttribute("scope", "row");
     line.append(head);
-    const sure = sureDigits(bounds);
-    for (const bound of shown(bounds, sure)) {
-      line.append(html("td", "carts-proof-bound", `${bound} ${unit}`));
-    }
-    const count = sure ? String(sure) : tr("none");
-    line.append(html("td", "", Number.isFinite(sure) ? count : tr("all")));
+    const { texts, count } = cells(bounds);
+    for (const text of texts) line.append(html("td", "carts-proof-bound", `${text} ${unit}`));
+    line.append(html("td", "", count));
     return line;
+  }
+  function cells(bounds) {
+    const sure = sureDigits(bounds);
+    if (!Number.isFinite(sure)) return { texts: [...bounds], count: tr("all") };
+    const decimals = noughts(bounds);
+    if (decimals >= LEAST) {
+      const count = counted("0, to one decimal", "0, to {n} decimals", decimals);
+      return { texts: [asPower(bounds[0], -1), asPower(bounds[1], 1)], count };
+    }
+    return { texts: shown(bounds, sure), count: sure ? String(sure) : tr("none") };
+  }
+  function noughts([low, high]) {
+    if (Number(low) > 0 || Number(high) < 0) return 0;
+    const size = Math.max(Math.abs(Number(low)), Math.abs(Number(high)));
+    return Math.max(0, Math.floor(-Math.log10(2 * size)));
+  }
+  function asPower(bound, side) {
+    const value = Number(bound);
+    if (!value) return "0";
+    const digits = 100 * Number(value.toExponential().split("e")[0]);
+    const outside = (side > 0 ? Math.ceil(digits) : Math.floor(digits)) + side;
+    const more = Math.abs(outside) >= 1e3 ? 1 : 0;
+    return `${fixed(outside / 10 ** (2 + more), 2)} × 10${superscript(exponent(value) + more)}`;
   }
   function shown(bounds, sure) {
     const [low, high] = bounds.map(Number);

@@ -148,6 +148,7 @@
   }
 
   // src/shared/waiting.js
+  var RESET = "carts-reset";
   function refusal(problems) {
     const [first] = problems;
     if (!first) return new Error(tr("This value does not work."));
@@ -2566,12 +2567,18 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #leaving = new AbortController();
     #pictures = null;
     #turn = 0;
+    #values = "{}";
+    // that the reader has set, as the scene tells them
     connectedCallback() {
       this.#leaving = new AbortController();
       const { signal } = this.#leaving;
       document.addEventListener(WATCHED, ({ target }) => target === this.scene && this.#open(), {
         signal
       });
+      for (const kind2 of ["carts-update", RESET]) {
+        const hear = (event) => event.target === this.scene && this.#heard(event);
+        document.addEventListener(kind2, hear, { signal });
+      }
       const waits = this.scene.querySelector(".carts-predict, .carts-end") !== null;
       if (!waits || "watched" in this.scene.dataset) this.#open();
       const again = new MutationObserver(() => {
@@ -2616,6 +2623,23 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#turn += 1;
       this.#pictures?.leave();
       for (const part of [...this.children]) if (part.localName !== "script") part.remove();
+    }
+    #heard(event) {
+      const values = JSON.stringify(
+        /** @type {CustomEvent} */
+        event.detail ?? {}
+      );
+      if (values === this.#values) return;
+      this.#values = values;
+      if (!this.querySelector('[aria-pressed="true"]')) return;
+      this.#turn += 1;
+      this.#pictures?.leave();
+      this.#pictures = null;
+      need(this, ".carts-worlds-show").replaceChildren();
+      for (const one of this.querySelectorAll(".carts-worlds-names button")) {
+        one.setAttribute("aria-pressed", "false");
+      }
+      say(need(this, ".carts-worlds-note"), tr("The values have changed: press again."));
     }
     async #show(world, button) {
       this.#turn += 1;
