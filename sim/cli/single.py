@@ -14,6 +14,7 @@ from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.lesson_places import bank_folders, scene_folders
+from sim.pages.text.plain_lines import lines_of
 
 
 @click.command("single")
@@ -58,7 +59,7 @@ def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
         lines = ["```scene", f"id: {name if name[0].isalpha() else f'scene-{name}'}"]
         lines += [f"file: {path.name}", "```"]
     else:
-        lines = author_text(path, shown).splitlines()
+        lines = lines_of(author_text(path, shown))
     lesson = Lesson(shown, folders, bank_folders(path, root))
     found = {}
     for block in scan(lines):

@@ -27,6 +27,7 @@ from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections
 from sim.pages.translate.check import catalogue_findings
 from sim.pages.translate.translation import Translation
@@ -46,7 +47,7 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
     """
     findings: list[Finding] = []
     items = PageItems()
-    lines = text.splitlines()
+    lines = lines_of(text)
     blocks = tuple(scan(lines))
     for block, section in in_sections(lines, blocks):
         if section.new:

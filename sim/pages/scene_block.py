@@ -206,7 +206,7 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
         )
     shown = _shown([path])[0]
     try:
-        scene = load(path.read_text(encoding="utf-8"))
+        scene = load(path.read_text(encoding="utf-8-sig"))
     except YamlError as error:
         raise AuthorError(yaml_findings(shown, error)) from None
     except UnicodeDecodeError:

@@ -15,7 +15,8 @@ from sim.pages.check import check_lesson
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach import answer as wire
 from sim.pages.teach.answer import lesson_of, teach_answer
-from sim.pages.teach.preview import Desk, Site
+from sim.pages.teach.frame import Site
+from sim.pages.teach.preview import Desk
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden" / "author-errors"

@@ -37,6 +37,11 @@ class PageItems:
     """Ids of scenes with mistakes: they are known, and nothing more is said about them."""
     asking: str = ""  # the scene with a prediction that the text since the last heading is about
 
+    @property
+    def scene_ids(self) -> list[str]:
+        """The ids of all scenes up to here."""
+        return [scene.id for scene in self.scenes]
+
     def gate(self, question: Question) -> str:
         """The scene that is watched before the question opens; empty: it is open at once."""
         if after := question.common.after:

@@ -21,8 +21,9 @@ from typing import Any
 from sim.pages.scene_block import Lesson
 from sim.pages.teach.edit import CannotWriteError, with_value
 from sim.pages.teach.fields import TRUTH, fields
+from sim.pages.teach.frame import Site
 from sim.pages.teach.pieces import Piece, pieces
-from sim.pages.teach.preview import NUMERICS, Desk, Shown, Site
+from sim.pages.teach.preview import NUMERICS, Desk, Shown
 from sim.pages.teach.right_answers import is_rightness, with_right
 from sim.pages.teach.spans import values
 from sim.pages.teach.take_home import zipped

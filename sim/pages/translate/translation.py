@@ -16,13 +16,15 @@ from sim.pages.scene_block import Lesson
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
-from sim.pages.text.lesson_text import without_code
+from sim.pages.text.plain_lines import without_code
 from sim.pages.translate.catalogues import OTHERS, Source, is_bank, source_of
 from sim.pages.translate.po_file import Words, read_words
 from sim.pages.translate.put_in import PutIn, put_in, units_of
 
 _LINK = re.compile(
-    r"(?:\]\(|^\[[^\]^\n][^\]\n]*\]:[ \t]+|\b(?:src|href)=\")([^)\s\"]+)", re.MULTILINE
+    r"(?:\]\(|^\[[^\]^\n][^\]\n]*\]:[ \t]+|\b(?:src|href)=\")"
+    r"(?:<(?P<wrapped>[^<>\n]+)>|(?P<bare>[^)\s\"]+))",
+    re.MULTILINE,
 )
 _ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|[/#?]", re.IGNORECASE)
 
@@ -156,7 +158,7 @@ def _banks(lesson: Part, folder: Path, root: Path) -> Iterator[tuple[Path, Part]
 def _moved_links(text: str, siblings: Collection[str]) -> str:
     """The text one folder further down: links lead to where they led, or to the same language."""
     for link in reversed(list(_LINK.finditer(without_code(text)))):
-        target = link[1]
-        if not _ELSEWHERE.match(target) and target.split("#")[0] not in siblings:
-            text = f"{text[: link.start(1)]}../{text[link.start(1) :]}"
+        own = "wrapped" if link["wrapped"] else "bare"
+        if not _ELSEWHERE.match(link[own]) and link[own].split("#")[0] not in siblings:
+            text = f"{text[: link.start(own)]}../{text[link.start(own) :]}"
     return text
