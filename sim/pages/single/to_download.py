@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from urllib.parse import quote
 
 from sim.pages.findings import SiteError
 from sim.pages.single.all_inside import runtime_files
@@ -24,7 +25,7 @@ FOLDER = "download/"
 def with_place(html: str, assets: str, *, lesson: str, kept: bool) -> str:
     """The page with a place at its foot that its script fills: how to take `lesson` home as a file
     ("": it is no lesson), and how to keep the site on a tablet, if it can be `kept` there."""
-    shell = f' data-shell="{assets}{FOLDER}{_file(lesson)}"' if lesson else ""
+    shell = f' data-shell="{assets}{FOLDER}{quote(_file(lesson))}"' if lesson else ""
     place = f'<div class="carts-hosted"{shell}{" data-kept" if kept else ""}></div>'
     return html.replace(END, f"{place}\n{END}", 1)
 

@@ -13,9 +13,9 @@ import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from sim.lesson.opening import word_sum
 from sim.pages.findings import AuthorError
@@ -53,7 +53,7 @@ class Published:
         somebody who reads the page's files.
         """
         asks = f' data-word="{word_sum(WORD_OF, word)}"' if word else ""
-        return DOOR.format(address=escape(assets + self.name), word=asks)
+        return DOOR.format(address=quote(assets + self.name), word=asks)
 
 
 def published(
