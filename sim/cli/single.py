@@ -13,7 +13,7 @@ from sim.pages.findings import AuthorError, SiteError
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.lesson_places import bank_folders, scene_folders
+from sim.pages.text.lesson_places import LESSONS, bank_folders, scene_folders
 from sim.pages.text.plain_lines import lines_of
 
 
@@ -60,7 +60,9 @@ def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
         lines += [f"file: {path.name}", "```"]
     else:
         lines = lines_of(author_text(path, shown))
-    lesson = Lesson(shown, folders, bank_folders(path, root))
+    # In a lesson a scene is watched first; so it is where it stands alone.
+    watch = "first" if path.suffix == ".md" and LESSONS in path.parts[:-1] else ""
+    lesson = Lesson(shown, folders, bank_folders(path, root), watch=watch)
     found = {}
     for block in scan(lines):
         if block.name == "scene":

@@ -17,6 +17,7 @@ from sim.pages.single.all_inside import runtime_files
 from sim.pages.single.of_lesson import single_lesson
 from sim.pages.site_files import ASSETS
 from sim.pages.teach.doors import END
+from sim.pages.text.lesson_places import page_of
 
 FOLDER = "download/"
 """Beside the page's scripts. The shells are text there, no pages to be opened or listed."""
@@ -48,7 +49,7 @@ def write_shells(
                 runtimes[packages] = runtime_files(packages, root, report)
             except SiteError:
                 return  # it cannot be had here; the pages of this site say so themselves
-        page = (site / name).with_suffix(".html")
+        page = site / page_of(name)
         text = single_lesson(page, site, runtimes[packages].values(), own)
         (folder / _file(name)).write_text(text, encoding="utf-8", newline="\n")
 

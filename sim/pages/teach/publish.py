@@ -26,13 +26,13 @@ from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
-from sim.pages.text.lesson_places import scene_folders
+from sim.pages.text.lesson_places import JOINING, scene_folders
 from sim.scene.read_written import named_laws
 
 FORMAT = 1
 WORD_OF = "teacher"  # what the checksum of the word belongs to
 FOLDER = "lessons/"  # in assets/carts/
-LINKED = (".md", ".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf", ".csv")
+LINKED = (".md", *JOINING, ".csv")  # tables only where all files join the site, in docs/
 DOOR = (
     '<p class="carts-teach-door" id="teacher"><a href="#teacher" data-lesson="{address}"{word}>'
     "Change this lesson</a> <span>for teachers: scenes, questions and text, in this page</span></p>"

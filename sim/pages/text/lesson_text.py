@@ -18,6 +18,7 @@ from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import misspelt, without_scene
+from sim.pages.text.lesson_places import JOINING, LESSONS
 from sim.pages.text.plain_lines import lines_of, without_code
 
 # As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow.
@@ -185,9 +186,27 @@ def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
         target = unquote(address.split("#")[0].split("?")[0])
         if not target or re.match(r"[a-z][a-z0-9+.-]*:|//", target):
             continue
-        if not any(place.exists() for place in _places(folder, target, lesson)):
+        place = next((one for one in _places(folder, target, lesson) if one.exists()), None)
+        if place is None:
             hint = "look at the name, and from which folder it is counted"
             yield link.start(), "broken-link", f"there is no file “{target[:60]}”", hint
+        elif place.is_file() and not _joins(place, folder, lesson):
+            message = f"“{target[:60]}” does not join the site: it stays in the folder of lessons"
+            hint = f"what joins it there: .md {' '.join(JOINING)}"
+            yield link.start(), "not-in-site", message, hint
+
+
+def _joins(place: Path, folder: Path, lesson: Lesson) -> bool:
+    """Whether a file is one of the site; of the folder of lessons only some are."""
+    lessons = Path(os.path.normpath(_root(folder, lesson) / LESSONS))
+    inside = Path(os.path.normpath(place)).is_relative_to(lessons)
+    return not inside or place.suffix.lower() in (".md", *JOINING)
+
+
+def _root(folder: Path, lesson: Lesson) -> Path:
+    """The folder that the lesson's name is counted from; `folder`: its own."""
+    depth = len(Path(lesson.file).parts) - 1
+    return folder.parents[depth - 1] if 0 < depth <= len(folder.parents) else folder
 
 
 def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
@@ -195,8 +214,7 @@ def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
     source = re.sub(r"\.html$", ".md", target)
     yield folder / source
     yield folder / target
-    depth = len(Path(lesson.file).parts) - 1
-    root = folder.parents[depth - 1] if 0 < depth <= len(folder.parents) else folder
+    root = _root(folder, lesson)
     inside = folder.relative_to(root).as_posix().removeprefix("docs").strip("/")
     address = os.path.normpath(f"{inside}/{source}").lstrip("/")
     yield root / address
