@@ -38,7 +38,6 @@ class Page:
     blocks: tuple[Block, ...] = ()
     items: PageItems = field(default_factory=PageItems)
     language: str = ENGLISH
-    states_language: bool = False  # by its front matter, or the folder that it lies in
     late: dict[str, str] | None = None  # what is to be put in after the theme's work; None: nothing
     prepares: bool = False  # whether runs are prepared for its sliders
     prepared: dict[str, str] = field(default_factory=dict)  # scripts that hold them, by name

@@ -12,13 +12,13 @@ import hashlib
 import json
 import re
 from base64 import b64encode
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from html import escape
 from html.parser import HTMLParser
-from typing import Literal
+from typing import Any, Literal
 
 from sim.pages.language import ENGLISH, speaking, words
-from sim.pages.page_needs import Needs
 from sim.pages.text.formulas import SHEET
 from sim.pages.watchdog import watchdog
 
@@ -34,7 +34,6 @@ _NEIGHBOURS = re.compile(r'[ \t]*<link rel="(?:prev|next)"[^>]*>\n?')
 _RENAMED = re.compile(r'(<a [^>]*class="md-footer__link [^"]*") aria-label="[^"]*"')
 _EMPTY_HEAD = re.compile(r'<th(?: scope="col")?( style="[^"]*")?></th>')
 
-_HTML_LANGUAGE = re.compile(r'<html lang="([\w-]*)"')
 _KINDS = re.compile(r'<html [^>]*class="no-js')
 
 _COMMON = {
@@ -55,6 +54,42 @@ _HOSTED = {
 }
 # `mkdocs serve` adds a script of its own to every page when it sends it: no hash can cover it.
 _PREVIEW = {**_HOSTED, "script-src": "'self' 'wasm-unsafe-eval' 'unsafe-inline'"}
+
+
+@dataclass(frozen=True, slots=True)
+class Needs:
+    """What a page needs beside the theme."""
+
+    scenes: bool = False
+    formulas: bool = False
+    outline: Mapping[str, Any] | None = None  # of what can be answered here; None: nothing
+    classroom: bool = False
+    measured: bool = False  # readings of real carts
+    language: str = ENGLISH  # of the interface words
+    challenge: bool = False  # a goal for the runs of a scene
+    worlds: bool = False  # impossible ones, beside a scene
+    hosted: bool = False  # on a web server: how to take it home
+    law: bool = False  # a law that a reader writes
+    tools: bool = False  # that a reader works in a scene
+
+
+def needs_of(
+    html: str, *, scenes: bool, outline: Mapping[str, Any] | None, language: str, hosted: bool
+) -> Needs:
+    """What a rendered page needs, by what stands in it."""
+    return Needs(
+        scenes=scenes,
+        formulas='class="arithmatex"' in html,
+        outline=outline,
+        classroom="<carts-class" in html,
+        measured="<carts-measured" in html,
+        language=language,
+        challenge="<carts-challenge" in html,
+        worlds="<carts-worlds" in html,
+        hosted=hosted,
+        law="<carts-law" in html,
+        tools='class="carts-tools"' in html,
+    )
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -145,8 +180,8 @@ def finish(
     if needs.formulas:
         end = scripts if needs.scenes else "</body>"
         page = page.replace(end, f"{_READ}{end}", 1)
-    if needs.language != ENGLISH or needs.stated:
-        page = _HTML_LANGUAGE.sub(f'<html lang="{needs.language}"', page, count=1)
+    if needs.language != ENGLISH:
+        page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{needs.language}"', page, count=1)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
     # Before all sheets: a script behind one waits for it, for ever if that never comes.
     page = page.replace(_SHEET, f"<script>{watching}</script>\n{_SHEET}", 1)

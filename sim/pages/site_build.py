@@ -27,8 +27,7 @@ from sim.pages.language import (
 )
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
-from sim.pages.page_head import Audience, finish, inline_scripts, is_trusted
-from sim.pages.page_needs import Needs, needs_of, own_packages
+from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted, needs_of
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
@@ -39,6 +38,8 @@ from sim.pages.text.lesson_places import described, shown
 from sim.pages.text.lesson_text import language_findings
 from sim.pages.text.not_found import with_help
 from sim.pages.translate.languages import Languages
+
+_STATISTICS = {"numpy", "scipy"}
 
 
 @dataclass(slots=True)
@@ -91,7 +92,6 @@ class SiteBuild:
         page.prepares = self.audience != "preview" and bool(watch or path.name == "index.md")
         try:
             page.language = of_page(stated, lesson.file, theme)
-            page.states_language = stated is not None or bool(language_folder(lesson.file))
         except UnknownLanguageError:
             for finding in language_findings(whole, lesson):
                 self.report(finding)
@@ -102,8 +102,9 @@ class SiteBuild:
         lesson = name.rpartition(".")[0].rpartition("/")[2]
         outline = page.items.outline(lesson) if page.items.answers else None
         scenes, foot = page.scenes > 0, self._has_foot(name)
-        own = Needs(language=page.language, stated=page.states_language, scenes=scenes)
-        self.needs[name] = needs_of(html, replace(own, outline=outline, hosted=foot))
+        self.needs[name] = needs_of(
+            html, scenes=scenes, outline=outline, language=page.language, hosted=foot
+        )
         kinds = "scene|map|cost|hard|measured|law|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
@@ -122,7 +123,7 @@ class SiteBuild:
         if key := practice_key(self.site_id, lesson, page):
             self.keys[name] = key
         self.prepared |= page.prepared
-        self.asked[name] = frozenset(page.packages) | own_packages(self.needs[name])
+        self.asked[name] = frozenset(page.packages) | _own_packages(self.needs[name])
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
@@ -237,3 +238,13 @@ class SiteBuild:
                 self.done = frozenset(packages)
         except (site_files.MissingFilesError, *runtime.ERRORS) as error:
             raise SiteError(str(error)) from error
+
+
+def _own_packages(needs: Needs) -> frozenset[str]:
+    """What the elements of a page load, beside what its scenes call for."""
+    if not needs.classroom and not needs.measured:
+        return frozenset()
+    from sim.pages import runtime  # only where a page has such an element
+
+    own = {runtime.CLASSROOM: needs.classroom, runtime.MEASURED: needs.measured}
+    return frozenset({*_STATISTICS, *(name for name, asked in own.items() if asked)})
