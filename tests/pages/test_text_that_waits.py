@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import markdown
@@ -52,6 +53,15 @@ def test_contents_list_no_heading_that_waits(found: list[Finding], level: int) -
     assert f'<h{level} id="own">Named</h{level}>' in held
     assert page.count('id="the-forces-are-equal"') == 1  # links lead on
     assert not found
+
+
+def test_no_heading_gets_another_id_for_one_that_waits(found: list[Finding]) -> None:
+    note = "!!! after\n    ## Same\n"
+    text = f"# Same\n\n{SCENE}\n## Same\n\n{SCENE.replace('id: one', 'id: two')}\n{note}\n## Same"
+    made = markdown.markdown(text, extensions=[*EXTENSIONS, CartsExtension()])
+    plain = markdown.markdown(text.replace("!!! after", "!!! note"), extensions=EXTENSIONS)
+    ids = [re.findall(r'<h[12][^>]* id="([^"]+)"', page) for page in (made, plain)]
+    assert ids[0] == ids[1] == ["same", "same_1", "same_2", "same_3"]
 
 
 @pytest.mark.parametrize("fence", ["```", "~~~~"])

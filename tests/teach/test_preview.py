@@ -138,6 +138,16 @@ def test_the_zip_holds_the_lesson_and_what_was_changed_in_it() -> None:
     assert "-two\n+TWO\n\\ No newline at end of file\n" in diff
 
 
+def test_the_changes_are_those_that_programs_for_versions_read() -> None:
+    """A line ends at \\n: signs of Word and PDF files stand in it."""
+    request = {"do": "zip", "file": "worksheets/a.md"}
+    texts = {"published": "a\u2028b\fc\rd\ntwo\r\n", "text": "a\u2028b\fc\rd\nTWO\r\n"}
+    data = base64.b64decode(teach_answer({**request, **texts})[0]["base64"])
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        rows = archive.read("a/changes.diff").decode().split("\n")[2:]
+    assert rows == ["@@ -1,2 +1,2 @@", " a\u2028b\fc\rd", "-two\r", "+TWO\r", ""]
+
+
 def test_a_field_is_set_and_what_cannot_be_said_is_refused() -> None:
     text = SCENE.format(mass="1 kg")
     request = {"do": "set", "text": text, "block": 0, "path": ["carts", "A", "mass"]}

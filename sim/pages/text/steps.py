@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
+from typing import Any
 from xml.etree.ElementTree import Element
 
 from markdown import Markdown
-from markdown.extensions.toc import slugify, unique
+from markdown.extensions.toc import unique
 from markdown.treeprocessors import Treeprocessor
 
 from sim.pages.text.held_back import MARK
@@ -44,7 +45,7 @@ def add_steps(
             add_lengths(root)
 
     def hide(root: Element) -> None:
-        _hide_headings(root, named="toc" in md.treeprocessors)
+        _hide_headings(root, _namer(md))
 
     for name, when, do in (
         ("carts_after", _AFTER_TEXT, lambda root: _hold_back(root, waits, wide)),
@@ -83,13 +84,25 @@ def _hold_back(root: Element, waits: Callable[[str], str], wide: Callable[[Eleme
         note.insert(0, line)
 
 
-def _hide_headings(root: Element, *, named: bool) -> None:
-    """The contents list what is called h1 to h6. `named`: headings get an id there: then these too,
-    so that links to them lead on."""
+def _namer(md: Markdown) -> Callable[[str], str] | None:
+    """How the contents make an id of the text of a heading; None where there are none."""
+    if "toc" not in md.treeprocessors:
+        return None
+    toc: Any = md.treeprocessors["toc"]
+    return lambda text: str(toc.slugify(text, toc.sep))
+
+
+def _hide_headings(root: Element, named: Callable[[str], str] | None) -> None:
+    """The contents list what is called h1 to h6. `named`: from the text of a heading to its id, if
+    headings get one there: then these too, as they would have, so that links to them lead on."""
     taken = {name for one in root.iter() if (name := one.get("id"))}
-    for heading in _held(root, _HEADINGS):
-        if named and not heading.get("id"):
-            heading.set("id", unique(slugify("".join(heading.itertext()), "-"), taken))
+    hidden = list(_held(root, _HEADINGS))
+    for heading in root.iter():
+        if named and heading.tag in _HEADINGS and not heading.get("id"):
+            name = unique(named("".join(heading.itertext())), taken)
+            if heading in hidden:
+                heading.set("id", name)
+    for heading in hidden:
         heading.attrib.pop("data-toc-label", None)
         heading.tag = _HIDDEN + heading.tag
 
