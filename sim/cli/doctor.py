@@ -17,6 +17,8 @@ import click
 
 from sim import __version__
 from sim.cli.site import site_folder
+from sim.pages.text.lesson_list import lessons_in
+from sim.pages.text.lesson_places import LESSONS
 
 OLDEST = (3, 11, 5)
 """Of Python; beside pyproject.toml's requires-python."""
@@ -129,7 +131,7 @@ def _site(here: Path) -> Iterator[Line]:
     except click.ClickException as error:
         yield Line("bad", "mkdocs.yml cannot be read", error.message)
         return
-    lessons = len([*(here / "worksheets").rglob("*.md")])
+    lessons = len(lessons_in(here / LESSONS))
     counted = "1 lesson" if lessons == 1 else f"{lessons} lessons"
     yield Line("ok" if lessons else "bad", f"the site “{site.title}” with {counted}",
                "" if lessons else "write one: carts new first-lesson")  # fmt: skip

@@ -12,7 +12,10 @@ from sim.cli.check import report
 from sim.cli.site import site_folder
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
+from sim.pages.language import language_folder
 from sim.pages.question.key_page import Key, lesson_key
+from sim.pages.text.lesson_list import lessons_in
+from sim.pages.text.lesson_places import LESSONS, shown
 from sim.pages.translate.catalogues import is_bank
 from sim.pages.translate.in_languages import in_languages
 
@@ -29,8 +32,9 @@ from sim.pages.translate.in_languages import in_languages
 def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     """Write the keys of lessons: LESSON.key.json for programs, LESSON.key.html to read and print.
 
-    PATH is a lesson (.md). Without one, all lessons in the folder worksheets are taken. A lesson
-    that is translated by a catalogue gets a key in each of its languages, LESSON.ms.key.html.
+    PATH is a lesson (.md). Without one, all lessons in the folder worksheets are taken, those in
+    folders of languages too. A lesson in another language, translated by a catalogue or by hand,
+    gets the language in its name, LESSON.ms.key.html.
 
     \b
     carts key
@@ -43,14 +47,22 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     for path in paths:
         if path.suffix in (".yml", ".yaml"):
             raise click.UsageError(_no_lesson(path))
-    written = 0
-    for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
+    lessons = [path.resolve() for path in paths] or lessons_in(root / LESSONS)
+    if not lessons:
+        raise click.UsageError(
+            f"There are no lessons here (looked for {LESSONS}). Go to the folder of your site "
+            "first, or name a file: carts key my-lesson.md"
+        )
+    written: dict[str, Path] = {}
+    for path in lessons:
         try:
             for name, key in _keys(path, root, site.site_id if site else ""):
+                if name in written:
+                    raise click.UsageError(_same_name(name, written[name], path, root))
                 text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
                 write_out(out / f"{name}.key.json", f"{text}\n", "--out DIR")
                 write_out(out / f"{name}.key.html", key.page, "--out DIR")
-                written += 1
+                written[name] = path
                 click.echo(f"{out / name}.key.html")
         except AuthorError as error:
             report(list(error.findings))
@@ -69,6 +81,14 @@ def _not_to_students(out: Path, site: site_folder.SiteFolder) -> None:
             )
 
 
+def _same_name(name: str, one: Path, other: Path, root: Path) -> str:
+    """Why one key would take the place of another, and what to do."""
+    return (
+        f"{name}.key.html would be the key of {shown(one, root)} and of {shown(other, root)}."
+        " Write one of them elsewhere: --out DIR"
+    )
+
+
 def _no_lesson(path: Path) -> str:
     """What to do with a file that is no lesson."""
     if not is_bank(path.resolve()):
@@ -82,6 +102,7 @@ def _no_lesson(path: Path) -> str:
 def _keys(path: Path, root: Path, site_id: str) -> Iterator[tuple[str, Key]]:
     """The keys of a lesson by the names of their files: its own first, then its translations."""
     name = path.stem
+    by_hand = language_folder(shown(path, root))
     for language, (text, lesson) in in_languages(path, root).items():
         if key := lesson_key(text, lesson, name, site_id):
-            yield f"{name}.{language}" if language else name, key
+            yield ".".join(part for part in (name, language or by_hand) if part), key

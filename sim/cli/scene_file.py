@@ -13,6 +13,7 @@ from sim.cli.named_file import bytes_of
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.law_files import with_law_files
 from sim.pages.scene_block import read_scene_text
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml_source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
 from sim.scene.presentation import Fence
@@ -57,7 +58,7 @@ def fail(findings: Iterable[Finding]) -> NoReturn:
 
 def without_fence(text: str) -> str:
     """A block as a page copies it, between ```scene and ```: the same lines, those two empty."""
-    lines = text.rstrip().splitlines()
+    lines = lines_of(text.rstrip())
     if len(lines) > 1 and lines[0].strip() == "```scene" and lines[-1].strip() == "```":
         return "\n".join(["", *lines[1:-1], ""])
     return text

@@ -13,7 +13,8 @@ from sim.pages.findings import AuthorError, SiteError
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.lesson_places import bank_folders, scene_folders
+from sim.pages.text.lesson_places import LESSONS, bank_folders, scene_folders
+from sim.pages.text.plain_lines import lines_of
 
 
 @click.command("single")
@@ -58,8 +59,10 @@ def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
         lines = ["```scene", f"id: {name if name[0].isalpha() else f'scene-{name}'}"]
         lines += [f"file: {path.name}", "```"]
     else:
-        lines = author_text(path, shown).splitlines()
-    lesson = Lesson(shown, folders, bank_folders(path, root))
+        lines = lines_of(author_text(path, shown))
+    # In a lesson a scene is watched first; so it is where it stands alone.
+    watch = "first" if path.suffix == ".md" and LESSONS in path.parts[:-1] else ""
+    lesson = Lesson(shown, folders, bank_folders(path, root), watch=watch)
     found = {}
     for block in scan(lines):
         if block.name == "scene":

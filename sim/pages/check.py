@@ -27,9 +27,11 @@ from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections
 from sim.pages.translate.check import catalogue_findings
 from sim.pages.translate.translation import Translation
+from sim.pages.unbuilt import no_lesson, no_page
 from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
@@ -46,7 +48,7 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
     """
     findings: list[Finding] = []
     items = PageItems()
-    lines = text.splitlines()
+    lines = lines_of(text)
     blocks = tuple(scan(lines))
     for block, section in in_sections(lines, blocks):
         if section.new:
@@ -157,11 +159,14 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 own = check_lesson(text, lesson, ids, hints=hints)
                 own += withheld_findings(text, lesson.file)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
+                findings += no_page(file, root)
             elif file.parent.name == BANK_FOLDER:
                 own = check_bank(text, name)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
             else:
                 findings += check_scene(text, name, hints=hints, folder=file.parent)
+        if path.is_dir():
+            findings += no_lesson(path, root)
     return list(dict.fromkeys(findings))  # several lessons may show one scene file
 
 

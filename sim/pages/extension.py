@@ -10,23 +10,23 @@ from __future__ import annotations
 
 import hashlib
 import re
+from contextlib import AbstractContextManager
 from contextvars import ContextVar
 from xml.etree.ElementTree import Element
 
 from markdown import Extension, Markdown
 from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
-from markdown.treeprocessors import Treeprocessor
 
 from sim.pages.findings import AuthorError, error_box
-from sim.pages.language import speaking, tr_html, words
+from sim.pages.language import speaking, words
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.held_back import MARK, held_back
-from sim.pages.text.lesson_text import without_code
-from sim.pages.text.part_lengths import add_lengths
+from sim.pages.text.held_back import mark_held
+from sim.pages.text.plain_lines import without_code
 from sim.pages.text.sections import in_sections, title_of
+from sim.pages.text.steps import add_steps
 
 __all__ = [
     "MAKERS",
@@ -41,9 +41,6 @@ __all__ = [
 _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
-_AFTER_TEXT = 15  # when the text within has become HTML (20), before it is written out
-_AFTER_ATTRIBUTES = 5  # when {: … } of a heading has become attributes (8)
-_WIDE = "carts-wide"  # a note that holds a scene is as wide as one
 _WORD = "cartsblock"
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
@@ -63,8 +60,7 @@ class CartsExtension(Extension):
         """Called by Python-Markdown."""
         put_in = _PutIn(md)
         md.preprocessors.register(_TakeOut(md, put_in), "carts_blocks", _BEFORE_EVERYTHING)
-        md.treeprocessors.register(_HoldBack(md, put_in), "carts_after", _AFTER_TEXT)
-        md.treeprocessors.register(_Lengths(md), "carts_lengths", _AFTER_ATTRIBUTES)
+        add_steps(md, waits=put_in.waits, wide=put_in.holds_scene, spoken=_spoken)
         md.postprocessors.register(put_in, "carts_blocks", _AFTER_EVERYTHING)
 
 
@@ -91,7 +87,7 @@ class _TakeOut(Preprocessor):
         page.blocks = tuple(scan(lines, front_matter=False))
         plain = without_code("\n".join(lines)).split("\n")
         for block, section in in_sections(lines, page.blocks):
-            _hold(lines, plain, done, block.start, page)
+            mark_held(lines, plain, done, block.start, page.items.asking, page.items.scene_ids)
             page.section = section
             if section.new:
                 page.items.asking = ""  # its questions are about other scenes
@@ -115,7 +111,7 @@ class _TakeOut(Preprocessor):
                 self.put_in.scenes.add(word)
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
-        _hold(lines, plain, done, len(lines), page)
+        mark_held(lines, plain, done, len(lines), page.items.asking, page.items.scene_ids)
         for finding in page.items.first_causes(()):
             if page.report is None:
                 raise AuthorError([finding])
@@ -123,59 +119,10 @@ class _TakeOut(Preprocessor):
         return [*kept, *lines[done:]]
 
 
-def _hold(lines: list[str], plain: list[str], start: int, end: int, page: Page) -> None:
-    """Mark the text between two blocks that waits for a run; `plain`: the lines without code."""
-    scenes = [scene.id for scene in page.items.scenes]
-    for held in held_back(plain[start:end], page.items.asking, scenes):
-        lines[start + held.line] = held.opening
-
-
-class _HoldBack(Treeprocessor):
-    """Makes elements of the notes that wait: they open as questions do, and search passes them."""
-
-    def __init__(self, md: Markdown, put_in: _PutIn) -> None:
-        super().__init__(md)
-        self.put_in = put_in
-
-    def run(self, root: Element) -> None:
-        page = _page.get()
-        for note in root.iter("div"):
-            classes = (note.get("class") or "").split()
-            scene = next((name for name in classes if name.startswith(MARK)), "")
-            if not scene or page is None:
-                continue
-            classes.remove(scene)
-            if not self.put_in.scenes.isdisjoint(map(str.strip, note.itertext())):
-                classes.append(_WIDE)
-            note.tag = "carts-after"
-            note.set("class", " ".join(classes))
-            note.set("data-after", scene.removeprefix(MARK))
-            note.set("data-search-exclude", "")
-            word = f"{_WORD}{len(self.put_in.html)}waits"
-            self.put_in.html[word] = _waits(scene.removeprefix(MARK), page)
-            line = Element("p")
-            line.text = word
-            note.insert(0, line)
-
-
-class _Lengths(Treeprocessor):
-    """Says beside each part of a lesson how long it takes."""
-
-    def run(self, root: Element) -> None:
-        page = _page.get()
-        with speaking(words(page.language) if page else {}):
-            add_lengths(root)
-
-
-def _waits(scene: str, page: Page) -> str:
-    """The line that stands there until then. Its link is no link of Markdown's tree: the generator
-    would look for the scene there, which is put in later."""
-    from sim.pages.question.render import the_run
-
-    with speaking(words(page.language)):
-        link = the_run(scene, page.items.runs(scene))
-        told = tr_html("This part opens when you have watched {the_run}.", the_run=link)
-    return f'<p class="carts-q-waits">{told}</p>'
+def _spoken() -> AbstractContextManager[None]:
+    """The words of the page's language."""
+    page = _page.get()
+    return speaking(words(page.language) if page else {})
 
 
 def with_late(html: str, late: dict[str, str] | None) -> str:
@@ -192,6 +139,23 @@ class _PutIn(Postprocessor):
         super().__init__(md)
         self.html: dict[str, str] = {}
         self.scenes: set[str] = set()  # the words among these that stand for a scene
+
+    def waits(self, scene: str) -> str:
+        """The word for the line that says what the text waits for; empty where no page is made."""
+        page = _page.get()
+        if page is None:
+            return ""
+        from sim.pages.question.render import waits_line
+
+        # No link of Markdown's tree: the generator would look for the scene, which is put in later.
+        word = f"{_WORD}{len(self.html)}waits"
+        with speaking(words(page.language)):
+            self.html[word] = waits_line(scene, page.items.runs(scene))
+        return word
+
+    def holds_scene(self, note: Element) -> bool:
+        """Whether a scene is put into it later."""
+        return not self.scenes.isdisjoint(map(str.strip, note.itertext()))
 
     def run(self, text: str) -> str:
         for word, block in self.html.items():

@@ -48,15 +48,22 @@ def add_translations(
     files: Files, config: MkDocsConfig, root: Path, pages: Mapping[str, Translation]
 ) -> None:
     """Lessons that are made of a text and a catalogue; the edit button leads to the catalogue."""
+    beside = _named(next(iter(pages.values())).source.path.parent) if pages else []
     for uri, one in pages.items():
         language = one.source.language
-        beside = {o.source.page.name for o in pages.values() if o.source.language == language}
+        others = {o.source.page.name for o in pages.values() if o.source.language == language}
         by_hand = {path.name for path in one.source.page.parent.glob("*.md")}
-        made = MadeFile.generated(config, uri, content=one.page(beside | by_hand))
+        made = MadeFile.generated(config, uri, content=one.page(others | by_hand))
         file = cast("MadeFile", made)
-        file.changed = one.changed
+        file.changed = one.changed(beside)
         file.edit_uri = f"../{shown(one.source.catalogue, root)}"
         files.append(file)
+
+
+def _named(folder: Path) -> list[Path]:
+    """What lessons in a folder may name: all but lessons and their catalogues."""
+    found = (path for path in folder.rglob("*") if path.suffix not in (".md", ".po"))
+    return [path for path in found if path.is_file()]
 
 
 def leave_out(files: Files, config: MkDocsConfig, *, from_disk: bool) -> None:

@@ -29,7 +29,7 @@ def with_law_files(
     for name in sorted(asked - set(found)):
         path = next((folder / name for folder in folders if (folder / name).is_file()), None)
         if path is not None and path.stat().st_size <= MOST_BYTES:
-            found[name] = author_text(path, _shown(path)).removeprefix("\ufeff")
+            found[name] = author_text(path, _shown(path))
     laws = {name: text for name, text in found.items() if name in asked or name in own}
     return {**plain, "laws": laws} if laws else dict(plain)
 

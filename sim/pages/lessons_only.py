@@ -126,7 +126,7 @@ def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
     yield from ("---", "hide: [navigation, toc]", "---", "", f"# {_plain(title)}", "")
     yield from ([_plain(about), ""] if about else [])
     for address, path in lessons.items():
-        head = _head(path.read_text(encoding="utf-8", errors="replace"))
+        head = _head(path.read_text(encoding="utf-8-sig", errors="replace"))
         name = _plain(str(head.get("title") or path.stem))
         yield f"## [{name}]({quote(address)})"
         yield ""

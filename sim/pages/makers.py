@@ -18,6 +18,9 @@ from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.sections import Section
 
+WITHOUT_ID = ("picture", "evidence")
+"""Teacher mode finds these in the page by their number among its blocks."""
+
 
 @dataclass(slots=True)
 class Page:
@@ -45,6 +48,8 @@ def made(block: Block, page: Page) -> str:
     with speaking(words(page.language)):
         try:
             html = MAKERS.get(block.name, _scene)(block, page)
+            if block.name in WITHOUT_ID and block in page.blocks:
+                html = html.replace("<div", f'<div data-block="{page.blocks.index(block)}"', 1)
             return with_headings(html, page.section.level + 1)
         except DrawingError as error:
             line = page.first_line + block.start

@@ -41,15 +41,15 @@ from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
+from sim.pages.site_id import facts_of
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
+from sim.pages.text.lesson_places import JOINING
 from sim.pages.text.page_meta import tell_theme
 from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
 
 log = logging.getLogger("mkdocs.plugins.carts")
-
-PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf")  # in a folder of lessons
 
 
 class CartsConfig(Config):  # type: ignore[no-untyped-call]
@@ -88,7 +88,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             config.theme.static_templates.clear()
         else:
             with _stopping():
-                site_id = str((config.extra.get("carts") or {}).get("site_id"))
+                site_id = str(facts_of(config.extra).get("site_id"))
                 self.build = SiteBuild(root, audience, site_id, _report)
         self.late: dict[str, dict[str, str]] = {}
         self.folder = root / self.config.lessons
@@ -126,7 +126,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         if self.lessons_only:
             names = self.named | {lessons_only.HOME}
             put_ready_pages(files, config, self.folder, self.lessons, names)
-        pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in PICTURES)
+        pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in JOINING)
         for path in (*self.lessons, *pictures):
             uri = f"{self.config.lessons}/{path.relative_to(self.folder).as_posix()}"
             file = File.generated(config, uri, abs_src_path=str(path))

@@ -202,11 +202,11 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
             ("file",),
             "no-such-file",
             f"there is no scene file “{name}”",
-            f"looked in: {', '.join(_shown(lesson.scene_folders)) or 'no folder'}",
+            f"looked in: {', '.join(shown_here(lesson.scene_folders)) or 'no folder'}",
         )
-    shown = _shown([path])[0]
+    shown = shown_here([path])[0]
     try:
-        scene = load(path.read_text(encoding="utf-8"))
+        scene = load(path.read_text(encoding="utf-8-sig"))
     except YamlError as error:
         raise AuthorError(yaml_findings(shown, error)) from None
     except UnicodeDecodeError:
@@ -240,7 +240,7 @@ def found_in(
     return None
 
 
-def _shown(paths: Iterable[Path]) -> list[str]:
+def shown_here(paths: Iterable[Path]) -> list[str]:
     """Paths as messages show them: from the current folder where that is possible."""
     here = Path.cwd()
     return [

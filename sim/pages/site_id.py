@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from typing import Any
 
 from sim.pages.findings import SiteError
 
@@ -13,6 +15,23 @@ mkdocs.yml: error: extra.carts.site_id is missing or not allowed
     extra:
       carts:
         site_id: my-school-physics"""
+
+_NO_TABLE = """\
+mkdocs.yml: error: extra: carts: is no table
+  hint: write what belongs to it below, indented
+    extra:
+      carts:
+        site_id: my-school-physics"""
+
+
+def facts_of(extra: object) -> Mapping[str, Any]:
+    """What `extra:` of mkdocs.yml says under `carts:`; raises `SiteError` for no table."""
+    carts = extra.get("carts") if isinstance(extra, Mapping) else extra
+    if carts is None:
+        return {}
+    if not isinstance(carts, Mapping):
+        raise SiteError(_NO_TABLE)
+    return carts
 
 
 def check_site_id(site_id: str) -> None:

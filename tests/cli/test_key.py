@@ -102,3 +102,47 @@ def test_a_bank_is_answered_with_what_to_do(tmp_path: Path) -> None:
     assert result.exit_code == 2
     assert "is a bank. A key belongs to a lesson (.md)" in result.stderr
     assert f"carts export {bank}" in result.stderr
+
+
+ASKS = "```question\nid: why\ntype: long\nask: {}\nrubric: {{1: a, 0: b}}\n```\n"
+
+
+@pytest.fixture
+def lessons(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    for place, ask in (("", "Why?"), ("ms", "Mengapa?")):
+        folder = tmp_path / "worksheets" / place
+        folder.mkdir(exist_ok=True)
+        (folder / "held.md").write_text(ASKS.format(ask), encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize("named", [(), ("worksheets/held.md", "worksheets/ms/held.md")])
+def test_a_lesson_translated_by_hand_has_a_key_of_its_own(
+    lessons: Path, named: tuple[str, ...]
+) -> None:
+    result = CliRunner().invoke(main, ["key", *named])
+    assert result.exit_code == 0, result.output
+    keys_of = lessons / "build" / "keys"
+    assert "Why?" in (keys_of / "held.key.html").read_text(encoding="utf-8")
+    assert "Mengapa?" in (keys_of / "held.ms.key.html").read_text(encoding="utf-8")
+
+
+def test_no_key_takes_the_place_of_another(lessons: Path) -> None:
+    (lessons / "other").mkdir()
+    (lessons / "other" / "held.md").write_text(ASKS.format("Else?"), encoding="utf-8")
+    result = CliRunner().invoke(main, ["key", "worksheets/held.md", "other/held.md"])
+    assert result.exit_code == 2
+    assert "held.key.html would be the key of worksheets/held.md and of other/held.md" in (
+        " ".join(result.output.split())
+    )
+    assert "Why?" in Path("build/keys/held.key.html").read_text(encoding="utf-8")
+
+
+def test_in_a_folder_without_lessons_it_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(main, ["key"])
+    assert result.exit_code == 2
+    assert "There are no lessons here (looked for worksheets)." in result.output

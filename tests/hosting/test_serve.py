@@ -207,3 +207,25 @@ def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path
         server.shutdown()
         previewer.close()
         thread.join()
+
+
+def test_a_changed_scene_file_changes_the_translated_page_too(root: Path, tmp_path: Path) -> None:
+    scene = root / "worksheets" / "scenes" / "named.yml"
+    scene.parent.mkdir()
+    scene.write_text("carts: {A: {mass: 0.5 kg, position: 0.2 m}}\n", encoding="utf-8")
+    with (root / "worksheets" / "two.md").open("a", encoding="utf-8") as lesson:
+        lesson.write("\n```scene\nid: named\nfile: named.yml\n```\n")
+    assert CliRunner().invoke(main, ["words", "worksheets/two.md", "--language", "ms"]).output
+    words = root / "worksheets" / "words" / "ms" / "two.po"
+    first = 'msgid "Two"\nmsgstr "'
+    edit(words, first, f"{first}Dua")
+    made = Previewer(root, tmp_path / "preview")
+    made.url = "http://127.0.0.1:8000/"
+    made.make()
+    own = {"worksheets/two.html", "worksheets/ms/two.html"}
+    assert own <= set(pages(made.site)) and not made.trouble
+    time.sleep(0.05)  # a file is newer than the page that was made of it
+    edit(scene, "0.5 kg", "0.7 kg")
+    made.make()
+    made.close()
+    assert {name for name, text in pages(made.site).items() if "0.7 kg" in text} == own

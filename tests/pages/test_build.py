@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import html
 import json
 import logging
+import re
 from pathlib import Path
+from urllib.parse import unquote, urlsplit
 
 import pytest
 from click.testing import CliRunner
@@ -160,3 +163,22 @@ def test_a_page_knows_its_name_wherever_its_folder_goes(make_site: MakeSite) -> 
     assert site is not None
     page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
     assert '<meta name="carts-page" content="worksheets/first">' in page
+
+
+@pytest.mark.parametrize("name", ["Stoß #1", "100 %41", "a&b 'c'"])
+def test_a_lesson_is_found_by_any_name_that_a_folder_takes(make_site: MakeSite, name: str) -> None:
+    """Teacher mode and “Download this lesson” ask for files that are called as the lesson is."""
+    root = make_site(**{name: lesson()})
+    site = build_site(root, hosted=True, strict=True)
+    assert site is not None
+    path = site / "worksheets" / f"{name}.html"
+    page = path.read_text(encoding="utf-8")
+    (address,) = re.findall(r' data-lesson="([^"]*)"', page)
+    parts = urlsplit(html.unescape(address))
+    assert not parts.fragment
+    assert (path.parent / unquote(parts.path)).is_file()
+    assert re.fullmatch("[0-9a-f]{10}", parts.query)  # its stamp
+    (address,) = re.findall(r' data-shell="([^"]*)"', page)
+    parts = urlsplit(html.unescape(address))
+    assert unquote(parts.path) == f"../assets/carts/download/worksheets-{name}.txt"
+    assert not parts.query

@@ -15,7 +15,8 @@ from sim.pages.check import check_lesson
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach import answer as wire
 from sim.pages.teach.answer import lesson_of, teach_answer
-from sim.pages.teach.preview import Desk, Site
+from sim.pages.teach.frame import Site
+from sim.pages.teach.preview import Desk
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden" / "author-errors"
@@ -135,6 +136,16 @@ def test_the_zip_holds_the_lesson_and_what_was_changed_in_it() -> None:
         assert archive.read("a/worksheets/a.md") == b"one\nTWO"
         diff = archive.read("a/changes.diff").decode()
     assert "-two\n+TWO\n\\ No newline at end of file\n" in diff
+
+
+def test_the_changes_are_those_that_programs_for_versions_read() -> None:
+    """A line ends at \\n: signs of Word and PDF files stand in it."""
+    request = {"do": "zip", "file": "worksheets/a.md"}
+    texts = {"published": "a\u2028b\fc\rd\ntwo\r\n", "text": "a\u2028b\fc\rd\nTWO\r\n"}
+    data = base64.b64decode(teach_answer({**request, **texts})[0]["base64"])
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        rows = archive.read("a/changes.diff").decode().split("\n")[2:]
+    assert rows == ["@@ -1,2 +1,2 @@", " a\u2028b\fc\rd", "-two\r", "+TWO\r", ""]
 
 
 def test_a_field_is_set_and_what_cannot_be_said_is_refused() -> None:

@@ -106,3 +106,8 @@ def test_every_choice_of_our_lessons_can_have_each_answer_right() -> None:
                 assert again[field.path] == "true"
                 seen += 1
     assert seen > 20
+
+
+def test_letters_of_every_language_stay_letters() -> None:
+    text = question(options="  - Größer, நன்றி 一样\n  - {text: smaller, correct: true}\n")
+    assert '  - {text: "Größer, நன்றி 一样", correct: true}\n' in moved(text, 0)["text"]

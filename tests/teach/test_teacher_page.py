@@ -78,6 +78,8 @@ def test_text_between_and_questions_follow_too_and_a_draft_survives(
     if browser_name == "firefox":
         pytest.skip("the store is tested with the answers; the panel in the test before")
     page = open_teacher(open_page, lessons)
+    waits = page.locator("carts-after[data-after]").count()
+    assert waits
     page.get_by_role("button", name="Change this question").first.click()
     field(page, "Question").fill("Who, *then*, is: right?")
     settled(page)
@@ -88,6 +90,9 @@ def test_text_between_and_questions_follow_too_and_a_draft_survives(
     area.fill(area.input_value().replace("# Newton's third law", "# A law, \\(a = b\\)", 1))
     settled(page)
     expect(page.locator("article h1 .katex")).to_have_count(1)
+    expect(page.locator("article h1 + .carts-languages")).to_have_count(1)
+    expect(page.locator("carts-after[data-after]:not([data-opened])")).to_have_count(waits)
+    expect(page.locator(".carts-teach-missing")).to_have_count(0)
     changed = saved(page)
     expect(page.locator(".carts-teach-state")).to_have_text("Draft kept in this browser.")
 
@@ -100,6 +105,8 @@ def test_text_between_and_questions_follow_too_and_a_draft_survives(
     settled(page)
     assert saved(page).decode() == withhold(source())
     expect(page.locator("article h1")).to_contain_text("Newton's third law")
+    expect(page.locator("article h1 .headerlink")).to_have_count(1)  # it is the built one
+    expect(page.locator("article h1 + .carts-languages")).to_have_count(1)
 
 
 @pytest.fixture(scope="module")

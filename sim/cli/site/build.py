@@ -66,13 +66,14 @@ def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
 
 def mistakes_told(root: Path, *, strict: bool = True) -> bool:
     """Whether there are mistakes in the lessons of a site, which are then printed as `carts check`
-    does. `strict`: nothing is built with them."""
+    does, with warnings. `strict`: nothing is built with mistakes."""
     found = check_paths([root / place for place in USUAL_PLACES], root)
     if found:
         report(found)
-        if strict:
-            click.echo("The site was not built. Mend what is named above and try again.")
-    return bool(found)
+    wrong = any(finding.severity == "error" for finding in found)
+    if wrong and strict:
+        click.echo("The site was not built. Mend what is named above and try again.")
+    return wrong
 
 
 def build_site(

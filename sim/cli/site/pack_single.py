@@ -21,6 +21,7 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     from sim.pages.findings import SiteError
     from sim.pages.single.all_inside import runtime_scripts
     from sim.pages.single.of_lesson import single_lesson
+    from sim.pages.text.lesson_places import page_of
 
     builds: list[SiteBuild] = []
     files: dict[str, bytes] = {}
@@ -39,7 +40,7 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
                     packed[packages] = runtime_scripts(packages, here.root, click.echo)
                 except SiteError as error:
                     raise click.ClickException(str(error)) from error
-            page = (site / name).with_suffix(".html")
+            page = site / page_of(name)
             text = single_lesson(page, site, packed[packages])
             inside = page.relative_to(site / "worksheets").as_posix()
             files[inside] = text.encode()

@@ -147,10 +147,11 @@ class Previewer:
     def _forget_pages(self, changed: set[Path]) -> None:
         """The generator makes a page again whose file is older than its source."""
         from sim.pages.preview import touched
+        from sim.pages.text.lesson_places import page_of
 
         for source in touched(changed, (p for p in self.seen if p.suffix == ".md")):
             inside = source.relative_to(self.root)
             docs = inside.relative_to("docs") if inside.parts[0] == "docs" else inside
-            page = (self.site / docs).with_suffix(".html")
+            page = self.site / page_of(docs.as_posix())
             if page.exists():
                 os.utime(page, (0, 0))

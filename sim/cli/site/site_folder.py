@@ -11,6 +11,8 @@ import click
 import yaml
 
 from sim import __version__
+from sim.pages.findings import SiteError
+from sim.pages.site_id import facts_of
 
 SETTINGS = "mkdocs.yml"
 
@@ -54,11 +56,11 @@ def read(root: Path) -> SiteFolder:
     try:
         text = (root / SETTINGS).read_text(encoding="utf-8")
         settings = yaml.load(text, _Settings) or {}  # a SafeLoader
-        extra = (settings.get("extra") or {}).get("carts") or {}
-    except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark
-        place = f":{mark.line + 1}:{mark.column + 1}" if mark else ""
-        text = f"{SETTINGS}{place}: error: this is not YAML: {error.problem}"
+        extra = facts_of(settings.get("extra"))
+    except SiteError as error:
+        raise click.ClickException(str(error)) from None
+    except yaml.YAMLError as error:
+        text = f"{SETTINGS}{_place(error, text)}: error: this is not YAML: {_reason(error)}"
         hint = "two spaces in front of what belongs to the line above; a space behind each colon"
         raise click.ClickException(f"{text}\n  hint: {hint}") from None
     except (UnicodeDecodeError, AttributeError):
@@ -74,6 +76,21 @@ def read(root: Path) -> SiteFolder:
             for name, usual in (("site_dir", "site"), ("docs_dir", "docs"))
         ),
     )
+
+
+def _place(error: yaml.YAMLError, text: str) -> str:
+    """Line and column of a mistake, as messages have them."""
+    if isinstance(error, yaml.reader.ReaderError):
+        before = text[: error.position]
+        return f":{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}"
+    mark = error.problem_mark if isinstance(error, yaml.MarkedYAMLError) else None
+    return f":{mark.line + 1}:{mark.column + 1}" if mark else ""
+
+
+def _reason(error: yaml.YAMLError) -> str:
+    if isinstance(error, yaml.reader.ReaderError):
+        return "a character that nobody sees stands here"
+    return str(error.problem if isinstance(error, yaml.MarkedYAMLError) else error)
 
 
 def newer(one: str, other: str) -> bool:

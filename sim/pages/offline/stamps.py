@@ -12,6 +12,7 @@ import hashlib
 import re
 from functools import cache
 from pathlib import Path
+from urllib.parse import unquote
 
 OURS = "assets/carts/"
 INDEX = OURS + "runtime/index.js"
@@ -32,7 +33,7 @@ def stamp_pages(site: Path) -> None:
         return stamp_of(site, name)
 
     def stamped(found: re.Match[str]) -> str:
-        name = found[2]
+        name = unquote(found[2])  # a lesson may be called “Stoß #1”
         return f'{found[1]}?{stamp(name)}"' if (site / name).is_file() else found[0]
 
     for page in site.rglob("*.html"):

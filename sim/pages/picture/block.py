@@ -27,6 +27,7 @@ from sim.pages.scene_block import (
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.page_scenes import page_scenes
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml_source import Source
 from sim.scene.quantity import TIME, QuantityError, read_quantity
 
@@ -62,7 +63,7 @@ def read_picture_block(block: Block, lesson: Lesson, *, first_line: int) -> Pict
         path = found_in(str(source.plain["of"]), _lesson_folders(lesson), (".md",))
         if path is None:
             raise refuse("of", "no-such-file", f"there is no page “{source.plain['of']}”", _EXAMPLE)
-        blocks = scan(author_text(path, path.name).splitlines())
+        blocks = scan(lines_of(author_text(path, path.name)))
         scenes = page_scenes(blocks, Lesson(path.as_posix(), (path.parent,)))
         wanted = str(source.plain.get("scene"))
         if wanted not in scenes:

@@ -14,11 +14,11 @@ from sim.pages.question.on_page import PageItems
 from sim.pages.scene_block import SceneBlock
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.held_back import first_told
+from sim.pages.text.lesson_places import LESSONS
 from sim.scene.problem import Problem
 
 CODE = "default"
 TEXT = "default-text"
-LESSONS = "worksheets"  # the folder whose scenes are watched first
 
 
 def watched_by_default(scene: SceneBlock) -> list[Finding]:

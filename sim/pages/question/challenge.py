@@ -51,7 +51,7 @@ def read_challenge_block(
     unknown_keys(table, keys.names(KEYS), (), problems)
     ask = keys.needed(table, "ask", (), problems, "ask: Make cart A stop dead.")
     name = keys.needed(table, "scene", (), problems, "scene: two-carts")
-    identity = str(table.get("id", f"{name}-challenge"))
+    identity = str(table.get("id", usual_id(name)))
     if not ID.fullmatch(identity):
         problems.append(Problem(("id",), "bad-name", f"“{identity[:40]}” cannot be an id", "id: a"))
     goal = read_goal(table.get("goal"), ("goal",), problems)
@@ -72,6 +72,11 @@ def read_challenge_block(
         raise AuthorError(map(places.finding, problems))
     ids.claim(identity, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return Challenge(identity, ask, goal, scene)
+
+
+def usual_id(scene: str) -> str:
+    """Of a challenge that states none."""
+    return f"{scene}-challenge"
 
 
 def _names(scene: Fence, quantity: str) -> list[str]:

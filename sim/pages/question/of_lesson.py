@@ -12,7 +12,8 @@ from sim.pages.question.block import read_question_block
 from sim.pages.question.on_page import BEFORE_A_RUN, OPEN
 from sim.pages.question.quiz import read_quiz_block
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block
-from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.fence_scan import Block, after_front_matter, scan
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections, title_of
 from sim.scene import Fence
 
@@ -53,7 +54,8 @@ def lesson_asks(text: str, lesson: Lesson) -> LessonAsks:
     scenes: dict[str, Fence] = {}
     last = ""  # the scene with a prediction that the text since the last heading is about
     optional: set[str] = set()
-    lines = text.splitlines()
+    lines = lines_of(text)
+    title = title_of(lines[after_front_matter(lines) :])
     for block, section in in_sections(lines, scan(lines)):
         last = "" if section.new else last
         if block.name == "scene" and (fence := _read(block, lesson)):
@@ -69,7 +71,7 @@ def lesson_asks(text: str, lesson: Lesson) -> LessonAsks:
         elif block.name == "quiz":
             forms.append(read_quiz_block(block, lesson, ids, first_line=1).form)
     predicted = tuple(name for name, fence in scenes.items() if fence.predict)
-    return LessonAsks(title_of(lines), tuple(own), tuple(forms), about, predicted,
+    return LessonAsks(title, tuple(own), tuple(forms), about, predicted,
                       frozenset(optional), scenes)  # fmt: skip
 
 

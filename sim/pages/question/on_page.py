@@ -19,7 +19,8 @@ from sim.scene import Fence, Problem
 
 NO_SCENE = "no-such-scene"
 OPEN = "none"  # after: none
-BEFORE_A_RUN = ("idea", "drawn")  # what these ask for is given before a run is seen
+IDEA = "idea"
+BEFORE_A_RUN = (IDEA, "drawn")  # what these ask for is given before a run is seen
 
 
 @dataclass(slots=True)
@@ -35,7 +36,13 @@ class PageItems:
     """Ids of questions in parts for who has time."""
     broken: set[str] = field(default_factory=set)
     """Ids of scenes with mistakes: they are known, and nothing more is said about them."""
+    broken_questions: set[str] = field(default_factory=set)
     asking: str = ""  # the scene with a prediction that the text since the last heading is about
+
+    @property
+    def scene_ids(self) -> list[str]:
+        """The ids of all scenes up to here."""
+        return [scene.id for scene in self.scenes]
 
     def gate(self, question: Question) -> str:
         """The scene that is watched before the question opens; empty: it is open at once."""
@@ -54,6 +61,8 @@ class PageItems:
         """Remember that this block has mistakes."""
         if meant_kind(block.name) == "scene" and block.stated_id:
             self.broken.add(block.stated_id)
+        if meant_kind(block.name) == "question" and block.stated_id:
+            self.broken_questions.add(block.stated_id)
 
     def follows(self, finding: Finding) -> bool:
         """Whether it says no more than that a scene with mistakes is not there."""
@@ -77,6 +86,8 @@ class PageItems:
             after = block.question.common.after
             if after not in ("", OPEN, *scenes):
                 yield block.places.finding(self._no_such_scene("after", after))
+            if idea := self._no_such_idea(block.question.common.idea):
+                yield block.places.finding(idea)
             if isinstance(block.question, (Reading, Drawn)):
                 problem = self._misfit(block.question, scenes)
                 if problem:
@@ -104,6 +115,15 @@ class PageItems:
             message = f"no other form of this page is “{rule.done}”: nothing opens this one"
             known = ", ".join(forms) or "none"
             yield Problem((key, "done"), "unreachable", message, f"forms of this page: {known}")
+
+    def _no_such_idea(self, name: str) -> Problem | None:
+        """What is wrong with the id of a first idea that is to be shown again."""
+        ideas = [b.question.common.id for b in self.questions if b.question.KIND == IDEA]
+        if not name or name in ideas or name in self.broken_questions:
+            return None
+        message = f"no question of type idea on this page is “{name[:40]}”"
+        return Problem(("idea",), "no-such-idea", message,
+                       f"first ideas of this page: {', '.join(ideas) or 'none'}")  # fmt: skip
 
     def _misfit(self, question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:
         if scene := scenes.get(question.scene):

@@ -11,7 +11,7 @@ from sim.lesson import Question
 from sim.lesson.form import Form
 from sim.lesson.goal import NEAR
 from sim.lesson.question import CERTAINTY
-from sim.pages.language import mark, tr
+from sim.pages.language import mark, tr, tr_html
 from sim.pages.question.challenge import Challenge
 from sim.pages.question.diagram import diagram
 from sim.pages.question.inside import to_html, to_inline
@@ -28,6 +28,13 @@ def the_run(scene: str, runs: int) -> Markup:
     """A link to what is watched first."""
     said = tr("the run above") if runs == 1 else tr("all the runs above")
     return Markup('<a href="#{}">{}</a>').format(scene, said)
+
+
+def waits_line(scene: str, runs: int) -> str:
+    """The line that stands in the place of text that waits for a scene."""
+    link = the_run(scene, runs)
+    told = tr_html("This part opens when you have watched {the_run}.", the_run=link)
+    return f'<p class="carts-q-waits">{told}</p>'
 
 
 def render_question(

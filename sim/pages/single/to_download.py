@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from urllib.parse import quote
 
 from sim.pages.findings import SiteError
 from sim.pages.single.all_inside import runtime_files
 from sim.pages.single.of_lesson import single_lesson
 from sim.pages.site_files import ASSETS
 from sim.pages.teach.doors import END
+from sim.pages.text.lesson_places import page_of
 
 FOLDER = "download/"
 """Beside the page's scripts. The shells are text there, no pages to be opened or listed."""
@@ -24,7 +26,7 @@ FOLDER = "download/"
 def with_place(html: str, assets: str, *, lesson: str, kept: bool) -> str:
     """The page with a place at its foot that its script fills: how to take `lesson` home as a file
     ("": it is no lesson), and how to keep the site on a tablet, if it can be `kept` there."""
-    shell = f' data-shell="{assets}{FOLDER}{_file(lesson)}"' if lesson else ""
+    shell = f' data-shell="{assets}{FOLDER}{quote(_file(lesson))}"' if lesson else ""
     place = f'<div class="carts-hosted"{shell}{" data-kept" if kept else ""}></div>'
     return html.replace(END, f"{place}\n{END}", 1)
 
@@ -47,7 +49,7 @@ def write_shells(
                 runtimes[packages] = runtime_files(packages, root, report)
             except SiteError:
                 return  # it cannot be had here; the pages of this site say so themselves
-        page = (site / name).with_suffix(".html")
+        page = site / page_of(name)
         text = single_lesson(page, site, runtimes[packages].values(), own)
         (folder / _file(name)).write_text(text, encoding="utf-8", newline="\n")
 

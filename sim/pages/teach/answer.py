@@ -18,15 +18,18 @@ from collections.abc import Callable, Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from sim.pages.question.challenge import usual_id
 from sim.pages.scene_block import Lesson
 from sim.pages.teach.edit import CannotWriteError, with_value
 from sim.pages.teach.fields import TRUTH, fields
+from sim.pages.teach.frame import Site
 from sim.pages.teach.pieces import Piece, pieces
-from sim.pages.teach.preview import NUMERICS, Desk, Shown, Site
+from sim.pages.teach.preview import NUMERICS, Desk, Shown
 from sim.pages.teach.right_answers import is_rightness, with_right
 from sim.pages.teach.spans import values
 from sim.pages.teach.take_home import zipped
 from sim.pages.teach.withheld import restore
+from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath
 
 DESK = "lesson-desk"
@@ -114,11 +117,16 @@ def _piece(text: str, piece: Piece) -> dict[str, Any]:
         named = {v.path[0]: v.value for v in values(text, piece.block) if len(v.path) == 1}
         row |= {
             "name": piece.block.name,
-            "id": str(named.get("id", "")),
+            "id": str(named.get("id") or _usual_id(piece.block, named)),
             "title": str(named.get("title") or named.get("ask") or ""),
             "fields": [field.as_row() for field in fields(text, piece.block)],
         }
     return row
+
+
+def _usual_id(block: Block, named: Mapping[Any, str]) -> str:
+    """The id of a block that states none."""
+    return usual_id(named.get("scene", "")) if block.name == "challenge" else ""
 
 
 def _shown(block: Shown, have: set[str]) -> dict[str, Any]:

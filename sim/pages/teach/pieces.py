@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sim.pages.text.fence_scan import Block, after_front_matter, scan
+from sim.pages.text.plain_lines import lines_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,11 +37,11 @@ class Lines:
     @classmethod
     def of(cls, text: str) -> Lines:
         """The lines without their ends."""
-        ended = text.splitlines(keepends=True)
+        ended = lines_of(text, keepends=True)
         starts = [0]
         for line in ended:
             starts.append(starts[-1] + len(line))
-        return cls(tuple(text.splitlines()), tuple(starts))
+        return cls(tuple(lines_of(text)), tuple(starts))
 
     def offset(self, line: int, col: int) -> int:
         """Where in the text a place is; line and column counted from 0."""
@@ -54,7 +55,7 @@ def pieces(text: str) -> tuple[Piece, ...]:
 
 def blocks(text: str) -> list[Block]:
     """The blocks of a lesson, as `carts check` sees them."""
-    return list(scan(text.splitlines()))
+    return list(scan(lines_of(text)))
 
 
 def _pieces(rows: Lines) -> Iterator[Piece]:

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import hashlib
 import math
-import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
 from sim.pages.bake import bake
 from sim.pages.findings import AuthorError, Finding
@@ -20,15 +19,17 @@ from sim.pages.language import speaking
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
-from sim.pages.text.fence_scan import Block, after_front_matter, scan
+from sim.pages.teach.frame import Site, frame_of
+from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.held_back import mark_held
 from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.plain_lines import lines_of, without_code
+from sim.pages.text.sections import in_sections
 from sim.scene import Problem
 
 State = Literal["shown", "wrong", "kept", "needs", "later"]
 MOST_REMEMBERED = 200
 NUMERICS = ("numpy", "scipy")
-
-_MD_LINK = re.compile(r'(<a [^>]*href="(?![a-z]+:|#)[^":]*)\.md(["#])')
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,16 +45,6 @@ class Shown:
     def key(self) -> str:
         """A name for exactly this HTML."""
         return hashlib.sha256(self.html.encode()).hexdigest()[:16]
-
-
-@dataclass(frozen=True, slots=True)
-class Site:
-    """What the build knows beside the lesson: other lessons' ids, Markdown's extensions, words."""
-
-    ids: Mapping[str, str] = field(default_factory=dict)
-    extensions: Sequence[str] = ()
-    configs: Mapping[str, Any] = field(default_factory=dict)
-    words: Mapping[str, str] = field(default_factory=dict)  # of the interface, in its language
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,9 +74,14 @@ class Desk:
         ids, items = SiteIds(used=dict(site.ids)), PageItems()
         found: list[Finding] = []
         shown = []
-        lines = text.splitlines()
+        lines = lines_of(text)
+        marked, plain, done = list(lines), without_code("\n".join(lines)).split("\n"), 0
         parts = tuple(scan(lines))
-        for block in parts:
+        for block, section in in_sections(lines, parts):
+            mark_held(marked, plain, done, block.start, items.asking, items.scene_ids)
+            done = block.end
+            if section.new:
+                items.asking = ""
             try:
                 with speaking(site.words):
                     shown.append(self._block(block, lesson, ids, items, parts))
@@ -99,8 +95,9 @@ class Desk:
                 if (error.name or "").split(".")[0] not in NUMERICS:
                     raise
                 shown.append(Shown("needs"))
+        mark_held(marked, plain, done, len(lines), items.asking, items.scene_ids)
         found = [*items.first_causes(found), *text_findings(text, lesson)]
-        return Preview(tuple(sorted(found)), tuple(shown), _frame(lines, parts, site))
+        return Preview(tuple(sorted(found)), tuple(shown), frame_of(marked, parts, items, site))
 
     def _block(
         self,
@@ -141,9 +138,13 @@ class Desk:
             return render(read.fence, run.header, run.numbers, drawn=False)
 
         items.scenes.append(read.fence)
+        asking = items.asking
+        if read.fence.predict:
+            items.asking = read.fence.id
         made = self._remembered(f"scene {block.body}\n{read.fence.plain}", make)
         if isinstance(made, list):
             items.scenes.remove(read.fence)
+            items.asking = asking
             raise AuthorError(map(read.places.finding, made))
         return Shown("shown", made)
 
@@ -212,28 +213,3 @@ class Desk:
 def meant_elsewhere(block: Block) -> bool:
     """Blocks that only the build can make: they compute for long, or read other files."""
     return block.name in ("cost", "hard-cases", "evidence", "law", "picture")
-
-
-def _frame(lines: Sequence[str], parts: Sequence[Block], site: Site) -> str | None:
-    """The Markdown between the blocks as HTML; None where an extension of the site is not here."""
-    from markdown import Markdown
-
-    kept: list[str] = []
-    done = after_front_matter(lines)
-    for k, block in enumerate(parts):
-        kept += [*lines[done : block.start], "", f"{block.indent}{_word(k)}", ""]
-        done = block.end
-    kept += lines[done:]
-    try:
-        md = Markdown(extensions=[*site.extensions], extension_configs={**site.configs})
-    except (ImportError, KeyError, TypeError, AttributeError):
-        return None
-    made = md.convert("\n".join(kept))
-    for k in range(len(parts)):
-        place = f'<carts-place data-block="{k}"></carts-place>'
-        made = made.replace(f"<p>{_word(k)}</p>", place).replace(_word(k), place)
-    return _MD_LINK.sub(r"\1.html\2", made)
-
-
-def _word(k: int) -> str:
-    return f"cartsblock{k:05d}"

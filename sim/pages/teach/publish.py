@@ -13,9 +13,9 @@ import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from sim.lesson.opening import word_sum
 from sim.pages.findings import AuthorError
@@ -26,13 +26,13 @@ from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
-from sim.pages.text.lesson_places import scene_folders
+from sim.pages.text.lesson_places import JOINING, scene_folders
 from sim.scene.read_written import named_laws
 
 FORMAT = 1
 WORD_OF = "teacher"  # what the checksum of the word belongs to
 FOLDER = "lessons/"  # in assets/carts/
-LINKED = (".md", ".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf", ".csv")
+LINKED = (".md", *JOINING, ".csv")  # tables only where all files join the site, in docs/
 DOOR = (
     '<p class="carts-teach-door" id="teacher"><a href="#teacher" data-lesson="{address}"{word}>'
     "Change this lesson</a> <span>for teachers: scenes, questions and text, in this page</span></p>"
@@ -53,7 +53,7 @@ class Published:
         somebody who reads the page's files.
         """
         asks = f' data-word="{word_sum(WORD_OF, word)}"' if word else ""
-        return DOOR.format(address=escape(assets + self.name), word=asks)
+        return DOOR.format(address=quote(assets + self.name), word=asks)
 
 
 def published(

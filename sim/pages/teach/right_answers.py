@@ -73,7 +73,8 @@ def _said_anew(text: str, block: Block, k: int, at: Mapping[KeyPath, Value]) -> 
     alone = at.get(("options", k))
     if alone:  # - They are equal.
         quoted = alone.style in ('"', "'")
-        words = text[alone.start : alone.end] if quoted else json.dumps(alone.value)
+        as_json = json.dumps(alone.value, ensure_ascii=False)
+        words = text[alone.start : alone.end] if quoted else as_json
         yield alone.start, alone.end, f"{{text: {words}, correct: true}}"
     path = ("options", k, "text")
     key = next((name for name in names(text, block) if name.path == path), None)

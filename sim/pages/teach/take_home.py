@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import difflib
 import io
+import re
 import zipfile
 from base64 import b64encode
 from pathlib import PurePosixPath
 
 DATE = (1980, 1, 1, 0, 0, 0)  # equal files are equal to the last byte
+LINE = re.compile(r"[^\n]*\n|[^\n]+")  # as programs for versions count them
 NO_LINE_END = "\\ No newline at end of file\n"
 NOTE = """\
 {file}      the changed lesson: put it in this place in the folder of your site
@@ -25,7 +27,7 @@ Lessons are published under CC BY 4.0: name where the lesson comes from.
 
 def changes(file: str, text: str, published: str) -> str:
     """The difference from the published text, in the form that programs for versions read."""
-    before, after = (one.splitlines(keepends=True) for one in (published, text))
+    before, after = (LINE.findall(one) for one in (published, text))
     rows = difflib.unified_diff(before, after, f"a/{file}", f"b/{file}")
     return "".join(row if row.endswith("\n") else f"{row}\n{NO_LINE_END}" for row in rows)
 

@@ -9,9 +9,10 @@ from sim.pages.findings import AuthorError, Finding
 
 def author_text(path: Path, shown: str) -> str:
     """The file's text; raises `AuthorError`, at its line, where it is not UTF-8 (as Notepad saves
-    “ANSI”). `shown`: what the file is called for its author."""
+    “ANSI”). A mark at its beginning (“UTF-8 with BOM”) is none of the text, as the generator reads
+    it too. `shown`: what the file is called for its author."""
     try:
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         message, hint = "this is not UTF-8 text", "save the file as UTF-8"

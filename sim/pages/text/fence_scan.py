@@ -33,7 +33,7 @@ _OPEN = re.compile(
     r"(?P<indent>[ \t]*)(?P<quote>(?:>[ \t]?)*)(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^`]*)"
 )
 _ID = re.compile(r"^id:[ \t]*[\"']?([a-z0-9-]+)", re.MULTILINE)
-_FRONT_MATTER = re.compile(r"---[ \t]*")
+_FRONT_MATTER = re.compile(r"\ufeff?---[ \t]*")  # teacher mode keeps all bytes of a file
 _FRONT_MATTER_END = re.compile(r"(---|\.\.\.)[ \t]*")
 # Names of programming languages that look like ours and are meant as written.
 _LANGUAGES = frozenset({"scheme", "scss", "sql"})

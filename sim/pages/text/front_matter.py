@@ -11,6 +11,7 @@ from yaml import YAMLError, safe_load
 
 from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.text.fence_scan import after_front_matter
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml_source import YamlError, load
 
 KEYS = (
@@ -20,7 +21,9 @@ KEYS = (
 """Ours, the generator's and its theme's. Others are the author's own."""
 NEAR = 0.75  # of the letters in their order: “descripton” and “titel”, but no other word
 
-AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
+AT_THE_TOP = (
+    r"\A\ufeff?---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
+)
 _ORDER = re.compile(AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
 _PLACE = re.compile(r"\d{1,4}")
 _LANGUAGE = re.compile(AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
@@ -31,7 +34,7 @@ Found = tuple[int, str, str, str]  # place in the text, code, message, hint
 
 def lesson_order(path: Path) -> tuple[int, str]:
     """Where a lesson stands among the others: `order: 2` in its front matter, then its name."""
-    with path.open(encoding="utf-8", errors="replace") as file:
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
         stated = _ORDER.match(file.read(2000))
     place = stated[1].strip() if stated else ""
     return int(place) if _PLACE.fullmatch(place) else LAST, path.name
@@ -49,9 +52,14 @@ def language(text: str) -> Iterator[Found]:
 
 def front_matter(text: str) -> Iterator[Found]:
     """Facts at the top that cannot be read: the page would print them and use none of them."""
-    lines = text.splitlines(keepends=True)
+    lines = lines_of(text, keepends=True)
     inside = lines[1 : max(1, after_front_matter(lines) - 1)]
-    if not inside and lines and lines[0].rstrip() == "---" and _KEY.match("".join(lines[1:2])):
+    if (
+        not inside
+        and lines
+        and lines[0].strip("\ufeff \r\n") == "---"
+        and _KEY.match("".join(lines[1:2]))
+    ):
         hint = "write --- in a line of its own below them"
         yield 0, "yaml", "the lines at the top are not closed: the page would print them", hint
     facts = "".join(inside)

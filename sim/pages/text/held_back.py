@@ -15,6 +15,7 @@ from difflib import SequenceMatcher
 from itertools import zip_longest
 
 from sim.pages.text.fence_scan import scan
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import HEADING
 
 MARK = "carts-waits-for-"  # with the id of a scene: a class of the note, until its HTML is made
@@ -60,10 +61,19 @@ def held_back(lines: Sequence[str], asking: str, scenes: Sequence[str]) -> Itera
                 yield Held(k, found["indent"], kind, title, scene)
 
 
+def mark_held(
+    lines: list[str], plain: Sequence[str], start: int, end: int, asking: str, scenes: Sequence[str]
+) -> None:
+    """Write the openings of what waits among these lines between two blocks as Markdown shall read
+    them. `plain`: the lines without code; the rest as for `held_back`."""
+    for held in held_back(plain[start:end], asking, scenes):
+        lines[start + held.line] = held.opening
+
+
 def without_scene(text: str) -> Iterator[tuple[int, str]]:
     """Where in the text, without its code, something waits for a run that no scene above it has:
     the place, and the scene that was named, if one was."""
-    lines = text.splitlines(keepends=True)
+    lines = lines_of(text, keepends=True)
     scenes = [block for block in scan(lines) if block.name == "scene"]
     at = 0
     for k, line in enumerate(lines):
@@ -78,7 +88,7 @@ def without_scene(text: str) -> Iterator[tuple[int, str]]:
 def misspelt(text: str) -> Iterator[tuple[int, str]]:
     """Where in the text, without its code, a note was meant to wait and does not, and the word."""
     at = 0
-    for line in text.splitlines(keepends=True):
+    for line in lines_of(text, keepends=True):
         end = line.rstrip("\n")
         if "!!!" in line and not _OPENS.fullmatch(end) and (note := _NOTE.fullmatch(end)):
             yield from ((at + line.index("!!!"), word) for word in note["words"].split()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from pathlib import Path
 
 from sim.pages.effect_pages import SCENES
@@ -9,11 +10,25 @@ from sim.pages.scene_block import Lesson
 
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 BANK_FOLDER = "banks"
+LESSONS = "worksheets"
+"""The usual folder of lessons."""
+
+JOINING = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf")
+"""What joins the site from a folder of lessons beside them. Other files may be for teachers alone:
+banks hold keys, tables hold names."""
 
 
 def described(lesson: Path, root: Path) -> Lesson:
     """The lesson in a file, as its blocks are read; messages name it from `root`."""
     return Lesson(shown(lesson, root), scene_folders(lesson, root), bank_folders(lesson, root))
+
+
+def page_of(name: str) -> str:
+    """The address of the page that the generator makes of the Markdown file at `name`: README.md is
+    the first page of its folder."""
+    folder, file = posixpath.split(name)
+    stem = file.rpartition(".")[0]
+    return posixpath.join(folder, f"{'index' if stem == 'README' else stem}.html")
 
 
 def shown(path: Path, root: Path) -> str:

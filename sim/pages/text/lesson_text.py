@@ -15,14 +15,19 @@ from urllib.parse import unquote
 from sim.pages.effect_pages import EFFECTS, PLACE
 from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
-from sim.pages.text.fence_scan import KINDS, after_front_matter, meant_kind
+from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import misspelt, without_scene
+from sim.pages.text.lesson_places import JOINING, LESSONS
+from sim.pages.text.plain_lines import lines_of, without_code
 
-_FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
-_INLINE_CODE = re.compile(r"(`+)(?!`).+?(?<!`)\1(?!`)")
-_PICTURE = re.compile(r"!\[([^\]\n]*)\]\(([^)\s]*)[^)]*\)")
-_LINK = re.compile(r"(?<!!)\[[^\]\n]+\]\(([^)\s]+)[^)]*\)")
+# As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow.
+_TARGET = (
+    r"\(\s*(?:<(?P<wrapped>[^<>\n]*)>|(?P<bare>(?:[^()\n]|\([^()\n]*\))*?))"
+    r"(?:\s+(?:\"[^\"\n]*\"|'[^'\n]*'))?\s*\)"
+)
+_PICTURE = re.compile(rf"!\[([^\]\n]*)\]{_TARGET}")
+_LINK = re.compile(rf"(?<!!)\[[^\]\n]+\]{_TARGET}")
 _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
@@ -63,23 +68,6 @@ def _located(found: Iterable[Found], text: str, lesson: Lesson) -> list[Finding]
         col = at - (text.rfind("\n", 0, at) + 1) + 1
         made.append(Finding(lesson.file, line, col, code, message, hint))
     return made
-
-
-def without_code(text: str) -> str:
-    """The text with code blanked out, so that every place stays where it is. Our blocks stay."""
-    kept = list(text)
-    at = 0
-    while opened := _FENCE.search(text, at):
-        fence = re.escape(opened[1][0]) + "{" + str(len(opened[1])) + ",}"
-        closing = re.compile(rf"^[ \t>]*{fence}[ \t]*$", re.MULTILINE)
-        closed = closing.search(text, opened.end())
-        end = closed.end() if closed else len(text)
-        if not meant_kind(opened[2].strip().partition(" ")[0]):
-            kept[opened.start() : end] = (
-                c if c == "\n" else " " for c in text[opened.start() : end]
-            )
-        at = max(end, opened.end())
-    return _INLINE_CODE.sub(lambda code: " " * len(code[0]), "".join(kept))
 
 
 def _few_backticks(prose: str) -> Iterator[Found]:
@@ -170,7 +158,7 @@ def _braces_match(formula: str) -> bool:
 
 
 def _minutes(text: str, prose: str) -> Iterator[Found]:
-    closed = after_front_matter(text.splitlines())
+    closed = after_front_matter(lines_of(text))
     stated = _STATED.match(text) if closed else None
     core = (m for m in _MINUTES.finditer(prose) if _MORE.search(m[0]) is None)
     parts = [int(m[1]) for m in core]
@@ -194,12 +182,31 @@ def _minutes_of_questions(prose: str) -> Iterator[Found]:
 def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
     folder = lesson.scene_folders[0]
     for link in (*_LINK.finditer(prose), *_PICTURE.finditer(prose)):
-        target = unquote(link[link.re.groups].split("#")[0].split("?")[0])
+        address = link["wrapped"] or link["bare"] or ""
+        target = unquote(address.split("#")[0].split("?")[0])
         if not target or re.match(r"[a-z][a-z0-9+.-]*:|//", target):
             continue
-        if not any(place.exists() for place in _places(folder, target, lesson)):
+        place = next((one for one in _places(folder, target, lesson) if one.exists()), None)
+        if place is None:
             hint = "look at the name, and from which folder it is counted"
             yield link.start(), "broken-link", f"there is no file “{target[:60]}”", hint
+        elif place.is_file() and not _joins(place, folder, lesson):
+            message = f"“{target[:60]}” does not join the site: it stays in the folder of lessons"
+            hint = f"what joins it there: .md {' '.join(JOINING)}"
+            yield link.start(), "not-in-site", message, hint
+
+
+def _joins(place: Path, folder: Path, lesson: Lesson) -> bool:
+    """Whether a file is one of the site; of the folder of lessons only some are."""
+    lessons = Path(os.path.normpath(_root(folder, lesson) / LESSONS))
+    inside = Path(os.path.normpath(place)).is_relative_to(lessons)
+    return not inside or place.suffix.lower() in (".md", *JOINING)
+
+
+def _root(folder: Path, lesson: Lesson) -> Path:
+    """The folder that the lesson's name is counted from; `folder`: its own."""
+    depth = len(Path(lesson.file).parts) - 1
+    return folder.parents[depth - 1] if 0 < depth <= len(folder.parents) else folder
 
 
 def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
@@ -207,8 +214,7 @@ def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
     source = re.sub(r"\.html$", ".md", target)
     yield folder / source
     yield folder / target
-    depth = len(Path(lesson.file).parts) - 1
-    root = folder.parents[depth - 1] if 0 < depth <= len(folder.parents) else folder
+    root = _root(folder, lesson)
     inside = folder.relative_to(root).as_posix().removeprefix("docs").strip("/")
     address = os.path.normpath(f"{inside}/{source}").lstrip("/")
     yield root / address

@@ -10,6 +10,8 @@ KEPT = 2048
 """Texts whose nodes are kept: a lesson's blocks are read some five times when its page is made, and
 again at each edit of `carts serve`."""
 
+_ENDS_OF_YAML = "\x85\u2028\u2029"
+
 
 class RefusedError(Exception):
     """Something that YAML knows and scenes do not use, at a line and column from 0."""
@@ -22,7 +24,23 @@ class RefusedError(Exception):
 
 
 class Loader(yaml.SafeLoader):
-    """PyYAML's own composer, without anchors, aliases and tags (they can blow a text up)."""
+    """PyYAML's own composer, without anchors, aliases and tags (they can blow a text up).
+
+    Its marks count lines as editors do: for YAML a line also ends at U+2028 and its like.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._odd = any(sign in text for sign in _ENDS_OF_YAML)
+        super().__init__(text)
+
+    def get_mark(self) -> yaml.Mark:
+        """Where it is now."""
+        mark = super().get_mark()
+        if self._odd:
+            before = self._text[: mark.index]
+            mark.line, mark.column = before.count("\n"), len(before) - before.rfind("\n") - 1
+        return mark
 
     def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
         """The next node, or RefusedError."""

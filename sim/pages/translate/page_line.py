@@ -8,6 +8,7 @@ from html import escape
 from urllib.parse import quote
 
 from sim.pages.language import ENGLISH, LANGUAGES, language_folder, speaking, tr, words
+from sim.pages.text.lesson_places import page_of
 
 _END = "</h1>"
 
@@ -41,8 +42,7 @@ def language_line(uri: str, pages: Mapping[str, str], language: str) -> str:
         if page == uri:
             listed.append(name.replace("<span", '<span aria-current="page"', 1))
         else:
-            address = posixpath.relpath(page, posixpath.dirname(uri))
-            href = quote(address.removesuffix(".md") + ".html")
+            href = quote(posixpath.relpath(page_of(page), posixpath.dirname(uri)))
             listed.append(f'<a href="{href}" hreflang="{other}">{name}</a>')
     with speaking(words(language)):
         label = escape(tr("This lesson in other languages"))

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from sim.pages.teach.pieces import Lines
 from sim.pages.text.fence_scan import Block, after_front_matter, meant_kind, scan
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.translate.block_units import block_units
 from sim.pages.translate.catalogues import is_bank
 from sim.pages.translate.markdown_units import markdown_units
@@ -53,7 +54,7 @@ def lesson_units(text: str) -> tuple[Unit, ...]:
 @lru_cache(maxsize=16)
 def bank_units(text: str) -> tuple[Unit, ...]:
     """The units of a bank of questions."""
-    count = len(text.splitlines())
+    count = len(lines_of(text))
     block = Block("bank", "", -1, count + 1, "", text, 0, closed=True)
     return tuple(block_units(text, block, "bank"))
 

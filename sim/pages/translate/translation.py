@@ -7,22 +7,24 @@ answers lie in the same place when somebody writes it by hand later.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson
+from sim.pages.scene_block import Lesson, shown_here
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
-from sim.pages.text.lesson_text import without_code
+from sim.pages.text.plain_lines import without_code
 from sim.pages.translate.catalogues import OTHERS, Source, is_bank, source_of
 from sim.pages.translate.po_file import Words, read_words
 from sim.pages.translate.put_in import PutIn, put_in, units_of
 
 _LINK = re.compile(
-    r"(?:\]\(|^\[[^\]^\n][^\]\n]*\]:[ \t]+|\b(?:src|href)=\")([^)\s\"]+)", re.MULTILINE
+    r"(?:\]\(|^\[[^\]^\n][^\]\n]*\]:[ \t]+|\b(?:src|href)=\")"
+    r"(?:<(?P<wrapped>[^<>\n]+)>|(?P<bare>[^)\s\"]+))",
+    re.MULTILINE,
 )
 _ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|[/#?]", re.IGNORECASE)
 
@@ -60,11 +62,12 @@ class Translation:
         """Where it all comes from."""
         return self.lesson.source
 
-    @property
-    def changed(self) -> float:
-        """When a file that it is made of was last changed, in seconds as files tell it."""
+    def changed(self, beside: Iterable[Path]) -> float:
+        """When a file that it is made of was last changed, in seconds as files tell it; `beside`:
+        files that it may name, scenes and data."""
         parts = (self.lesson, *self.banks.values())
-        files = (path for one in parts for path in (one.source.path, one.source.catalogue))
+        files = [path for one in parts for path in (one.source.path, one.source.catalogue)]
+        files += [path for path in beside if path.name in self.lesson.made.text]
         return max(path.stat().st_mtime for path in files)
 
     @property
@@ -127,8 +130,8 @@ def part_of(source: Source, root: Path) -> Part:
     text = author_text(source.path, shown(source.path, root))
     words = read_words(source.catalogue, shown(source.catalogue, root))
     made = put_in(text, units_of(source.path, text), words.words)
-    bank = f"{BANK_FOLDER}/{source.path.name}"
-    file = bank if is_bank(source.path) else shown(source.page, root)
+    bank = is_bank(source.path)  # named as the form that draws from it does
+    file = shown_here([source.path])[0] if bank else shown(source.page, root)
     return Part(source, words, made, file)
 
 
@@ -156,7 +159,7 @@ def _banks(lesson: Part, folder: Path, root: Path) -> Iterator[tuple[Path, Part]
 def _moved_links(text: str, siblings: Collection[str]) -> str:
     """The text one folder further down: links lead to where they led, or to the same language."""
     for link in reversed(list(_LINK.finditer(without_code(text)))):
-        target = link[1]
-        if not _ELSEWHERE.match(target) and target.split("#")[0] not in siblings:
-            text = f"{text[: link.start(1)]}../{text[link.start(1) :]}"
+        own = "wrapped" if link["wrapped"] else "bare"
+        if not _ELSEWHERE.match(link[own]) and link[own].split("#")[0] not in siblings:
+            text = f"{text[: link.start(own)]}../{text[link.start(own) :]}"
     return text

@@ -44,7 +44,7 @@
   // src/hosted/download.js
   var MARK = /<script data-from="([^"]+)"><.script>/;
   async function textOf(address) {
-    const answer = await fetch(address);
+    const answer = await fetch(address, { cache: "no-cache" });
     if (!answer.ok) throw new Error(String(answer.status));
     return answer.text();
   }

@@ -3022,11 +3022,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
 
   // src/teach/page.js
-  var STAYS2 = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";
-  var OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz";
+  var HEAD = ".md-content__button, .carts-print-head";
+  var LINES = ".carts-languages, .carts-draft";
+  var FOOT = ".carts-teach-door, .carts-hosted, .md-source-file";
+  var OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz, carts-challenge, carts-law";
   var NAMES2 = {
     "carts-scene": "scene",
     "carts-question": "question",
+    "carts-challenge": "challenge",
     "carts-map": "map",
     "carts-measured": "bench"
   };
@@ -3034,6 +3037,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     #made = /* @__PURE__ */ new Map();
     #blocks = [];
     #frame = "";
+    #builtFrame = "";
+    #built = null;
+    #own = /* @__PURE__ */ new Set();
+    #kept = /* @__PURE__ */ new Map();
     constructor(article, assets, change) {
       this.article = article;
       this.assets = assets;
@@ -3046,26 +3053,36 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return this.#blocks[index] ?? null;
     }
     adopt(look) {
-      const found = look.pieces.filter((piece) => piece.kind === "block").map((piece) => this.#byId(piece.id ?? ""));
+      const pieces = look.pieces.filter((piece) => piece.kind === "block");
+      const texts = textsOf(pieces);
+      const found = pieces.map((piece, k) => this.#byId(piece.id ?? "") ?? this.#byPlace(k));
       look.blocks.forEach((block, k) => {
         const element = found[k];
-        if (element && block.key) this.#made.set(block.key, element);
+        if (!element) return;
+        if (block.key) this.#made.set(block.key, element);
+        if (block.key) this.#own.add(block.key);
+        if (block.state === "kept") this.#kept.set(texts[k] ?? "", element);
       });
       this.#blocks = found;
-      this.#frame = look.frame ?? "";
+      this.#builtFrame = this.#frame = look.frame ?? "";
       this.#offer();
     }
     async show(look) {
       const before = this.#blocks;
-      const ids = look.pieces.filter((piece) => piece.kind === "block").map((piece) => piece.id);
+      const pieces = look.pieces.filter((piece) => piece.kind === "block");
+      const texts = textsOf(pieces);
+      const as = look.blocks.length === before.length;
       const scenes = look.blocks.some((block) => block.html?.includes("<carts-scene"));
-      const blocks = look.blocks.map((block, k) => this.#element(block, ids[k] ?? "", before[k]));
+      const blocks = look.blocks.map((block, k) => {
+        const kept = block.state === "kept" ? this.#kept.get(texts[k] ?? "") : void 0;
+        return kept ?? this.#element(block, pieces[k]?.id ?? "", as ? before[k] : null);
+      });
       look.blocks.forEach((block, k) => {
         const wrong = block.state === "wrong" || block.state === "needs";
         blocks[k]?.classList.toggle("carts-teach-old", wrong);
       });
       const same = look.frame === null || look.frame === this.#frame;
-      if (same && blocks.length === before.length) {
+      if (same && as) {
         blocks.forEach((element, k) => {
           if (element && element !== before[k]) before[k]?.replaceWith(element);
         });
@@ -3073,7 +3090,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.#frame = look.frame ?? this.#frame;
       this.#blocks = blocks;
       const used = new Set(look.blocks.map((block) => block.key));
-      for (const key of this.#made.keys()) if (!used.has(key)) this.#made.delete(key);
+      for (const key of this.#made.keys())
+        if (!used.has(key) && !this.#own.has(key)) this.#made.delete(key);
       this.#offer();
       if (scenes) await this.#bringToLife();
       await drawFormulas(this.article, this.assets);
@@ -3095,20 +3113,33 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return id && this.#byId(id) || old || null;
     }
     #rebuild(frame2, blocks) {
+      if (this.#frame === this.#builtFrame) this.#setAside();
+      if (frame2 === this.#builtFrame && this.#built) {
+        this.article.replaceChildren(...this.#built);
+        this.#built = null;
+        fill(this.article, blocks);
+        return;
+      }
       const made2 = document.createElement("template");
       made2.innerHTML = frame2;
-      for (const place4 of made2.content.querySelectorAll("carts-place")) {
-        const index = Number(
-          /** @type {HTMLElement} */
-          place4.dataset.block
-        );
-        const element = blocks[index];
-        place4.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
-      }
-      const kept = [...this.article.children].filter((child) => child.matches(STAYS2));
-      const foot = kept.filter((child) => child.matches(".carts-teach-door, .md-source-file"));
-      const head = kept.filter((child) => !foot.includes(child));
-      this.article.replaceChildren(...head, made2.content, ...foot);
+      fill(made2.content, blocks);
+      const kept = (which) => [...this.article.children].filter((child) => child.matches(which));
+      const lines3 = kept(LINES);
+      const title = made2.content.querySelector("h1");
+      if (title) title.after(...lines3);
+      else made2.content.prepend(...lines3);
+      this.article.replaceChildren(...kept(HEAD), made2.content, ...kept(FOOT));
+    }
+    #setAside() {
+      if (!this.#builtFrame || this.#built) return;
+      for (const row of this.article.querySelectorAll(".carts-teach-change")) row.remove();
+      this.#blocks.forEach((element, k) => {
+        if (!element || !this.article.contains(element)) return;
+        const place4 = document.createElement("carts-place");
+        place4.dataset.block = String(k);
+        element.replaceWith(place4);
+      });
+      this.#built = [...this.article.childNodes];
     }
     #offer() {
       for (const old of this.article.querySelectorAll(".carts-teach-change")) old.remove();
@@ -3136,7 +3167,27 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const found = id ? document.getElementById(id) : null;
       return found?.matches(OURS) ? found : null;
     }
+    #byPlace(index) {
+      return this.article.querySelector(`.carts[data-block="${index}"]`);
+    }
   };
+  function fill(root, blocks) {
+    for (const place4 of root.querySelectorAll("carts-place")) {
+      const element = blocks[Number(
+        /** @type {HTMLElement} */
+        place4.dataset.block
+      )];
+      place4.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
+    }
+  }
+  function textsOf(pieces) {
+    const seen2 = /* @__PURE__ */ new Map();
+    return pieces.map(({ text: text2 }) => {
+      const count = (seen2.get(text2) ?? 0) + 1;
+      seen2.set(text2, count);
+      return `${count} ${text2}`;
+    });
+  }
 
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;

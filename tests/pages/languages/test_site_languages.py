@@ -103,3 +103,18 @@ def test_the_length_of_a_part_is_told_in_the_language_of_its_page(make_site: Mak
     ):
         page = (site / "worksheets" / name).read_text(encoding="utf-8")
         assert re.findall(r'data-length="([^"]*)"', page) == told
+
+
+def test_an_english_page_says_so_in_a_site_of_another_language(make_site: MakeSite) -> None:
+    """By its front matter or its folder; where nothing is said it speaks as the theme does."""
+    for theme, plain in (("ms", "ms"), ("de", "de")):
+        config = CONFIG.replace("font: false", f"font: false, language: {theme}")
+        told = lesson().replace("title:", "language: en\ntitle:")
+        root = make_site(config, first=told, second=lesson(identity="two"))
+        (root / "worksheets" / "en").mkdir(exist_ok=True)
+        (root / "worksheets" / "en" / "third.md").write_text(lesson(identity="three"))
+        site = build_site(root, hosted=False, strict=False)
+        assert site is not None
+        for name, language in (("first", "en"), ("en/third", "en"), ("second", plain)):
+            page = (site / "worksheets" / f"{name}.html").read_text(encoding="utf-8")
+            assert f'<html lang="{language}"' in page, (theme, name)

@@ -7,12 +7,16 @@ import { html } from "../shared/dom.js";
 import { drawBlock } from "./draw.js";
 import { drawFormulas } from "./formulas.js";
 
-const STAYS = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";
+/** Of the built page, what no text of the lesson makes: above it, under its title, at its foot. */
+const HEAD = ".md-content__button, .carts-print-head";
+const LINES = ".carts-languages, .carts-draft";
+const FOOT = ".carts-teach-door, .carts-hosted, .md-source-file";
 const OURS =
-  "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz";
+  "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz, carts-challenge, carts-law";
 const NAMES = {
   "carts-scene": "scene",
   "carts-question": "question",
+  "carts-challenge": "challenge",
   "carts-map": "map",
   "carts-measured": "bench",
 };
@@ -25,6 +29,14 @@ export class LessonPage {
   /** The element of each block, in their order. @type {(HTMLElement | null)[]} */
   #blocks = [];
   #frame = "";
+  /** The page as it was built: the text between its blocks, and its nodes while another text is shown. */
+  #builtFrame = "";
+  /** With a place for each block. @type {ChildNode[] | null} */
+  #built = null;
+  /** Keys of the elements that were built: an undone change finds them again. @type {Set<string>} */
+  #own = new Set();
+  /** Elements that only the build makes, by the text of their block. @type {Map<string, HTMLElement>} */
+  #kept = new Map();
 
   /** @param {HTMLElement} article @param {string} assets @param {(index: number) => void} change asked for in the page */
   constructor(article, assets, change) {
@@ -45,30 +57,38 @@ export class LessonPage {
 
   /** The page as it was built is what this look at the published text shows. @param {Look} look */
   adopt(look) {
-    const found = look.pieces
-      .filter((piece) => piece.kind === "block")
-      .map((piece) => this.#byId(piece.id ?? ""));
+    const pieces = look.pieces.filter((piece) => piece.kind === "block");
+    const texts = textsOf(pieces);
+    const found = pieces.map((piece, k) => this.#byId(piece.id ?? "") ?? this.#byPlace(k));
     look.blocks.forEach((block, k) => {
       const element = found[k];
-      if (element && block.key) this.#made.set(block.key, element);
+      if (!element) return;
+      if (block.key) this.#made.set(block.key, element);
+      if (block.key) this.#own.add(block.key);
+      if (block.state === "kept") this.#kept.set(texts[k] ?? "", element);
     });
     this.#blocks = found;
-    this.#frame = look.frame ?? "";
+    this.#builtFrame = this.#frame = look.frame ?? "";
     this.#offer();
   }
 
   /** @param {Look} look */
   async show(look) {
     const before = this.#blocks;
-    const ids = look.pieces.filter((piece) => piece.kind === "block").map((piece) => piece.id);
+    const pieces = look.pieces.filter((piece) => piece.kind === "block");
+    const texts = textsOf(pieces);
+    const as = look.blocks.length === before.length; // else what stood there is another block
     const scenes = look.blocks.some((block) => block.html?.includes("<carts-scene"));
-    const blocks = look.blocks.map((block, k) => this.#element(block, ids[k] ?? "", before[k]));
+    const blocks = look.blocks.map((block, k) => {
+      const kept = block.state === "kept" ? this.#kept.get(texts[k] ?? "") : undefined;
+      return kept ?? this.#element(block, pieces[k]?.id ?? "", as ? before[k] : null);
+    });
     look.blocks.forEach((block, k) => {
       const wrong = block.state === "wrong" || block.state === "needs";
       blocks[k]?.classList.toggle("carts-teach-old", wrong);
     });
     const same = look.frame === null || look.frame === this.#frame;
-    if (same && blocks.length === before.length) {
+    if (same && as) {
       blocks.forEach((element, k) => {
         if (element && element !== before[k]) before[k]?.replaceWith(element);
       });
@@ -76,7 +96,8 @@ export class LessonPage {
     this.#frame = look.frame ?? this.#frame;
     this.#blocks = blocks;
     const used = new Set(look.blocks.map((block) => block.key));
-    for (const key of this.#made.keys()) if (!used.has(key)) this.#made.delete(key);
+    for (const key of this.#made.keys())
+      if (!used.has(key) && !this.#own.has(key)) this.#made.delete(key);
     this.#offer();
     if (scenes) await this.#bringToLife();
     await drawFormulas(this.article, this.assets);
@@ -99,17 +120,36 @@ export class LessonPage {
 
   /** @param {string} frame @param {(HTMLElement | null)[]} blocks */
   #rebuild(frame, blocks) {
+    if (this.#frame === this.#builtFrame) this.#setAside();
+    if (frame === this.#builtFrame && this.#built) {
+      this.article.replaceChildren(...this.#built);
+      this.#built = null;
+      fill(this.article, blocks);
+      return;
+    }
     const made = document.createElement("template");
     made.innerHTML = frame;
-    for (const place of made.content.querySelectorAll("carts-place")) {
-      const index = Number(/** @type {HTMLElement} */ (place).dataset.block);
-      const element = blocks[index];
-      place.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
-    }
-    const kept = [...this.article.children].filter((child) => child.matches(STAYS));
-    const foot = kept.filter((child) => child.matches(".carts-teach-door, .md-source-file"));
-    const head = kept.filter((child) => !foot.includes(child));
-    this.article.replaceChildren(...head, made.content, ...foot);
+    fill(made.content, blocks);
+    const kept = (/** @type {string} */ which) =>
+      [...this.article.children].filter((child) => child.matches(which));
+    const lines = kept(LINES);
+    const title = made.content.querySelector("h1");
+    if (title) title.after(...lines);
+    else made.content.prepend(...lines);
+    this.article.replaceChildren(...kept(HEAD), made.content, ...kept(FOOT));
+  }
+
+  /** The built page makes room for another text; its blocks go over into that. */
+  #setAside() {
+    if (!this.#builtFrame || this.#built) return;
+    for (const row of this.article.querySelectorAll(".carts-teach-change")) row.remove();
+    this.#blocks.forEach((element, k) => {
+      if (!element || !this.article.contains(element)) return;
+      const place = document.createElement("carts-place");
+      place.dataset.block = String(k);
+      element.replaceWith(place);
+    });
+    this.#built = [...this.article.childNodes];
   }
 
   /** A button before each block leads to its editor. */
@@ -140,4 +180,28 @@ export class LessonPage {
     const found = id ? document.getElementById(id) : null;
     return found?.matches(OURS) ? found : null;
   }
+
+  /** Pictures and tables have no id: the build says which block of the lesson they are. @param {number} index @returns {HTMLElement | null} */
+  #byPlace(index) {
+    return this.article.querySelector(`.carts[data-block="${index}"]`);
+  }
+}
+
+/** The blocks go to their places. @param {ParentNode} root @param {(HTMLElement | null)[]} blocks */
+function fill(root, blocks) {
+  for (const place of root.querySelectorAll("carts-place")) {
+    const element = blocks[Number(/** @type {HTMLElement} */ (place).dataset.block)];
+    place.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
+  }
+}
+
+/** The texts of blocks; of equal ones the second is another. @param {import("./types.js").Piece[]} pieces @returns {string[]} */
+function textsOf(pieces) {
+  /** @type {Map<string, number>} */
+  const seen = new Map();
+  return pieces.map(({ text }) => {
+    const count = (seen.get(text) ?? 0) + 1;
+    seen.set(text, count);
+    return `${count} ${text}`;
+  });
 }

@@ -1,0 +1,43 @@
+"""Files in a folder of lessons that no page is made of, though somebody meant one.
+
+They do no harm to the pages that are built: it is said, and the build goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from sim.pages.findings import Finding
+from sim.pages.language import LANGUAGES
+from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, shown
+from sim.pages.translate.catalogues import FOLDER, catalogues_in
+
+
+def no_page(path: Path, root: Path) -> list[Finding]:
+    """That the lesson at `path` lies too deep in the folder of lessons of the site at `root`."""
+    folder = root / LESSONS
+    built = (folder, *(folder / language for language in LANGUAGES))
+    if path.parent in built or not path.is_relative_to(folder) or path.name == "README.md":
+        return []
+    message = "no page is made of this lesson: it lies in a folder that is not built"
+    hint = f"put it into {LESSONS}/, or into the folder of its language, such as {LESSONS}/ms/"
+    return [Finding(shown(path, root), 1, 1, "not-built", message, hint, "warning")]
+
+
+def no_lesson(folder: Path, root: Path) -> Iterator[Finding]:
+    """Catalogues in `folder` whose lesson or bank is not there: it was renamed, or taken away."""
+    for words in sorted(place for place in folder.rglob(FOLDER) if _of_lessons(place)):
+        for source in catalogues_in(words.parent):
+            if not any(source.path.with_suffix(s).is_file() for s in (".md", ".yml", ".yaml")):
+                name = shown(source.catalogue, root)
+                bank = source.path.parent.name == BANK_FOLDER
+                kind = "bank" if bank else "lesson"
+                message = f"there is no {kind} “{source.path.stem}” that this is a translation of"
+                hint = f"rename it as the {kind} is called now, or delete it"
+                yield Finding(name, 1, 1, "no-original", message, hint, "warning")
+
+
+def _of_lessons(place: Path) -> bool:
+    """Whether a folder holds catalogues, by language."""
+    return place.is_dir() and any((place / language).is_dir() for language in LANGUAGES)

@@ -1,0 +1,37 @@
+"""`carts single`: the scene behaves as it does where it stands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sim.cli.single import _scene
+
+SCENE = "carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}\n"
+LESSON = f"```scene\nid: one\n{SCENE}%s```\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "watch"),
+    [
+        ("worksheets/a.md", "", "first"),
+        ("worksheets/ms/a.md", "", "first"),
+        ("worksheets/a.md", "watch: free\n", "free"),
+        ("docs/a.md", "", ""),
+    ],
+)
+def test_a_scene_of_a_lesson_is_watched_before_it_is_known(
+    tmp_path: Path, name: str, more: str, watch: str
+) -> None:
+    path = tmp_path / name
+    path.parent.mkdir(parents=True)
+    path.write_text(LESSON % more, encoding="utf-8")
+    assert _scene(path, None, tmp_path).fence.watch == watch
+
+
+def test_a_scene_file_is_shown_at_once(tmp_path: Path) -> None:
+    path = tmp_path / "worksheets" / "scenes" / "one.yml"
+    path.parent.mkdir(parents=True)
+    path.write_text(SCENE, encoding="utf-8")
+    assert _scene(path, None, tmp_path).fence.watch == ""

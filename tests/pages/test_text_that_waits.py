@@ -1,0 +1,94 @@
+"""What an author holds back below a prediction is told nowhere else, and opens at nothing else."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import markdown
+import pytest
+
+from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.findings import Finding
+from sim.pages.scene_block import Lesson
+from sim.pages.teach.frame import Site
+from sim.pages.teach.preview import Desk
+
+SCENE = """\
+```scene
+id: one
+carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}
+until: 2 s
+predict: {text: What}
+```
+"""
+QUESTION = "```question\nid: why\ntype: long\nask: Why?\nrubric: {1: a, 0: b}\n```\n"
+EXTENSIONS = ["admonition", "attr_list", "toc"]
+
+
+@pytest.fixture
+def found() -> Iterator[list[Finding]]:
+    findings: list[Finding] = []
+    set_page(Page(Lesson("lesson.md"), report=findings.append))
+    yield findings
+    set_page(None)
+
+
+def waiting(page: str) -> str:
+    return page[page.index("<carts-after") : page.index("</carts-after>")]
+
+
+@pytest.mark.parametrize("level", range(1, 7))
+def test_contents_list_no_heading_that_waits(found: list[Finding], level: int) -> None:
+    signs = "#" * level
+    other = f"{signs} Named {{: #own data-toc-label=Told }}"
+    inside = f"    {signs} The forces are equal\n\n    {other}"
+    text = f"[TOC]\n\n{SCENE}\n!!! after\n{inside}\n\n{signs} The forces are equal\n"
+    made = markdown.Markdown(extensions=[*EXTENSIONS, CartsExtension()])
+    page = made.convert(text)
+    assert [one["name"] for one in made.toc_tokens] == ["The forces are equal"]  # type: ignore[attr-defined]
+    assert page[: page.index("<carts-scene")].count("forces are equal") == 1
+    held = waiting(page)
+    assert f'<h{level} id="the-forces-are-equal">The forces are equal</h{level}>' in held
+    assert f'<h{level} id="own">Named</h{level}>' in held
+    assert page.count('id="the-forces-are-equal"') == 1  # links lead on
+    assert not found
+
+
+def test_no_heading_gets_another_id_for_one_that_waits(found: list[Finding]) -> None:
+    note = "!!! after\n    ## Same\n"
+    text = f"# Same\n\n{SCENE}\n## Same\n\n{SCENE.replace('id: one', 'id: two')}\n{note}\n## Same"
+    made = markdown.markdown(text, extensions=[*EXTENSIONS, CartsExtension()])
+    plain = markdown.markdown(text.replace("!!! after", "!!! note"), extensions=EXTENSIONS)
+    ids = [re.findall(r'<h[12][^>]* id="([^"]+)"', page) for page in (made, plain)]
+    assert ids[0] == ids[1] == ["same", "same_1", "same_2", "same_3"]
+
+
+@pytest.mark.parametrize("fence", ["```", "~~~~"])
+def test_a_comment_in_a_program_opens_no_question(found: list[Finding], fence: str) -> None:
+    program = f"{fence}python\n# a comment {{: .more }}\nx = 1\n{fence}\n"
+    made = markdown.markdown(
+        f"{SCENE}\n{program}\n{QUESTION}", extensions=["pymdownx.superfences", CartsExtension()]
+    )
+    assert 'data-after="one"' in made
+    assert not found
+
+
+def test_teacher_mode_holds_back_what_the_build_does(found: list[Finding]) -> None:
+    note = "    ## What you saw\n\n    Both were equal.\n"
+    text = f"{SCENE}\n!!! after\n{note}\n## Next {{: data-minutes=8 }}\n\n!!! after\n    Again.\n"
+    site = Site(extensions=EXTENSIONS)
+    frame = Desk().look(text, Lesson("lesson.md"), site).frame or ""
+    built = markdown.markdown(text, extensions=[*EXTENSIONS, CartsExtension()])
+    assert waiting(frame) == waiting(built)
+    assert frame.count('<carts-after class="admonition after" data-after="one"') == 2
+    assert 'data-length="8 min"' in frame
+    assert frame.split("</carts-place>")[1] == built.split("</carts-scene>")[1]
+
+
+def test_teacher_mode_holds_back_a_scene_with_its_text(found: list[Finding]) -> None:
+    inner = SCENE.replace("id: one", "id: two").replace("\n", "\n    ")
+    frame = Desk().look(f"{SCENE}\n!!! after one\n    {inner}", Lesson("a.md"),
+                        Site(extensions=EXTENSIONS)).frame or ""  # fmt: skip
+    assert 'class="admonition after carts-wide"' in frame
+    assert '<carts-place data-block="1">' in waiting(frame)

@@ -1,0 +1,42 @@
+"""“Download this lesson” asks the server, not the browser's store, for scripts that it names."""
+
+from __future__ import annotations
+
+from tests.web.scene.given.widget_site import in_node
+
+SCRIPT = """
+globalThis.document = {
+  baseURI: "https://school.example/worksheets/a.html",
+  documentElement: { lang: "en" },
+  createElement: () => ({
+    setAttribute() {}, append() {}, addEventListener(kind, does) { this.does = does; },
+  }),
+};
+globalThis.location = { pathname: "/worksheets/a.html" };
+const asked = [];
+globalThis.fetch = async (address, options) => {
+  asked.push([String(address), options?.cache]);
+  const text = address.pathname.endsWith(".txt") ? data : "script";
+  return { ok: true, text: async () => text };
+};
+let button;
+const make = document.createElement;
+document.createElement = (name) => {
+  const made = make(name);
+  if (name === "button") button = made;
+  return made;
+};
+const { downloadLine } = await import(`${source}/hosted/download.js`);
+downloadLine("../assets/carts/download/a.txt", "https://school.example/assets/carts/");
+await button.does().catch(() => {});
+give(asked);
+"""
+
+
+def test_a_script_of_an_earlier_version_is_not_put_in() -> None:
+    shell = '<script data-from="carts.js"></script> and <script data-from="answers.js"></script>'
+    assets = "https://school.example/assets/carts/"
+    assert sorted(in_node(SCRIPT, shell)) == sorted(
+        [f"{assets}{name}", "no-cache"]
+        for name in ("answers.js", "carts.js", "download/a.txt")
+    )  # fmt: skip
