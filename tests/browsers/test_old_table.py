@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 SEEN_NOW = json.loads(SEEN.read_text(encoding="utf-8"))
 # Wherever a reader is told which browser to take.
 TELLING = (
-    "docs/teachers/index.md", "docs/developers/runtime.md", "sim/pages/open_me.py",
+    "docs/teachers/index.md", "docs/developers/runtime.md", "sim/pages/offline/open_me.py",
     "sim/web/src/runtime/failure.js", "sim/web/src/class-main.js", "sim/web/src/measured-main.js",
 )  # fmt: skip
 

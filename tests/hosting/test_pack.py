@@ -9,7 +9,7 @@ import click
 import pytest
 
 from sim.cli.site.pack import LONGEST, pack_site, write_zip
-from sim.pages.open_me import NAME, open_me
+from sim.pages.offline.open_me import NAME, open_me
 from tests.hosting.conftest import CACHE, ROOT
 from tests.web.conftest import OpenPage
 

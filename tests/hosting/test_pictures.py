@@ -18,7 +18,7 @@ from playwright.sync_api import Locator, Page, Playwright, expect
 from sim.cli import main
 from sim.cli.site.serve import Previewer
 from sim.pages import runtime
-from sim.pages.open_me import NAME, open_me
+from sim.pages.offline.open_me import NAME, open_me
 from tests.hosting.conftest import ROOT
 from tests.web.conftest import launch
 

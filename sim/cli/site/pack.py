@@ -13,8 +13,8 @@ from sim.cli.site import site_folder
 from sim.cli.site.build import build_site, mistakes_told
 from sim.cli.write_out import unwritten
 from sim.pages.classroom.scorm import scorm_files
-from sim.pages.open_me import NAME as OPEN_ME
-from sim.pages.open_me import open_me
+from sim.pages.offline.open_me import NAME as OPEN_ME
+from sim.pages.offline.open_me import open_me
 
 DATE = (1980, 1, 1, 0, 0, 0)  # equal sites give equal zips
 LONGEST = 120
