@@ -19,8 +19,8 @@ from sim.dynamics.result.energy_parts import energy_parts
 from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 
-PER_FLIGHT = 32
-"""A straight line leaves a parabola by 1/8 of (1/32)² of its rise: no pixel, no digit shown."""
+PER_FLIGHT = 256
+"""A straight line leaves a parabola by at most ¼ (1/256)² = 4e-6 of its rise."""
 
 
 def energy_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:

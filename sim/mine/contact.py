@@ -27,7 +27,7 @@ VELOCITY_SELF, VELOCITY_OTHER = PLACES["velocity_self"], PLACES["velocity_other"
 
 FAR = 100.0
 """Times the closing speed. A well that a law digs may take carts in some times faster than they
-came, and give them back; what is so fast in it does not come back."""
+came, and give them back."""
 
 HUGE = 1e9
 """N. Where steps find no end beside such a force, it is the force."""
@@ -75,6 +75,10 @@ class WrittenForce:
     apart: Apart = field(default_factory=Apart, init=False)
     last: tuple[float, float] = field(default=(0.0, 0.0), init=False)
     """N. What was answered last, to the left one and to the right one."""
+    pushed: bool = field(default=False, init=False)
+    """Was anything but a pull answered in this contact?"""
+    pulled: float = field(default=0.0, init=False)
+    """N. The strongest pull on both in this contact, of those at the ends of steps."""
 
     def __post_init__(self) -> None:
         self.rows = [self._row(k) for k in (0, 1)]
@@ -101,7 +105,7 @@ class WrittenForce:
     def on(self, mode: Mode, d: float, v: float, memory: float) -> float:
         """N, the push; nought while they are apart."""
         if mode == "apart":
-            self.last = (0.0, 0.0)
+            self.last, self.pushed, self.pulled = (0.0, 0.0), False, 0.0
             return 0.0
         answers = [0.0, 0.0]
         for k in self.asked:
@@ -111,6 +115,7 @@ class WrittenForce:
         if len(self.asked) == 1:
             answers = [answers[self.asked[0]]] * 2
         self.last = left, right = answers[0], answers[1]
+        self.pushed = self.pushed or (d > 0.0 and max(left, right) >= 0.0)
         self.odd = 0.5 * (left - right)
         self.greatest = max(self.greatest, abs(left), abs(right))
         if abs(self.odd) > abs(self.apart.odd):
@@ -120,17 +125,20 @@ class WrittenForce:
     def look_at(self, d: float, v: float, closing: float, *, stuck: bool = False) -> None:
         """A step has ended with this overlap [m] and rate [m/s], or finds no end (`stuck`).
 
-        Raises `WrongLawError` where the law pulls the two into each other, faster and faster. Such
-        a motion is smooth and goes on for ever: neither steps nor any law of physics would say
-        what is wrong with it.
+        Raises `WrongLawError` where the law pulls the two into each other, the deeper the harder,
+        and never pushed. Such a motion is smooth and goes on for ever: neither steps nor any law
+        of physics would say what is wrong with it. A well has a bottom: towards it a pull fades.
         """
         fast, written = 0.0 if stuck else FAR * max(closing, SLOW), self.law.written
-        if d > 0.0 and v > fast and max(self.last) < 0.0:
+        pull = -max(self.last)
+        grows = d > 0.0 and not self.pushed and 0.0 < pull >= self.pulled
+        self.pulled = max(self.pulled, pull)
+        if grows and v > fast:
             message = said(
                 "the force pulls the carts into each other: "
                 "at an overlap of {overlap} it is {force}",
                 overlap=f"{d:.3g} m",
-                force=f"\N{MINUS SIGN}{-max(self.last):.3g} N",
+                force=f"\N{MINUS SIGN}{pull:.3g} N",
             )
             hint = said("is its sign right? A force above 0 pushes a cart away from the other one")
             raise WrongLawError(written.file, written.line, message, hint)

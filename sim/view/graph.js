@@ -14,6 +14,8 @@ export const TOP = 8;
 export const BOTTOM = 129;
 export const WIDTH = 360;
 export const HEIGHT = 160;
+export const GAP = 5; // units between the numbers of the values and their axis
+const WIDEST = 9.2; // units, the width of a figure in the larger letters of a phone
 const LETTER = 8; // units, the width of a figure; a point takes half
 const BELOW_LINE = 5; // units, from a grid line to the foot of its number
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
@@ -148,8 +150,8 @@ export function valueMarks(plane) {
 export function valuePower({ value }) {
   const decimals = axisDecimals(value);
   const widths = ticks(value).map(
-    (v) => LETTER * (fixed(v, decimals).length - (decimals ? 0.5 : 0)),
+    (v) => WIDEST * (fixed(v, decimals).length - (decimals ? 0.5 : 0)),
   );
-  if (Math.max(...widths) <= LEFT) return 0;
+  if (Math.max(...widths) <= LEFT - GAP) return 0;
   return exponent(Math.max(Math.abs(value.low), Math.abs(value.high)));
 }

@@ -16,7 +16,7 @@ from sim.scene.model import Scene
 from sim.scene.said import said
 from sim.worlds.describe import World
 from sim.worlds.follow import WorldRun, follow
-from sim.worlds.sentences import Way, energy_said, momentum_said, most_said, observers_said
+from sim.worlds.sentences import Way, energy_said, momentum_said, most_said, observers_said, speed
 
 NOISE = 1e-4
 """Of all momentum or energy in play. What is less came from located steps, and is called nought."""
@@ -112,8 +112,7 @@ def _observers(scene: Scene, world: World, seen: WorldRun) -> tuple[str, float, 
     pairs = zip(scene.carts, seen.run.v, other.run.v, strict=True)
     told = [(cart.name, v, u + TRAIN) for cart, v, u in pairs]
     worst = max(told, key=lambda one: abs(one[1] - one[2]))
-    fastest = max(abs(TRAIN), *(abs(v) for v in seen.run.v))
-    return worst if abs(worst[1] - worst[2]) > NOISE * fastest else None
+    return worst if speed(worst[1]) != speed(worst[2]) else None  # as a reader compares them
 
 
 def _ground(scene: Scene) -> bool:

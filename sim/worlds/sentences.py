@@ -23,10 +23,8 @@ def momentum_said(value: float, way: Way) -> str:
     if way == "came":
         return said("{amount} of momentum came from nowhere.", amount=size)
     if value > 0.0:
-        return said(
-            "The carts got {amount} of momentum to the right that no body gave.", amount=size
-        )
-    return said("The carts got {amount} of momentum to the left that no body gave.", amount=size)
+        return said("{amount} of momentum to the right came from no body.", amount=size)
+    return said("{amount} of momentum to the left came from no body.", amount=size)
 
 
 def most_said(value: float) -> str:
@@ -49,8 +47,8 @@ def observers_said(cart: str, ground: float, train: float) -> str:
         "Two observers disagree: on the ground {cart} ends with {ground}; "
         "from a train the same world gives it {train}.",
         cart=cart,
-        ground=_speed(ground),
-        train=_speed(train),
+        ground=speed(ground),
+        train=speed(train),
     )
 
 
@@ -65,6 +63,7 @@ def amount(value: float, unit: str) -> str:
     return f"{digits} × 10{raised} {unit}"
 
 
-def _speed(v: float) -> str:
+def speed(v: float) -> str:
+    """Of m/s, as a reader compares two of them."""
     text = f"{v:.2f}".replace("-0.00", "0.00")
     return f"{text} m/s".replace("-", "\N{MINUS SIGN}")

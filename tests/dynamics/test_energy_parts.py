@@ -62,7 +62,7 @@ def test_the_ledger_of_a_page_holds_within_a_flight() -> None:
     for k, (before, after) in enumerate(itertools.pairwise(t)):
         middle = (before + after) / 2
         shown = (moving[k] + moving[k + 1]) / 2
-        assert shown == pytest.approx((0.6 - g * middle) ** 2 / 2, abs=2e-4)
+        assert shown == pytest.approx((0.6 - g * middle) ** 2 / 2, abs=5e-6)
     height = parts[names.index("incline")]
     assert [a + b for a, b in zip(moving, height, strict=True)] == pytest.approx([0.18] * rows)
 

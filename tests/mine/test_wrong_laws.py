@@ -121,6 +121,21 @@ def test_carts_may_fall_into_a_well_that_gives_them_back() -> None:
     assert judge("import math\n" + text).holds
 
 
+@pytest.mark.parametrize(
+    "force",
+    [
+        "2e6 * (overlap - 0.001)",
+        "5e4 * (overlap - 0.01)",
+        "-5.0 if overlap < 0.02 else 500 * (overlap - 0.02)",
+        "50 if overlap > 0.01 else -50",
+    ],
+)
+def test_a_well_with_a_bottom_is_judged_and_not_called_a_wrong_sign(force: str) -> None:
+    """Its pull fades towards the bottom, and beyond it it pushes, however deep and stiff it is."""
+    text = f"def force(overlap, rate):\n    return {force}\n"
+    assert len(judge(text).verdicts) > 1
+
+
 @pytest.mark.parametrize("force", ["1e12", "1e50", "1e99"])
 def test_no_velocity_of_a_huge_force_is_told_that_is_no_number(force: str) -> None:
     text = f"def force(overlap, rate):\n    return {force}\n"

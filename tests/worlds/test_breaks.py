@@ -55,7 +55,7 @@ def test_momentum_that_was_turned_round_is_neither_gone_nor_from_nowhere_alone()
     done = followed(two((1.0, 0.4), (3.0, -0.4)), "own-mass-own-force")
     assert done.run.ledger.momentum_final > 0.0 > done.run.ledger.momentum_initial
     (first, *_) = broken(done).sentences
-    assert "to the right that no body gave" in first
+    assert "to the right came from no body" in first
     assert "gone" not in first
 
 

@@ -9,6 +9,7 @@ names stay: no catalogue knows them.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -27,10 +28,11 @@ _SEARCH = "partials/search.html"
 _NAMELESS = 'role="dialog">'  # a dialog of which a screen reader cannot say what it is
 _NAMED = """role="dialog" aria-label="{{ lang.t('search') }}">"""
 _MENU = {
-    "partials/palette.html": "option.toggle.name",
-    "partials/tabs-item.html": "ref.title",
-    "partials/nav-item.html": "nav_item.title",
-    "partials/path-item.html": "nav_item.title",
+    "partials/palette.html": ("option.toggle.name",),
+    "partials/tabs-item.html": ("ref.title",),
+    "partials/nav-item.html": ("nav_item.title",),
+    "partials/path-item.html": ("nav_item.title",),
+    "partials/footer.html": ("page.previous_page.title", "page.next_page.title"),
 }
 """Templates that say a name from mkdocs.yml, and what they call it."""
 MENU_WORDS = frozenset(
@@ -46,7 +48,8 @@ MENU_WORDS = frozenset(
         mark("Sandbox"),
     }
 )
-"""Names in our mkdocs.yml that stand on every page of a lesson."""
+"""The top row of the menu in our mkdocs.yml, and its switch. What is below them is in English, as
+those pages are."""
 
 
 def speak(env: Environment, of_site: str) -> None:
@@ -59,10 +62,16 @@ def speak(env: Environment, of_site: str) -> None:
         _LANGUAGE: _TEMPLATE,
         _SEARCH: search.replace(_NAMELESS, _NAMED, 1),
     }
-    for file, name in _MENU.items():
+    for file, names in _MENU.items():
         if file in templates:
             source, *_ = env.loader.get_source(env, file)
-            ours[file] = source.replace(f"{{{{ {name} }}}}", f"{{{{ menu_word(page, {name}) }}}}")
+            for name in names:  # also where it is escaped: {{ name | e }}
+                source = re.sub(
+                    rf"\{{\{{ {re.escape(name)}( \| e)? \}}\}}",
+                    rf"{{{{ menu_word(page, {name})\1 }}}}",
+                    source,
+                )
+            ours[file] = source
     env.globals["theme_words"] = _chosen(templates, of_site)
     env.globals["menu_word"] = _named(of_site)
     env.loader = ChoiceLoader([DictLoader(ours), env.loader])

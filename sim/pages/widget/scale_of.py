@@ -120,6 +120,11 @@ def _reachable_force(
             continue  # their bumpers never meet
         estimates = [_elastic_force(variant, variant["contacts"][k]) for variant in variants]
         column = () if run is None else run.F.get(contact["pair"], ())
+        meeting = [
+            force
+            for force, variant in zip(estimates, variants, strict=True)
+            if _closing(variant, contact["bodies"])
+        ]
         peak = max(column, default=0.0)
         if peak > 0 and estimates[0] > 0:
             greatest = max(greatest, peak * max(estimates) / estimates[0])
@@ -127,8 +132,15 @@ def _reachable_force(
             greatest = max(greatest, ROOM_TO_GUESS * max(estimates))
         else:
             greatest = max(greatest, peak)
-            reached = max([reached, *estimates[1:]])
+            reached = max([reached, *meeting])
     return greatest or reached
+
+
+def _closing(header: Mapping[str, Any], between: Sequence[str]) -> bool:
+    """Whether the two come nearer to each other at the start."""
+    speeds = {b["name"]: b["velocity"] for b in header["bodies"]}
+    left, right = (speeds.get(name, 0.0) for name in between)
+    return bool(left > right)
 
 
 def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> float:

@@ -88,7 +88,8 @@ function ground({ fence, run: { header } }, layout, hatch) {
   const at = (/** @type {number} */ x) => layout.origin + x * layout.scale;
   const first = left === "wall" ? 0 : low;
   const last = right === "wall" ? Number(length) : high;
-  const longest = fence.controls.find((control) => control.set === "track.length")?.high ?? last;
+  const slider = fence.controls.find((control) => control.set === "track.length");
+  const longest = slider ? slider.high * slider.per : last;
   const start = left === "wall" ? at(0) : at(low) - BEYOND;
   const end = right === "wall" ? at(last) : at(high) + BEYOND;
   const under = layout.track + layout.beam;

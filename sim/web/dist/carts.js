@@ -701,8 +701,8 @@
       return ADAPTIVE.includes(this.of("method").value);
     }
     get all() {
-      const [rtol, parts2] = ["rtol", "step"].map((part) => Number(this.of(part).value));
-      return { method: this.of("method").value, rtol: Number(rtol), parts: Number(parts2) };
+      const number = (part) => Number(this.of(part).value);
+      return { method: this.of("method").value, rtol: number("rtol"), parts: number("step") };
     }
     asked(parts2) {
       const { method, rtol, parts: chosen } = this.all;
@@ -6538,7 +6538,7 @@
         (effect) => effect.kind === kind2 && effect.active && effect.carts.includes(on)
       );
       const by = listed([...new Set(own.map(agent))]);
-      return [`${forceOn(on, by)} (${kind2})${inUnit("N")}`, values];
+      return [`${forceOn(on, by)} (${viewOf(kind2).name})${inUnit("N")}`, values];
     });
   }
   function named2(quantity, { title, symbol, label, over }) {
@@ -7264,7 +7264,7 @@ ${lines4.join("\n")}
     }
     replace(changes2) {
       const before = [...this.#before];
-      if (JSON.stringify(this.wanted) !== JSON.stringify(changes2)) {
+      if (asText2(this.wanted) !== asText2(changes2)) {
         this.#before.push({ ...this.wanted });
       }
       this.wanted = { ...changes2 };
@@ -7293,6 +7293,7 @@ ${lines4.join("\n")}
       this.#before = [];
     }
   };
+  var asText2 = (settings) => JSON.stringify(Object.entries(settings).sort());
 
   // src/scene/runs.js
   var Runs = class {
@@ -8215,6 +8216,8 @@ ${lines4.join("\n")}
   var BOTTOM5 = 129;
   var WIDTH6 = 360;
   var HEIGHT3 = 160;
+  var GAP2 = 5;
+  var WIDEST = 9.2;
   var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR2 = 0.7;
@@ -8314,9 +8317,9 @@ ${lines4.join("\n")}
   function valuePower({ value }) {
     const decimals = axisDecimals(value);
     const widths = ticks2(value).map(
-      (v2) => LETTER * (fixed(v2, decimals).length - (decimals ? 0.5 : 0))
+      (v2) => WIDEST * (fixed(v2, decimals).length - (decimals ? 0.5 : 0))
     );
-    if (Math.max(...widths) <= LEFT5) return 0;
+    if (Math.max(...widths) <= LEFT5 - GAP2) return 0;
     return exponent(Math.max(Math.abs(value.low), Math.abs(value.high)));
   }
 
@@ -8398,7 +8401,7 @@ ${lines4.join("\n")}
       put(line3, "class", zero ? "carts-zero" : "carts-grid");
       put(line3, "d", `M${LEFT5} ${at3}H${RIGHT4}`);
       put(text, "class", "carts-tick-y");
-      put(text, "x", String(LEFT5 - 5));
+      put(text, "x", String(LEFT5 - GAP2));
       put(text, "y", textY);
       say(text, label);
     });
@@ -8626,7 +8629,7 @@ ${lines4.join("\n")}
         this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
       } else if (open2 && this.#of !== run) {
         this.#of = run;
-        this.waits = tr("Starting Python …");
+        this.waits = tr("Computing …");
         void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
           this.waits = parts2 ? "" : tr("This change needs Python, which does not run here.");
@@ -9034,7 +9037,7 @@ ${lines4.join("\n")}
 
   // ../view/skins.js
   var NARROW = 24;
-  var GAP2 = 5;
+  var GAP3 = 5;
   var SADDLE = 6;
   var SKINS = {
     cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
@@ -9043,7 +9046,7 @@ ${lines4.join("\n")}
     trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
     box: { wheels: false, lift: 0, corner: 1, lines: crate },
     puck: { wheels: false, lift: 0, corner: 12, lines: puck },
-    glider: { wheels: false, lift: GAP2, corner: 4, lines: glider }
+    glider: { wheels: false, lift: GAP3, corner: 4, lines: glider }
   };
   function van(box2, front) {
     return lines3(box2, front, [
@@ -9223,7 +9226,7 @@ ${lines4.join("\n")}
   // src/scene/effects.js
   var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
-  var GAP3 = 8;
+  var GAP4 = 8;
   var Effects = class {
     #run = null;
     #drawn = /* @__PURE__ */ new Map();
@@ -9312,12 +9315,12 @@ ${lines4.join("\n")}
     return [...leaders, ...pieces];
   }
   function fits(x2, length, text, picture2) {
-    const needed = text.length * PER_CHARACTER + GAP3 + 4;
+    const needed = text.length * PER_CHARACTER + GAP4 + 4;
     return Math.min(x2, x2 + length) >= needed || Math.max(x2, x2 + length) <= picture2 - needed;
   }
   function beside(x2, length, width, picture2) {
-    const left = Math.min(x2, x2 + length) - GAP3;
-    const right = Math.max(x2, x2 + length) + GAP3;
+    const left = Math.min(x2, x2 + length) - GAP4;
+    const right = Math.max(x2, x2 + length) + GAP4;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -9364,7 +9367,7 @@ ${lines4.join("\n")}
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW2 = 21;
-  var GAP4 = 8;
+  var GAP5 = 8;
   var EDGE3 = 6;
   var Pushes = class {
     #pushes = [];
@@ -9471,9 +9474,9 @@ ${lines4.join("\n")}
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP4 && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x2 + GAP4, low + left + 2 * GAP4), high - right);
-        const end2 = Math.max(low + left, Math.min(x2 - GAP4, begin - 2 * GAP4));
+      if (high - low >= left + right + 2 * GAP5 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x2 + GAP5, low + left + 2 * GAP5), high - right);
+        const end2 = Math.max(low + left, Math.min(x2 - GAP5, begin - 2 * GAP5));
         write3(first, labels2[0] ?? "", end2, push.row, "end");
         write3(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
@@ -9493,8 +9496,8 @@ ${lines4.join("\n")}
       const track = this.#run?.header.track;
       const end2 = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE3, origin + GAP4) : EDGE3,
-        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP4) : width - EDGE3
+        track?.left === "wall" ? Math.max(EDGE3, origin + GAP5) : EDGE3,
+        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP5) : width - EDGE3
       ];
     }
     #value(size) {

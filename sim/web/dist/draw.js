@@ -12217,6 +12217,8 @@ ${rows}</tbody></table></div>
   var BOTTOM4 = 129;
   var WIDTH4 = 360;
   var HEIGHT4 = 160;
+  var GAP = 5;
+  var WIDEST = 9.2;
   var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR = 0.7;
@@ -12316,9 +12318,9 @@ ${rows}</tbody></table></div>
   function valuePower({ value }) {
     const decimals = axisDecimals(value);
     const widths = ticks2(value).map(
-      (v) => LETTER * (fixed(v, decimals).length - (decimals ? 0.5 : 0))
+      (v) => WIDEST * (fixed(v, decimals).length - (decimals ? 0.5 : 0))
     );
-    if (Math.max(...widths) <= LEFT4) return 0;
+    if (Math.max(...widths) <= LEFT4 - GAP) return 0;
     return exponent(Math.max(Math.abs(value.low), Math.abs(value.high)));
   }
 
@@ -12590,7 +12592,7 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
 
   // ../view/skins.js
   var NARROW = 24;
-  var GAP = 5;
+  var GAP2 = 5;
   var SADDLE = 6;
   var SKINS = {
     cart: { wheels: true, lift: 0, corner: 4, lines: () => "" },
@@ -12599,7 +12601,7 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
     trailer: { wheels: true, lift: 0, corner: 1, lines: trailer },
     box: { wheels: false, lift: 0, corner: 1, lines: crate },
     puck: { wheels: false, lift: 0, corner: 12, lines: puck },
-    glider: { wheels: false, lift: GAP, corner: 4, lines: glider }
+    glider: { wheels: false, lift: GAP2, corner: 4, lines: glider }
   };
   function van(box2, front) {
     return lines2(box2, front, [
@@ -12829,7 +12831,8 @@ ${legend(baked, layout)}
     const at = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last = right === "wall" ? Number(length) : high;
-    const longest = fence.controls.find((control2) => control2.set === "track.length")?.high ?? last;
+    const slider2 = fence.controls.find((control2) => control2.set === "track.length");
+    const longest = slider2 ? slider2.high * slider2.per : last;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
     const under3 = layout.track + layout.beam;
@@ -14182,7 +14185,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(line2, "class", zero ? "carts-zero" : "carts-grid");
       put(line2, "d", `M${LEFT4} ${at}H${RIGHT4}`);
       put(text3, "class", "carts-tick-y");
-      put(text3, "x", String(LEFT4 - 5));
+      put(text3, "x", String(LEFT4 - GAP));
       put(text3, "y", textY);
       say(text3, label);
     });
@@ -14462,7 +14465,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
       } else if (open && this.#of !== run) {
         this.#of = run;
-        this.waits = tr("Starting Python …");
+        this.waits = tr("Computing …");
         void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
           this.waits = parts2 ? "" : tr("This change needs Python, which does not run here.");
@@ -14925,7 +14928,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/effects.js
   var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
-  var GAP2 = 8;
+  var GAP3 = 8;
   var Effects = class {
     #run = null;
     #drawn = /* @__PURE__ */ new Map();
@@ -15014,12 +15017,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return [...leaders, ...pieces];
   }
   function fits(x, length, text3, picture2) {
-    const needed = text3.length * PER_CHARACTER + GAP2 + 4;
+    const needed = text3.length * PER_CHARACTER + GAP3 + 4;
     return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
   }
   function beside(x, length, width, picture2) {
-    const left = Math.min(x, x + length) - GAP2;
-    const right = Math.max(x, x + length) + GAP2;
+    const left = Math.min(x, x + length) - GAP3;
+    const right = Math.max(x, x + length) + GAP3;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -15066,7 +15069,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW2 = 21;
-  var GAP3 = 8;
+  var GAP4 = 8;
   var EDGE3 = 6;
   var Pushes = class {
     #pushes = [];
@@ -15173,9 +15176,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP3 && !push2.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP3, low + left + 2 * GAP3), high - right);
-        const end2 = Math.max(low + left, Math.min(x - GAP3, begin - 2 * GAP3));
+      if (high - low >= left + right + 2 * GAP4 && !push2.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP4, low + left + 2 * GAP4), high - right);
+        const end2 = Math.max(low + left, Math.min(x - GAP4, begin - 2 * GAP4));
         write(first, labels2[0] ?? "", end2, push2.row, "end");
         write(second, labels2[1] ?? "", begin, push2.row, "start");
         return true;
@@ -15195,8 +15198,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const track = this.#run?.header.track;
       const end2 = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE3, origin + GAP3) : EDGE3,
-        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP3) : width - EDGE3
+        track?.left === "wall" ? Math.max(EDGE3, origin + GAP4) : EDGE3,
+        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP4) : width - EDGE3
       ];
     }
     #value(size) {

@@ -1120,7 +1120,8 @@ ${legend(baked, layout)}
     const at2 = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last2 = right === "wall" ? Number(length) : high;
-    const longest = fence.controls.find((control) => control.set === "track.length")?.high ?? last2;
+    const slider = fence.controls.find((control) => control.set === "track.length");
+    const longest = slider ? slider.high * slider.per : last2;
     const start = left === "wall" ? at2(0) : at2(low) - BEYOND;
     const end2 = right === "wall" ? at2(last2) : at2(high) + BEYOND;
     const under = layout.track + layout.beam;

@@ -2706,7 +2706,8 @@ ${legend(baked, layout)}
     const at = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last = right === "wall" ? Number(length) : high;
-    const longest = fence.controls.find((control2) => control2.set === "track.length")?.high ?? last;
+    const slider2 = fence.controls.find((control2) => control2.set === "track.length");
+    const longest = slider2 ? slider2.high * slider2.per : last;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
     const under2 = layout.track + layout.beam;

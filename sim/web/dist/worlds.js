@@ -1063,7 +1063,8 @@ ${legend(baked, layout)}
     const at = (x) => layout.origin + x * layout.scale;
     const first = left === "wall" ? 0 : low;
     const last2 = right === "wall" ? Number(length) : high;
-    const longest = fence.controls.find((control) => control.set === "track.length")?.high ?? last2;
+    const slider = fence.controls.find((control) => control.set === "track.length");
+    const longest = slider ? slider.high * slider.per : last2;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end2 = right === "wall" ? at(last2) : at(high) + BEYOND;
     const under = layout.track + layout.beam;
@@ -2567,7 +2568,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     #leaving = new AbortController();
     #pictures = null;
     #turn = 0;
-    #values = "{}";
+    #values = "[]";
     // that the reader has set, as the scene tells them
     connectedCallback() {
       this.#leaving = new AbortController();
@@ -2625,10 +2626,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       for (const part of [...this.children]) if (part.localName !== "script") part.remove();
     }
     #heard(event) {
-      const values = JSON.stringify(
+      const { detail } = (
         /** @type {CustomEvent} */
-        event.detail ?? {}
+        event
       );
+      const values = JSON.stringify(Object.entries(detail ?? {}).sort());
       if (values === this.#values) return;
       this.#values = values;
       if (!this.querySelector('[aria-pressed="true"]')) return;

@@ -19,7 +19,8 @@ KIND = WorldKind(
     belief="force-carried-along",
     says=template("a push is carried along and used up"),
     nothing=template(
-        "With these values nothing breaks that could be seen. Give a cart a velocity."
+        "With these values nothing breaks that could be seen. Give a cart a velocity, "
+        "or let a push last less long."
     ),
     place=60,
     fields=(
@@ -28,8 +29,7 @@ KIND = WorldKind(
             quantity.TIME,
             "1",
             "until a third of a push is left",
-            least="0",
-            above=True,
+            least="0.001",
             label=said("how long a push lasts"),
         ),
     ),

@@ -18,7 +18,8 @@ KIND = WorldKind(
     belief="motion-needs-force",
     says=template("things move only while they are pushed"),
     nothing=template(
-        "With these values nothing breaks that could be seen. Give a cart a velocity."
+        "With these values nothing breaks that could be seen. Give a cart a velocity, "
+        "or let things stop sooner."
     ),
     place=70,
     fields=(
@@ -27,8 +28,7 @@ KIND = WorldKind(
             quantity.TIME,
             "0.1",
             "in which a thing stops that nobody pushes",
-            least="0",
-            above=True,
+            least="0.001",
             label=said("how soon a thing stops"),
         ),
     ),

@@ -50,16 +50,22 @@ def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:
 def test_the_menu_speaks_as_the_page_and_a_teacher_s_own_names_stay(make_site: MakeSite) -> None:
     """The parts of the menu and the switch of the colours; on English pages nothing changes."""
     ours = CONFIG.replace("{Home: index.md}, ", "{Home: index.md}, {Our carts: own.md}, ")
+    ours = ours.replace("worksheets/}]", "worksheets/}, {Sandbox: box.md}]")
+    ours = ours.replace("font: false", "font: false, features: [navigation.footer]")
     shades = "palette: [{scheme: default, toggle: {icon: material/weather-night, name: Dark}}]"
     root = make_site(ours.replace("font: false", f"font: false, {shades}"), first=lesson())
-    (root / "docs" / "own.md").write_text("# Ours\n", encoding="utf-8")
+    for name in ("own", "box"):
+        (root / "docs" / f"{name}.md").write_text("# Ours\n", encoding="utf-8")
     (root / "worksheets" / "ms").mkdir()
     (root / "worksheets" / "ms" / "first.md").write_text(lesson(), encoding="utf-8")
     site = build_site(root, hosted=False, strict=True)
     assert site is not None
     english = _menu((site / "worksheets" / "first.html").read_text(encoding="utf-8"))
     assert {"Home", "Lessons", "Our carts", "Dark"} <= english
-    malay = _menu((site / "worksheets" / "ms" / "first.html").read_text(encoding="utf-8"))
+    page = (site / "worksheets" / "ms" / "first.html").read_text(encoding="utf-8")
+    malay = _menu(page)
+    assert page.count("Ruang cuba") == 2  # in the menu, and at the foot: what comes next
+    assert "Sandbox" not in page
     assert {"Laman utama", "Pelajaran", "Our carts", "Gelap"} <= malay
     assert not {"Home", "Lessons", "Dark"} & malay
 
@@ -71,7 +77,7 @@ def _menu(page: str) -> set[str]:
 
 
 def test_the_menu_of_our_own_site_is_in_the_catalogues() -> None:
-    """What mkdocs.yml calls its parts stands on every page of a lesson, translated ones too."""
+    """The top row of mkdocs.yml stands on every page of a lesson, translated ones too."""
     config = Path(ROOT, "mkdocs.yml").read_text(encoding="utf-8")
     parts = re.findall(
         r"^ {2}- ([^:\n]+):", config.partition("\nnav:")[2].partition("\n\n")[0], re.MULTILINE

@@ -60,6 +60,18 @@ def test_where_nothing_touches_yet_a_slider_that_makes_it_has_a_scale_of_forces(
     assert max(from_wire(other, moved).F["A-B"]) <= scales.force
 
 
+def test_carts_that_no_slider_lets_touch_have_no_scale_of_forces() -> None:
+    carts = {
+        "A": {"mass": "1 kg", "position": "0.4 m"},
+        "B": {"mass": "1 kg", "position": "1 m", "velocity": "0.5 m/s"},
+    }
+    controls = [{"set": "A.mass", "from": "0.5 kg", "to": "4 kg", "step": "0.1 kg"}]
+    contact = {"law": "bumper", "stiffness": 200}
+    plain = {"id": "away", "carts": carts, "contact": contact, "until": 2, "controls": controls}
+    fence, header, numbers = baked(plain)
+    assert read_scales(header, fence.controls, from_wire(header, numbers), 0.0).force == 0
+
+
 def test_a_run_much_faster_than_its_start_makes_the_scale_of_its_velocities() -> None:
     """A push on a cart that creeps: metres per second, and an arrow that is not cut at once."""
     creep = {"mass": "1 kg", "position": "0.4 m", "velocity": "0.005 m/s"}

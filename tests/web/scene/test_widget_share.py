@@ -141,7 +141,7 @@ def test_the_table_tells_the_forces_of_effects_with_who_exerts_them() -> None:
     )
     heads, *rows = list(csv.reader(io.StringIO(text[0])))
     first = dict(zip(heads, rows[0], strict=True))
-    assert float(first["force on A by fan (push) in N"]) == pytest.approx(0.1)
+    assert float(first["force on A by fan (pushes from outside) in N"]) == pytest.approx(0.1)
     rubbing = float(first["force on A by the track (friction) in N"])
     assert rubbing == pytest.approx(-0.02 * 0.5 * 9.81)
     assert "force on" not in text[1]

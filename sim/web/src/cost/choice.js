@@ -24,8 +24,8 @@ export class Choice {
 
   /** The method with both of its numbers, of which it uses one. */
   get all() {
-    const [rtol, parts] = ["rtol", "step"].map((part) => Number(this.of(part).value));
-    return { method: this.of("method").value, rtol: Number(rtol), parts: Number(parts) };
+    const number = (/** @type {string} */ part) => Number(this.of(part).value);
+    return { method: this.of("method").value, rtol: number("rtol"), parts: number("step") };
   }
 
   /** What Python is asked for, and the number that counts is shown. @param {number} [parts] of a point of the map */

@@ -46,7 +46,7 @@ export class Values {
   /** Other values in the place of all, as one change. @param {Settings} changes @returns {() => void} how all is as it was, if they are refused */
   replace(changes) {
     const before = [...this.#before];
-    if (JSON.stringify(this.wanted) !== JSON.stringify(changes)) {
+    if (asText(this.wanted) !== asText(changes)) {
       this.#before.push({ ...this.wanted });
     }
     this.wanted = { ...changes };
@@ -80,3 +80,6 @@ export class Values {
     this.#before = [];
   }
 }
+
+/** @param {Settings} settings @returns {string} the same in whatever order they were set */
+const asText = (settings) => JSON.stringify(Object.entries(settings).sort());

@@ -22,7 +22,7 @@ export class WorldsElement extends HTMLElement {
   /** @type {Pictures | null} */
   #pictures = null;
   #turn = 0;
-  #values = "{}"; // that the reader has set, as the scene tells them
+  #values = "[]"; // that the reader has set, as the scene tells them
 
   connectedCallback() {
     this.#leaving = new AbortController();
@@ -91,7 +91,8 @@ export class WorldsElement extends HTMLElement {
 
   /** Other values are set: what is shown here, or being computed, is of the old ones. @param {Event} event */
   #heard(event) {
-    const values = JSON.stringify(/** @type {CustomEvent} */ (event).detail ?? {});
+    const { detail } = /** @type {CustomEvent} */ (event);
+    const values = JSON.stringify(Object.entries(detail ?? {}).sort());
     if (values === this.#values) return;
     this.#values = values;
     if (!this.querySelector('[aria-pressed="true"]')) return;

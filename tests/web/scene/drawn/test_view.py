@@ -90,12 +90,15 @@ def test_the_numbers_of_an_axis_have_room_beside_it(high: float, power: int) -> 
     found, labels = in_node(
         """const g = await import(view + "/graph.js");
         const plane = g.planeFor([0, data], [0, 1]);
-        give([g.valuePower(plane), g.valueMarks(plane).map(({ label }) => label)]);""",
+        const mirrored = g.planeFor([-data, data], [0, 1]);
+        give([g.valuePower(plane), [plane, mirrored].flatMap(
+          (one) => g.valueMarks(one).map(({ label }) => label))]);""",
         high,
     )
     assert found == power
     assert high / 2 < float(labels[-1]) * 10**power <= high * 1.1
-    assert max(map(len, labels)) <= 6
+    # 47 units are left of the axis, and a figure has 9.2 of them on a phone.
+    assert max(9.2 * (len(label) - ("." in label) / 2) for label in labels) <= 47
 
 
 def test_between_rows_a_cubic_is_met_exactly_and_a_jump_is_not_smoothed() -> None:

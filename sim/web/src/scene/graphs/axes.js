@@ -22,7 +22,7 @@ export function drawAxes(root, plane) {
     put(line, "class", zero ? "carts-zero" : "carts-grid");
     put(line, "d", `M${g.LEFT} ${at}H${g.RIGHT}`);
     put(text, "class", "carts-tick-y");
-    put(text, "x", String(g.LEFT - 5));
+    put(text, "x", String(g.LEFT - g.GAP));
     put(text, "y", textY);
     say(text, label);
   });

@@ -52,7 +52,7 @@ export class LedgerLayer {
       this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
     } else if (open && this.#of !== run) {
       this.#of = run;
-      this.waits = tr("Starting Python …");
+      this.waits = tr("Computing …");
       void askParts(this.root).then((parts) => {
         if (this.#of !== run) return; // a newer one is on its way
         this.waits = parts ? "" : tr("This change needs Python, which does not run here.");

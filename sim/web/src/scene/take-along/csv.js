@@ -1,7 +1,7 @@
 /** A run as a table for a spreadsheet: every row of the run, in full precision. */
 
 import { forceOn, listed } from "../../../../view/bodies.js";
-import { agent } from "../../../../view/effects.js";
+import { agent, viewOf } from "../../../../view/effects.js";
 import { tr } from "../../../../view/language.js";
 import { seriesOf } from "../../../../view/series.js";
 import { isTold } from "../../../../view/trajectory.js";
@@ -42,7 +42,7 @@ function effectColumns({ header, trajectory }) {
       (effect) => effect.kind === kind && effect.active && effect.carts.includes(on),
     );
     const by = listed([...new Set(own.map(agent))]);
-    return [`${forceOn(on, by)} (${kind})${inUnit("N")}`, values];
+    return [`${forceOn(on, by)} (${viewOf(kind).name})${inUnit("N")}`, values];
   });
 }
 
