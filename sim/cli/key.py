@@ -14,6 +14,7 @@ from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.language import language_folder
 from sim.pages.question.key_page import Key, lesson_key
+from sim.pages.text.front_matter import stated_language
 from sim.pages.text.lesson_list import lessons_in
 from sim.pages.text.lesson_places import LESSONS, shown
 from sim.pages.translate.catalogues import is_bank
@@ -47,7 +48,8 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     for path in paths:
         if path.suffix in (".yml", ".yaml"):
             raise click.UsageError(_no_lesson(path))
-    lessons = [path.resolve() for path in paths] or lessons_in(root / LESSONS)
+    named = dict.fromkeys(path.resolve() for path in paths)
+    lessons = [*named] or lessons_in(root / LESSONS)
     if not lessons:
         raise click.UsageError(
             f"There are no lessons here (looked for {LESSONS}). Go to the folder of your site "
@@ -102,7 +104,8 @@ def _no_lesson(path: Path) -> str:
 def _keys(path: Path, root: Path, site_id: str) -> Iterator[tuple[str, Key]]:
     """The keys of a lesson by the names of their files: its own first, then its translations."""
     name = path.stem
-    by_hand = language_folder(shown(path, root))
+    folder = language_folder(f"{path.parent.name}/{path.name}")
     for language, (text, lesson) in in_languages(path, root).items():
         if key := lesson_key(text, lesson, name, site_id):
-            yield ".".join(part for part in (name, language or by_hand) if part), key
+            own = language or stated_language(text) or folder
+            yield ".".join(part for part in (name, own) if part), key

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from sim.cli.scene_file import fail
+from sim.cli.site.site_folder import SETTINGS
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError, SiteError
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
@@ -49,6 +50,12 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
     click.echo(f"{target} ({target.stat().st_size / 1e6:.0f} MB). It needs no other file.")
 
 
+def _among_lessons(path: Path, root: Path) -> bool:
+    """Whether a file lies in the folder of lessons of its site; `root`: where none is found."""
+    site = next((one for one in path.parents if (one / SETTINGS).is_file()), root)
+    return path.is_relative_to(site / LESSONS)
+
+
 def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
     """The scene that was meant; raises `AuthorError` for its mistakes."""
     path = path.resolve()
@@ -61,7 +68,7 @@ def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
     else:
         lines = lines_of(author_text(path, shown))
     # In a lesson a scene is watched first; so it is where it stands alone.
-    watch = "first" if path.suffix == ".md" and LESSONS in path.parts[:-1] else ""
+    watch = "first" if path.suffix == ".md" and _among_lessons(path, root) else ""
     lesson = Lesson(shown, folders, bank_folders(path, root), watch=watch)
     found = {}
     for block in scan(lines):

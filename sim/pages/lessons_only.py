@@ -17,6 +17,9 @@ from urllib.parse import quote
 import yaml
 
 from sim.pages.language import tr, tr_counted
+from sim.pages.text.fence_scan import after_front_matter
+from sim.pages.text.plain_lines import lines_of
+from sim.pages.text.sections import title_of
 
 HOME = "index.md"
 CLASS_RESULTS = "class-results.md"
@@ -141,13 +144,14 @@ def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
 
 def _head(text: str) -> dict[str, Any]:
     """The front matter of a lesson, and its first heading where that says no title."""
-    found = re.match(r"\A---\s*\n(.*?\n)---\s*\n", text, re.DOTALL)
+    lines = lines_of(text)
+    top = after_front_matter(lines)
     try:
-        head = yaml.safe_load(found[1]) if found else {}
+        head = yaml.safe_load("\n".join(lines[1 : max(1, top - 1)]))
     except yaml.YAMLError:
         head = {}
-    heading = re.search(r"^# +([^{\n]+)", text, re.MULTILINE)
-    first = {"title": heading[1].strip()} if heading else {}
+    title = title_of(lines[top:])
+    first = {"title": title} if title else {}
     return first | (head if isinstance(head, dict) else {})
 
 

@@ -10,19 +10,25 @@ from pathlib import Path
 
 from sim.pages.findings import Finding
 from sim.pages.language import LANGUAGES
-from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, shown
+from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, is_built, shown
 from sim.pages.translate.catalogues import FOLDER, catalogues_in
 
 
 def no_page(path: Path, root: Path) -> list[Finding]:
     """That the lesson at `path` lies too deep in the folder of lessons of the site at `root`."""
     folder = root / LESSONS
-    built = (folder, *(folder / language for language in LANGUAGES))
-    if path.parent in built or not path.is_relative_to(folder) or path.name == "README.md":
+    if is_built(path, folder) or not path.is_relative_to(folder) or _tells_of_its_folder(path):
         return []
     message = "no page is made of this lesson: it lies in a folder that is not built"
     hint = f"put it into {LESSONS}/, or into the folder of its language, such as {LESSONS}/ms/"
     return [Finding(shown(path, root), 1, 1, "not-built", message, hint, "warning")]
+
+
+def _tells_of_its_folder(path: Path) -> bool:
+    """A README.md beside banks, scenes, words: nobody means it as a page."""
+    return path.name == "README.md" and not any(
+        one.name != path.name for one in path.parent.glob("*.md")
+    )
 
 
 def no_lesson(folder: Path, root: Path) -> Iterator[Finding]:

@@ -139,6 +139,26 @@ def test_no_key_takes_the_place_of_another(lessons: Path) -> None:
     assert "Why?" in Path("build/keys/held.key.html").read_text(encoding="utf-8")
 
 
+def test_a_lesson_that_is_named_twice_has_one_key(lessons: Path) -> None:
+    named = ["worksheets/held.md", str(lessons / "worksheets" / "held.md")]
+    assert CliRunner().invoke(main, ["key", *named]).exit_code == 0
+
+
+def test_the_language_of_a_key_is_the_lesson_s_and_not_that_of_a_folder_above(
+    lessons: Path,
+) -> None:
+    folder = lessons / "ms" / "school" / "worksheets"
+    folder.mkdir(parents=True)
+    (folder / "held.md").write_text(ASKS.format("Why?"), encoding="utf-8")
+    told = f"---\nlanguage: ta\n---\n{ASKS.format('Why?')}"
+    (folder / "own.md").write_text(told, encoding="utf-8")
+    (lessons / "worksheets" / "held.md").unlink()
+    result = CliRunner().invoke(main, ["key", f"{folder}/held.md", f"{folder}/own.md"])
+    assert result.exit_code == 0, result.output
+    made = {file.name for file in (lessons / "build" / "keys").glob("*.html")}
+    assert made == {"held.key.html", "own.ta.key.html"}
+
+
 def test_in_a_folder_without_lessons_it_says_so(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

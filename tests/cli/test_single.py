@@ -30,6 +30,17 @@ def test_a_scene_of_a_lesson_is_watched_before_it_is_known(
     assert _scene(path, None, tmp_path).fence.watch == watch
 
 
+def test_a_folder_above_the_site_says_nothing_of_its_pages(tmp_path: Path) -> None:
+    """A site may lie in somebody's folder of worksheets; its docs are no lessons."""
+    site = tmp_path / "worksheets" / "my-site"
+    for place in ("docs", "worksheets"):
+        (site / place).mkdir(parents=True)
+        (site / place / "a.md").write_text(LESSON % "", encoding="utf-8")
+    (site / "mkdocs.yml").touch()
+    assert _scene(site / "docs" / "a.md", None, tmp_path).fence.watch == ""
+    assert _scene(site / "worksheets" / "a.md", None, tmp_path / "else").fence.watch == "first"
+
+
 def test_a_scene_file_is_shown_at_once(tmp_path: Path) -> None:
     path = tmp_path / "worksheets" / "scenes" / "one.yml"
     path.parent.mkdir(parents=True)

@@ -121,6 +121,18 @@ def test_a_comment_in_a_program_opens_no_question() -> None:
     assert lesson_asks(titled, Lesson("a.md")).title == "The `real` one"
 
 
+@pytest.mark.parametrize("text", ["", "---\ntitle: x\n---\n"])
+def test_a_lesson_without_a_line_asks_nothing(text: str) -> None:
+    asks = lesson_asks(text, Lesson("a.md"))
+    assert (asks.title, list(asks.about)) == ("", [])
+
+
+def test_a_link_that_is_never_closed_is_looked_through_in_its_line() -> None:
+    """Above a long program, whose signs are blanks here: the search went through all their ways."""
+    text = "See [the program](\n" + (" " * 80 + "\n") * 500
+    assert check_lesson(text, Lesson("a.md"), SiteIds()) == []
+
+
 @pytest.mark.parametrize(
     "link",
     [
@@ -132,6 +144,8 @@ def test_a_comment_in_a_program_opens_no_question() -> None:
         "[c d](mein%20bild.png)",
         "![c d](mein bild.png)",
         "[x](l'eau.md#part)",
+        "[x](l'eau.md 'it's')",
+        '[x](l\'eau.md "He said "no"")',
     ],
 )
 def test_a_link_that_works_is_no_mistake(tmp_path: Path, link: str) -> None:

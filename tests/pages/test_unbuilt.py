@@ -100,7 +100,9 @@ def test_of_a_first_idea_with_mistakes_these_alone_are_told() -> None:
     assert {one.line for one in check_lesson(bad, Lesson("a.md"), SiteIds())} == {4}
 
 
-@pytest.mark.parametrize("name", ["table.csv", "data/table.csv", "scene.yml", "notes.txt"])
+@pytest.mark.parametrize(
+    "name", ["table.csv", "data/table.csv", "scene.yml", "notes.txt", "data/deep.md"]
+)
 def test_a_link_to_what_stays_in_the_folder_of_lessons_has_its_line(
     make_site: MakeSite, name: str
 ) -> None:

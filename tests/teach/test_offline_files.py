@@ -138,6 +138,12 @@ def test_a_link_shows_title_words_and_picture() -> None:
     assert '<link rel="manifest" href="../manifest.webmanifest">' in made
 
 
+def test_a_readme_is_known_by_the_address_of_its_folder() -> None:
+    hosting = Hosting("S", site_url="https://physics.example/p", offline=False)
+    made = hosting.head(PAGE, "worksheets/README.md", "../assets/carts/")
+    assert 'property="og:url" content="https://physics.example/p/worksheets/">' in made
+
+
 def test_what_a_lesson_says_of_itself_wins_and_cannot_break_out() -> None:
     said = PAGE.replace("All lessons.", "&quot;&gt;&lt;script&gt;alert(1)&lt;/script&gt;")
     made = with_preview(said, site_name="S", about="All lessons.", address="", picture="")

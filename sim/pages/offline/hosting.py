@@ -6,11 +6,13 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import sim
 from sim.pages.offline import files, shapes
 from sim.pages.offline.links import with_preview
 from sim.pages.offline.stamps import stamp_pages
+from sim.pages.text.lesson_places import page_of
 
 MANIFEST = "manifest.webmanifest"
 ICONS = "assets/carts/icons/"
@@ -32,7 +34,7 @@ class Hosting:
         """The page `name` (its Markdown file) with what it says of itself; `assets` leads from it
         to assets/carts/."""
         base = self.site_url.rstrip("/") + "/" if self.site_url else ""
-        address = base + (name or "index.md").rpartition(".")[0] + ".html" if base else ""
+        address = base + quote(page_of(name or "index.md")) if base else ""
         page = with_preview(
             page,
             site_name=self.site_name,

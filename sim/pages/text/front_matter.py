@@ -40,11 +40,17 @@ def lesson_order(path: Path) -> tuple[int, str]:
     return int(place) if _PLACE.fullmatch(place) else LAST, path.name
 
 
+def stated_language(text: str) -> str:
+    """What a lesson says at its top that it speaks; "" where it says nothing."""
+    stated = _LANGUAGE.match(text)
+    return stated[1].strip().strip("\"'") if stated else ""
+
+
 def language(text: str) -> Iterator[Found]:
     """A language that there are no interface words in."""
     stated = _LANGUAGE.match(text)
     try:
-        language_of(stated[1].strip().strip("\"'") if stated else ENGLISH)
+        language_of(stated_language(text) if stated else ENGLISH)
     except UnknownLanguageError as error:
         hint = "for example language: ms; without it the page speaks as the site does"
         yield stated.start(1) if stated else 0, "unknown-language", str(error), hint

@@ -6,6 +6,7 @@ import posixpath
 from pathlib import Path
 
 from sim.pages.effect_pages import SCENES
+from sim.pages.language import LANGUAGES
 from sim.pages.scene_block import Lesson
 
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
@@ -21,6 +22,11 @@ banks hold keys, tables hold names."""
 def described(lesson: Path, root: Path) -> Lesson:
     """The lesson in a file, as its blocks are read; messages name it from `root`."""
     return Lesson(shown(lesson, root), scene_folders(lesson, root), bank_folders(lesson, root))
+
+
+def is_built(lesson: Path, folder: Path) -> bool:
+    """Whether a page is made of a lesson: it lies in the folder of lessons, or in a language's."""
+    return lesson.parent in (folder, *(folder / language for language in LANGUAGES))
 
 
 def page_of(name: str) -> str:

@@ -18,13 +18,16 @@ from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import misspelt, without_scene
-from sim.pages.text.lesson_places import JOINING, LESSONS
+from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
 from sim.pages.text.plain_lines import lines_of, without_code
 
-# As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow.
+# As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow, up to the
+# last of them. A bare one begins with no blank, so that each blank belongs to one part only: of a
+# link that is never closed the search ends in its line.
 _TARGET = (
-    r"\(\s*(?:<(?P<wrapped>[^<>\n]*)>|(?P<bare>(?:[^()\n]|\([^()\n]*\))*?))"
-    r"(?:\s+(?:\"[^\"\n]*\"|'[^'\n]*'))?\s*\)"
+    r"\([ \t]*\n?[ \t]*(?:<(?P<wrapped>[^<>\n]*)>"
+    r"|(?P<bare>(?:[^()\s]|\([^()\n]*\))(?:[^()\n]|\([^()\n]*\))*?)|)"
+    r"(?:[ \t]+(?:\"[^\n]*\"|'[^\n]*'))?[ \t]*\n?[ \t]*\)"
 )
 _PICTURE = re.compile(rf"!\[([^\]\n]*)\]{_TARGET}")
 _LINK = re.compile(rf"(?<!!)\[[^\]\n]+\]{_TARGET}")
@@ -199,8 +202,10 @@ def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
 def _joins(place: Path, folder: Path, lesson: Lesson) -> bool:
     """Whether a file is one of the site; of the folder of lessons only some are."""
     lessons = Path(os.path.normpath(_root(folder, lesson) / LESSONS))
-    inside = Path(os.path.normpath(place)).is_relative_to(lessons)
-    return not inside or place.suffix.lower() in (".md", *JOINING)
+    lies = Path(os.path.normpath(place))
+    if not lies.is_relative_to(lessons):
+        return True
+    return is_built(lies, lessons) if lies.suffix == ".md" else lies.suffix.lower() in JOINING
 
 
 def _root(folder: Path, lesson: Lesson) -> Path:

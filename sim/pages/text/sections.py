@@ -52,4 +52,4 @@ def in_sections(lines: Sequence[str], blocks: Iterable[Block]) -> Iterator[tuple
 
 def _without_code(lines: Sequence[str]) -> list[str]:
     """A line of a program that begins with # is no heading."""
-    return without_code("\n".join(lines)).split("\n")
+    return without_code("\n".join(lines)).split("\n") if lines else []

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from urllib.parse import unquote
 
 from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson, shown_here
@@ -23,7 +24,7 @@ from sim.pages.translate.put_in import PutIn, put_in, units_of
 
 _LINK = re.compile(
     r"(?:\]\(|^\[[^\]^\n][^\]\n]*\]:[ \t]+|\b(?:src|href)=\")"
-    r"(?:<(?P<wrapped>[^<>\n]+)>|(?P<bare>[^)\s\"]+))",
+    r"(?:<(?P<wrapped>[^<>\n]+)>|(?P<bare>[^)\s\"](?:[^)\"\n]*[^)\s\"])?))",
     re.MULTILINE,
 )
 _ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|[/#?]", re.IGNORECASE)
@@ -160,6 +161,7 @@ def _moved_links(text: str, siblings: Collection[str]) -> str:
     """The text one folder further down: links lead to where they led, or to the same language."""
     for link in reversed(list(_LINK.finditer(without_code(text)))):
         own = "wrapped" if link["wrapped"] else "bare"
-        if not _ELSEWHERE.match(link[own]) and link[own].split("#")[0] not in siblings:
+        target = unquote(link[own].partition("#")[0])
+        if not _ELSEWHERE.match(link[own]) and target not in siblings:
             text = f"{text[: link.start(own)]}../{text[link.start(own) :]}"
     return text
