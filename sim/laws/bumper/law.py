@@ -74,6 +74,8 @@ class Bumper:
             return ()  # held so far, in a group; which of its ends came first is no matter
         if self.e > 0.0 and (d < memory or v < 0.0):
             steep, rest = undamped(w / self.e), self.resting_overlap(memory)
+            if v < 0.0 and d <= rest:
+                return ()  # out of force already, by rounding at least: it would pull for a swing
             reach = math.hypot(d - rest, v / steep.w)
             if reach <= memory - rest or v < 0.0:  # turns before the remembered overlap
                 angle = math.atan2((d - rest) * steep.w, v)
