@@ -64,6 +64,20 @@ def test_no_heading_gets_another_id_for_one_that_waits(found: list[Finding]) -> 
     assert ids[0] == ids[1] == ["same", "same_1", "same_2", "same_3"]
 
 
+@pytest.mark.parametrize("depth", [2, 3])
+def test_a_heading_in_a_note_within_a_note_stays_a_heading(
+    found: list[Finding], depth: int
+) -> None:
+    notes = "".join(f"{'    ' * k}!!! after\n" for k in range(depth))
+    inner = "    " * depth
+    text = f"[TOC]\n\n{SCENE}\n{notes}{inner}## Told\n\n{inner}Both.\n\n## Seen\n"
+    made = markdown.Markdown(extensions=[*EXTENSIONS, CartsExtension()])
+    page = made.convert(text)
+    assert page.count("<carts-after") == depth
+    assert '<h2 id="told">Told</h2>' in page and "<carts-hidden-" not in page
+    assert [one["name"] for one in made.toc_tokens] == ["Seen"]  # type: ignore[attr-defined]
+
+
 @pytest.mark.parametrize("fence", ["```", "~~~~"])
 def test_a_comment_in_a_program_opens_no_question(found: list[Finding], fence: str) -> None:
     program = f"{fence}python\n# a comment {{: .more }}\nx = 1\n{fence}\n"

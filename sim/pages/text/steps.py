@@ -7,7 +7,7 @@ prediction. Headings of parts say how long they take.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -96,7 +96,7 @@ def _hide_headings(root: Element, named: Callable[[str], str] | None) -> None:
     """The contents list what is called h1 to h6. `named`: from the text of a heading to its id, if
     headings get one there: then these too, as they would have, so that links to them lead on."""
     taken = {name for one in root.iter() if (name := one.get("id"))}
-    hidden = list(_held(root, _HEADINGS))
+    hidden = _held(root, _HEADINGS)
     for heading in root.iter():
         if named and heading.tag in _HEADINGS and not heading.get("id"):
             name = unique(named("".join(heading.itertext())), taken)
@@ -112,7 +112,7 @@ def _show_headings(root: Element) -> None:
         heading.tag = heading.tag.removeprefix(_HIDDEN)
 
 
-def _held(root: Element, tags: tuple[str, ...]) -> Iterator[Element]:
-    """Elements with one of these tags in text that waits."""
-    for note in root.iter(WAITING):
-        yield from (one for one in list(note.iter()) if one.tag in tags)
+def _held(root: Element, tags: tuple[str, ...]) -> list[Element]:
+    """Elements with one of these tags in text that waits, once: notes may stand in notes."""
+    inside = (one for note in root.iter(WAITING) for one in note.iter() if one.tag in tags)
+    return list({id(one): one for one in inside}.values())
