@@ -55,13 +55,43 @@ def test_contents_list_no_heading_that_waits(found: list[Finding], level: int) -
     assert not found
 
 
-def test_no_heading_gets_another_id_for_one_that_waits(found: list[Finding]) -> None:
-    note = "!!! after\n    ## Same\n"
-    text = f"# Same\n\n{SCENE}\n## Same\n\n{SCENE.replace('id: one', 'id: two')}\n{note}\n## Same"
-    made = markdown.markdown(text, extensions=[*EXTENSIONS, CartsExtension()])
-    plain = markdown.markdown(text.replace("!!! after", "!!! note"), extensions=EXTENSIONS)
+@pytest.mark.parametrize(
+    ("heading", "name"),
+    [
+        ("Same", "same"),
+        ("Kraft&nbsp;1", "kraft-1"),
+        ("A<br>B", "ab"),
+        ("Note[^1]", "note"),
+        ("Two *of* `these`", "two-of-these"),
+        (r"So \* so", "so-so"),
+        ("&lt;b&gt; &amp; <!-- c -->d", "b-d"),
+    ],
+)
+def test_no_heading_gets_another_id_for_one_that_waits(
+    found: list[Finding], heading: str, name: str
+) -> None:
+    note = f"!!! after\n    ## {heading}\n"
+    second = SCENE.replace("id: one", "id: two")
+    text = f"# {heading}\n\n{SCENE}\n## {heading}\n\n{second}\n{note}\n## {heading}\n\n[^1]: F"
+    others = [*EXTENSIONS, "footnotes"]
+    made = markdown.markdown(text, extensions=[*others, CartsExtension()])
+    plain = markdown.markdown(text.replace("!!! after", "!!! note"), extensions=others)
     ids = [re.findall(r'<h[12][^>]* id="([^"]+)"', page) for page in (made, plain)]
-    assert ids[0] == ids[1] == ["same", "same_1", "same_2", "same_3"]
+    assert ids[0] == ids[1] == [name, f"{name}_1", f"{name}_2", f"{name}_3"]
+
+
+@pytest.mark.parametrize("depth", [2, 3])
+def test_a_heading_in_a_note_within_a_note_stays_a_heading(
+    found: list[Finding], depth: int
+) -> None:
+    notes = "".join(f"{'    ' * k}!!! after\n" for k in range(depth))
+    inner = "    " * depth
+    text = f"[TOC]\n\n{SCENE}\n{notes}{inner}## Told\n\n{inner}Both.\n\n## Seen\n"
+    made = markdown.Markdown(extensions=[*EXTENSIONS, CartsExtension()])
+    page = made.convert(text)
+    assert page.count("<carts-after") == depth
+    assert '<h2 id="told">Told</h2>' in page and "<carts-hidden-" not in page
+    assert [one["name"] for one in made.toc_tokens] == ["Seen"]  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize("fence", ["```", "~~~~"])

@@ -80,20 +80,29 @@ def built(text: str) -> str:
     return PAGE.format(lesson=made.replace("</h1>", lines, 1))
 
 
-def look(text: str, have: list[str]) -> dict[str, Any]:
+def look(text: str, have: list[str], *, right: bool = True) -> dict[str, Any]:
     told = {"file": "docs/a.md", "scenes": [str(LESSON.scene_folders[0])],
             "extensions": ["admonition"]}  # fmt: skip
     answer = teach_answer({"do": "look", "text": text, "lesson": told, "have": have})[0]
-    assert not answer["findings"] and not answer["more"]
+    assert (not answer["findings"] and not answer["more"]) or not right
     return answer
 
 
-def shown(*texts: str) -> dict[str, Any]:
-    """What stands in the page after each of these texts; its own is that of TEXT."""
+def shown(*texts: str, wrong: tuple[str, ...] = (), slow: str = "") -> dict[str, Any]:
+    """What stands in the page after each of these texts; its own is that of TEXT. Those in `wrong`
+    have mistakes; `slow` is looked at once more before, when the time was over at once."""
     assert check_lesson(TEXT, LESSON, SiteIds()) == []
     first = look(TEXT, [])
     have = [block["key"] for block in first["blocks"] if "key" in block]
-    looks = [first, *(look(text, have) for text in texts)]
+    looks = [first]
+    for text in texts:
+        if text == slow:
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setattr(wire, "SLICE", 0)
+                looks.append(look(text, have, right=False))
+            assert looks[-1]["more"]
+        looks.append(look(text, have, right=text not in wrong))
+        assert bool(looks[-1]["findings"]) == (text in wrong)
     return dict(in_node(SCRIPT, {"page": built(TEXT), "looks": looks}))
 
 
@@ -135,3 +144,46 @@ def test_a_block_that_is_new_takes_no_place_of_another() -> None:
     assert one["html"].count("carts-picture") == 1
     assert one["html"].count("Seen after the build") == 1
     assert one["same"]
+
+
+NEW = SCENE.replace("id: one", "id: two").replace("predict: {text: What}\n", "")
+MORE = TEXT.replace("First.\n", f"First.\n\n{NEW}\n")
+AT_END = f"{TEXT}\n{NEW}"
+
+
+@pytest.mark.parametrize("text", [MORE, AT_END], ids=["in the middle", "at the end"])
+def test_a_new_block_is_seen_when_its_mistake_is_mended(text: str) -> None:
+    typed = text.replace(NEW, NEW.replace("mass: 1 kg", "mass: -1 kg"))
+    seen = shown(typed, typed, text, TEXT, wrong=(typed,))["seen"]
+    for wrong in seen[:2]:
+        assert wrong["html"].count("Seen after the build") == 1 and 'id="two"' not in wrong["html"]
+        assert "carts-teach-old" not in wrong["html"]
+        assert len(wrong["rows"]) == 3  # there is nothing yet to change in the page
+    assert 'id="two"' in seen[2]["html"] and "Seen after the build" not in seen[2]["html"]
+    assert len(seen[2]["rows"]) == 4
+    assert all(one["same"] for one in seen)
+
+
+def test_a_new_block_is_seen_when_it_came_later() -> None:
+    later, ready = shown(MORE, slow=MORE)["seen"]
+    assert 'id="two"' not in later["html"] and "Seen after the build" in later["html"]
+    assert 'id="two"' in ready["html"] and "Seen after the build" not in ready["html"]
+
+
+def test_the_built_page_comes_back_when_a_cut_block_was_wrong_in_between() -> None:
+    challenge = CHALLENGE.format("stop")
+    cut, wrong = TEXT.replace(challenge, ""), TEXT.replace("goal: v.A", "goal: v.Z")
+    made = shown(cut, wrong, TEXT, cut, wrong, cut, TEXT, wrong=(wrong,))
+    html = [one["html"] for one in made["seen"]]
+    assert "carts-challenge" not in html[1] and "Seen after the build" in html[1]
+    assert html[2] == html[6] == made["built"]
+
+
+def test_blocks_that_change_their_places_are_both_there() -> None:
+    two = TEXT.replace("!!! after\n    Told.\n", NEW).replace(SCENE, f"{SCENE}\nBetween.\n")
+    swapped = two.replace(SCENE, "*").replace(NEW, SCENE).replace("*", NEW)
+    html = shown(two, swapped, two)["seen"]
+    places = [[one["html"].find(f' id="{name}"') for name in ("one", "two")]
+              for one in html]  # fmt: skip
+    assert all(-1 not in pair for pair in places)
+    assert [first < second for first, second in places] == [True, False, True]

@@ -35,6 +35,51 @@ def test_an_authors_mistake_reads_as_in_carts_check(
     assert list(Desk().look(text, lesson, Site()).findings) == expected
 
 
+FAULTY = """\
+# Head
+
+{program}
+```scene
+id: one
+carts: {{A: {{mass: -1 kg, position: 0.2 m}}}}
+```
+
+!!! after two "Title"
+    Told.
+
+!!! afer "Title"
+    Told.
+
+![](one.png) and \\(x
+
+| a | b |
+|---|---|
+| $|v|$ | \\(|v|\\) |
+
+## Part {{: data-minutes=x }}
+
+``scene
+id: three
+"""
+PROGRAM = "```python\n# of a program: ![](two.png)\nx = 1\n```\n"
+
+
+@pytest.mark.parametrize("program", ["", PROGRAM], ids=["bare", "with a program"])
+@pytest.mark.parametrize("mark", ["", "\ufeff"], ids=["", "with a mark"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_mistakes_are_found_whatever_ends_the_lines(end: str, mark: str, program: str) -> None:
+    """The build reads a file with \\n alone; teacher mode has the file as it was saved."""
+    lesson = Lesson("a.md")
+    for text in (FAULTY.format(program=program), program + FAULTY.format(program="")):
+        expected = check_lesson(text, lesson, SiteIds())
+        assert {found.code for found in expected} >= {
+            *("no-such-scene", "missing-alt", "unbalanced-formula", "unknown-word"),
+            *("few-backticks", "not-a-number"),
+        }
+        saved = mark + text.replace("\n", end)
+        assert list(Desk().look(saved, lesson, Site()).findings) == expected
+
+
 def look(text: str, **more: Any) -> dict[str, Any]:
     lesson = {"file": "worksheets/a.md", "scenes": ["worksheets"], **more.pop("lesson", {})}
     return teach_answer({"do": "look", "text": text, "lesson": lesson, **more})[0]

@@ -75,7 +75,8 @@ class Desk:
         found: list[Finding] = []
         shown = []
         lines = lines_of(text)
-        marked, plain, done = list(lines), without_code("\n".join(lines)).split("\n"), 0
+        read = "\n".join(lines)  # as the build reads the file, however it was saved
+        marked, plain, done = list(lines), without_code(read).split("\n"), 0
         parts = tuple(scan(lines))
         for block, section in in_sections(lines, parts):
             mark_held(marked, plain, done, block.start, items.asking, items.scene_ids)
@@ -96,7 +97,7 @@ class Desk:
                     raise
                 shown.append(Shown("needs"))
         mark_held(marked, plain, done, len(lines), items.asking, items.scene_ids)
-        found = [*items.first_causes(found), *text_findings(text, lesson)]
+        found = [*items.first_causes(found), *text_findings(read, lesson)]
         return Preview(tuple(sorted(found)), tuple(shown), frame_of(marked, parts, items, site))
 
     def _block(

@@ -30,7 +30,8 @@ def lines_of(text: str, *, keepends: bool = False) -> list[str]:
 
 
 def without_code(text: str) -> str:
-    """The text with code blanked out, so that every place stays where it is. Our blocks stay."""
+    """The text with code blanked out, so that every place stays where it is. Our blocks stay. Its
+    lines end with \\n, as those of a file that was read as text."""
     kept = list(text)
     at = 0
     while opened := _FENCE.search(text, at):

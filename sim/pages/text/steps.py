@@ -7,13 +7,14 @@ prediction. Headings of parts say how long they take.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import html
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from typing import Any
 from xml.etree.ElementTree import Element
 
 from markdown import Markdown
-from markdown.extensions.toc import unique
+from markdown.extensions.toc import remove_fnrefs, render_inner_html, strip_tags, unique
 from markdown.treeprocessors import Treeprocessor
 
 from sim.pages.text.held_back import MARK
@@ -84,22 +85,28 @@ def _hold_back(root: Element, waits: Callable[[str], str], wide: Callable[[Eleme
         note.insert(0, line)
 
 
-def _namer(md: Markdown) -> Callable[[str], str] | None:
-    """How the contents make an id of the text of a heading; None where there are none."""
+def _namer(md: Markdown) -> Callable[[Element], str] | None:
+    """How the contents make an id of a heading, by their own steps: tags, entities and footnotes
+    stand elsewhere at this time, with numbers in their places. None where there are no contents."""
     if "toc" not in md.treeprocessors:
         return None
     toc: Any = md.treeprocessors["toc"]
-    return lambda text: str(toc.slugify(text, toc.sep))
+
+    def named(heading: Element) -> str:
+        text = strip_tags(render_inner_html(remove_fnrefs(heading), md))
+        return str(toc.slugify(html.unescape(text), toc.sep))
+
+    return named
 
 
-def _hide_headings(root: Element, named: Callable[[str], str] | None) -> None:
-    """The contents list what is called h1 to h6. `named`: from the text of a heading to its id, if
-    headings get one there: then these too, as they would have, so that links to them lead on."""
+def _hide_headings(root: Element, named: Callable[[Element], str] | None) -> None:
+    """The contents list what is called h1 to h6. `named`: from a heading to its id, if headings get
+    one there: then these too, as they would have, so that links to them lead on."""
+    hidden = _held(root, _HEADINGS)
     taken = {name for one in root.iter() if (name := one.get("id"))}
-    hidden = list(_held(root, _HEADINGS))
-    for heading in root.iter():
+    for heading in root.iter() if hidden else ():
         if named and heading.tag in _HEADINGS and not heading.get("id"):
-            name = unique(named("".join(heading.itertext())), taken)
+            name = unique(named(heading), taken)
             if heading in hidden:
                 heading.set("id", name)
     for heading in hidden:
@@ -112,7 +119,7 @@ def _show_headings(root: Element) -> None:
         heading.tag = heading.tag.removeprefix(_HIDDEN)
 
 
-def _held(root: Element, tags: tuple[str, ...]) -> Iterator[Element]:
-    """Elements with one of these tags in text that waits."""
-    for note in root.iter(WAITING):
-        yield from (one for one in list(note.iter()) if one.tag in tags)
+def _held(root: Element, tags: tuple[str, ...]) -> list[Element]:
+    """Elements with one of these tags in text that waits, once: notes may stand in notes."""
+    inside = (one for note in root.iter(WAITING) for one in note.iter() if one.tag in tags)
+    return list({id(one): one for one in inside}.values())

@@ -11,6 +11,8 @@ import { drawFormulas } from "./formulas.js";
 const HEAD = ".md-content__button, .carts-print-head";
 const LINES = ".carts-languages, .carts-draft";
 const FOOT = ".carts-teach-door, .carts-hosted, .md-source-file";
+/** The class of the line where a block has no element. */
+const MISSING = "carts-teach-missing";
 const OURS =
   "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz, carts-challenge, carts-law";
 const NAMES = {
@@ -85,13 +87,15 @@ export class LessonPage {
     });
     look.blocks.forEach((block, k) => {
       const wrong = block.state === "wrong" || block.state === "needs";
-      blocks[k]?.classList.toggle("carts-teach-old", wrong);
+      blocks[k]?.classList.toggle("carts-teach-old", wrong && !isMissing(blocks[k]));
     });
     const same = look.frame === null || look.frame === this.#frame;
     if (same && as) {
+      // First all places, then the elements: one may go where another stood.
       blocks.forEach((element, k) => {
-        if (element && element !== before[k]) before[k]?.replaceWith(element);
+        if (element !== before[k]) makePlace(before[k], k);
       });
+      fill(this.article, blocks);
     } else if (look.frame !== null) this.#rebuild(look.frame, blocks);
     this.#frame = look.frame ?? this.#frame;
     this.#blocks = blocks;
@@ -145,9 +149,7 @@ export class LessonPage {
     for (const row of this.article.querySelectorAll(".carts-teach-change")) row.remove();
     this.#blocks.forEach((element, k) => {
       if (!element || !this.article.contains(element)) return;
-      const place = document.createElement("carts-place");
-      place.dataset.block = String(k);
-      element.replaceWith(place);
+      makePlace(element, k);
     });
     this.#built = [...this.article.childNodes];
   }
@@ -156,7 +158,7 @@ export class LessonPage {
   #offer() {
     for (const old of this.article.querySelectorAll(".carts-teach-change")) old.remove();
     this.#blocks.forEach((element, k) => {
-      if (!element?.isConnected) return;
+      if (!element?.isConnected || isMissing(element)) return;
       const name = /** @type {Record<string, string>} */ (NAMES)[element.localName] ?? "block";
       const button = html("button", "carts-button", `Change this ${name}`);
       button.setAttribute("type", "button");
@@ -187,13 +189,30 @@ export class LessonPage {
   }
 }
 
-/** The blocks go to their places. @param {ParentNode} root @param {(HTMLElement | null)[]} blocks */
+/** A block leaves its place in the page. @param {HTMLElement | null | undefined} element @param {number} k which block it is */
+function makePlace(element, k) {
+  const place = document.createElement("carts-place");
+  place.dataset.block = String(k);
+  element?.replaceWith(place);
+}
+
+/**
+ * The blocks go to their places. Of one that has no element yet (it is wrong, or comes later) a line is
+ * the element: it is among the blocks, so that the next look finds what to put another in the place of.
+ * @param {ParentNode} root
+ * @param {(HTMLElement | null)[]} blocks
+ */
 function fill(root, blocks) {
   for (const place of root.querySelectorAll("carts-place")) {
-    const element = blocks[Number(/** @type {HTMLElement} */ (place).dataset.block)];
-    place.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
+    const k = Number(/** @type {HTMLElement} */ (place).dataset.block);
+    const element = blocks[k] ?? html("p", MISSING, "Seen after the build.");
+    blocks[k] = element;
+    place.replaceWith(element);
   }
 }
+
+/** @param {HTMLElement | null | undefined} element of a block */
+const isMissing = (element) => element?.classList.contains(MISSING) === true;
 
 /** The texts of blocks; of equal ones the second is another. @param {import("./types.js").Piece[]} pieces @returns {string[]} */
 function textsOf(pieces) {
