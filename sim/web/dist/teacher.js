@@ -3026,6 +3026,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var HEAD = ".md-content__button, .carts-print-head";
   var LINES = ".carts-languages, .carts-draft";
   var FOOT = ".carts-teach-door, .carts-hosted, .md-source-file";
+  var MISSING = "carts-teach-missing";
   var OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz, carts-challenge, carts-law";
   var NAMES2 = {
     "carts-scene": "scene",
@@ -3080,13 +3081,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       });
       look.blocks.forEach((block, k) => {
         const wrong = block.state === "wrong" || block.state === "needs";
-        blocks[k]?.classList.toggle("carts-teach-old", wrong);
+        blocks[k]?.classList.toggle("carts-teach-old", wrong && !isMissing(blocks[k]));
       });
       const same = look.frame === null || look.frame === this.#frame;
       if (same && as) {
         blocks.forEach((element, k) => {
-          if (element && element !== before[k]) before[k]?.replaceWith(element);
+          if (element !== before[k]) makePlace(before[k], k);
         });
+        fill(this.article, blocks);
       } else if (look.frame !== null) this.#rebuild(look.frame, blocks);
       this.#frame = look.frame ?? this.#frame;
       this.#blocks = blocks;
@@ -3136,16 +3138,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       for (const row of this.article.querySelectorAll(".carts-teach-change")) row.remove();
       this.#blocks.forEach((element, k) => {
         if (!element || !this.article.contains(element)) return;
-        const place4 = document.createElement("carts-place");
-        place4.dataset.block = String(k);
-        element.replaceWith(place4);
+        makePlace(element, k);
       });
       this.#built = [...this.article.childNodes];
     }
     #offer() {
       for (const old of this.article.querySelectorAll(".carts-teach-change")) old.remove();
       this.#blocks.forEach((element, k) => {
-        if (!element?.isConnected) return;
+        if (!element?.isConnected || isMissing(element)) return;
         const name = (
           /** @type {Record<string, string>} */
           NAMES2[element.localName] ?? "block"
@@ -3172,15 +3172,23 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return this.article.querySelector(`.carts[data-block="${index}"]`);
     }
   };
+  function makePlace(element, k) {
+    const place4 = document.createElement("carts-place");
+    place4.dataset.block = String(k);
+    element?.replaceWith(place4);
+  }
   function fill(root, blocks) {
     for (const place4 of root.querySelectorAll("carts-place")) {
-      const element = blocks[Number(
+      const k = Number(
         /** @type {HTMLElement} */
         place4.dataset.block
-      )];
-      place4.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
+      );
+      const element = blocks[k] ?? html("p", MISSING, "Seen after the build.");
+      blocks[k] = element;
+      place4.replaceWith(element);
     }
   }
+  var isMissing = (element) => element?.classList.contains(MISSING) === true;
   function textsOf(pieces) {
     const seen2 = /* @__PURE__ */ new Map();
     return pieces.map(({ text: text2 }) => {
