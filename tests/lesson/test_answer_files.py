@@ -48,7 +48,7 @@ def damaged() -> dict[str, str]:
         "student number": file(student=5), "student newline": file(student="A\nB"),
         "student long": file(student="A" * 201), "lesson null": file(lesson=None),
         "no id": item(id=None), "id path": item(id="../x"), "id proto": item(id="__proto__"),
-        "id script": item(id="<script>"), "id long": item(id="a" * 65), "hash": item(hash="xyz"),
+        "id script": item(id="<script>"), "id long": item(id="a" * 81), "hash": item(hash="xyz"),
         "hash number": item(hash=1), "type": item(type="<b>"), "time": item(first="yesterday"),
         "time number": item(last=5), "tries": item(tries=-1), "tries text": item(tries="1"),
         "tries true": item(tries=True), "tries many": item(tries=1_000_001),

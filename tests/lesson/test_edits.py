@@ -151,3 +151,16 @@ def test_two_versions_of_an_answer_come_together_without_losing_either() -> None
     for (a, b), (both, turned, again, once_more) in zip(pairs, made, strict=True):
         assert values(both) == values(turned) == values(a, b), (a, b, both)
         assert values(again) == values(once_more) == values(a, b)
+
+
+def test_what_was_locked_stays_on_top_of_what_a_tab_types_that_has_not_heard_of_it() -> None:
+    kept = in_node(
+        """const { keepEarlier } = await import(source + "/answers/entry.js");
+        give(keepEarlier(...data));""",
+        [
+            {"id": "q", "value": "heavy", "locked": "2026-11-21T09:00:00.000Z"},
+            {"id": "q", "value": "equal", "locked": None},
+        ],
+    )
+    assert (kept["value"], kept["locked"]) == ("heavy", "2026-11-21T09:00:00.000Z")
+    assert [one["value"] for one in kept["earlier"]] == ["equal"]

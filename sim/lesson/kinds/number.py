@@ -32,6 +32,7 @@ WRONG_KEYS = (
     Key("feedback", "shown to who gave it", "That is the speed before the contact.", PROSE),
 )
 NEAR = 1 + 1e-9  # a number on the edge of the tolerance is inside, whatever its last bit
+LAST_BITS = 1e-12  # of the answer: 70 cm/s are 0.7 m/s also where the tolerance is 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,7 +160,7 @@ def mark_number(
         return Mark("empty", 0, of)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         return Mark("unclear", 0, of)
-    if abs(value - answer) <= tolerance * NEAR:
+    if abs(value - answer) <= tolerance * NEAR + LAST_BITS * abs(answer):
         return all_or_nothing(True, False, of)
     for k, known in enumerate(wrong):
         if abs(value - known.value) <= known.tolerance * NEAR:

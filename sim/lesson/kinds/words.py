@@ -36,7 +36,7 @@ _WRONG_KEYS = (
 MOST_MARKS = 9
 """Of one answer in words: one press of a key gives them."""
 
-_PUNCTUATION = re.compile(r"[\s.,;:!?“”„\"'’`()]+")
+_PUNCTUATION = re.compile(r"[\s.,;:!?“”„\"'’`()。，、！？；：（）「」『』«»‹›‘…¿¡]+")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

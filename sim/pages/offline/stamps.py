@@ -16,7 +16,7 @@ from urllib.parse import unquote
 
 OURS = "assets/carts/"
 INDEX = OURS + "runtime/index.js"
-BESIDE = {OURS + "measured.js": OURS + "film.js"}
+BESIDE = {OURS + "measured.js": OURS + "film.js", OURS + "carts.js": OURS + "proof.js"}
 """What a script asks for by its own stamp when a reader wants it."""
 
 DIGITS = 10  # of a sha256 in hexadecimal

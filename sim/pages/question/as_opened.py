@@ -18,6 +18,9 @@ from sim.dynamics.result.trajectory import trajectory
 from sim.lesson.kinds.run import Reading
 from sim.scene.model import Scene
 
+NOUGHT = 1e-12
+"""Of the greatest in the run: a cart that stops dead has rounding left."""
+
 SLOPES = {"x": "v", "v": "a", "F": "dF"}
 
 
@@ -47,6 +50,8 @@ def read_off(
         found = values[-1]
     else:
         found = _between(times, values, slopes, float(reading.at))
+    if abs(found) <= NOUGHT * max(map(abs, values)):
+        return 0.0
     return factor * found
 
 

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
+from sim.pages.language import ENGLISH, UnknownLanguageError, language_of, mark, words
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE, policy
 from sim.pages.site_files import ASSETS, FILM
@@ -33,6 +34,7 @@ follow();
 """
 _ONLY_IN_A_SITE = ("iframe-worker", "teacher", "hosted.js", "offline.js")
 _WITH_PYTHON = ("/carts.js", "/measured.js", "/law.js")
+_MADE = mark("Made with Newton's Carts. Licences")
 _PAGE = """\
 <!doctype html>
 <html lang="{language}" class="{kinds}"><head><meta charset="utf-8">
@@ -45,12 +47,20 @@ _PAGE = """\
 <body dir="ltr" data-md-color-scheme="default"
   data-md-color-primary="custom" data-md-color-accent="custom">
 <main>{article}</main>
-<details class="carts-about"><summary>Made with Newton's Carts. Licences</summary>
+<details class="carts-about"><summary>{made}</summary>
 <pre>{licences}</pre></details>
 {data}
 {scripts}
 </body></html>
 """
+
+
+def _words(language: str) -> Mapping[str, str]:
+    """Ours; none of a language that only the theme speaks."""
+    try:
+        return words(language_of(language))
+    except UnknownLanguageError:
+        return {}
 
 
 def single_lesson(
@@ -77,8 +87,10 @@ def single_lesson(
         scripts.append(_beside(page, src).read_text(encoding="utf-8"))
     data = re.findall(r'<script type="application/json" id="carts-lesson">.*?</script>', text, re.S)
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
+    language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
     return _PAGE.format(
-        language=_first(r'<html lang="([^"]*)"', text) or "en",
+        language=language,
+        made=html.escape(_words(language).get(_MADE, _MADE), quote=False),
         kinds=_first(r'<html [^>]*class="no-js *([^"]*)"', text),
         policy=policy(styles, scripts, {"font-src": "data:"}),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),

@@ -231,6 +231,9 @@
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    if (old.locked && !value.locked && old.hash === value.hash) {
+      return withEarlier(old, old.earlier, value.earlier, alone(value));
+    }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }
@@ -810,7 +813,7 @@
   var MOST_TRIES = 1e6;
   var TEXTS = ["unit", "sure", "said", "asked", "locked", "why", "now"];
   var FORMS2 = ["worksheet", "pre", "post", "delayed"];
-  var ID = /^[a-z_][a-z0-9-]{0,63}$/;
+  var ID = /^[a-z_][a-z0-9-]{0,79}$/;
   var HASH = /^[0-9a-f]{12}$/;
   var TIME = /^\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z$/;
   function makeFiles(entries, { site, student }, now) {
@@ -1842,11 +1845,12 @@
 
   // src/question/marking/plain.js
   function plain(text) {
-    return text.toLowerCase().replace(/[−–]/g, "-").replace(/[\s.,;:!?“”„"'’`()]+/g, " ").trim();
+    return text.toLowerCase().replace(/[−–]/g, "-").replace(/[\s.,;:!?“”„"'’`()。，、！？；：（）「」『』«»‹›‘…¿¡]+/g, " ").trim();
   }
 
   // src/question/marking/mark.js
   var NEAR = 1 + 1e-9;
+  var LAST_BITS = 1e-12;
   function mark(facts, value, own = null) {
     const of = facts.marks;
     if (isEmpty(value)) return made("empty", 0, of);
@@ -1962,7 +1966,8 @@
   }
   function near(value, answer, tolerance, of, key = null) {
     if (typeof value !== "number" || !Number.isFinite(value)) return made("unclear", 0, of);
-    if (Math.abs(value - answer) <= tolerance * NEAR) return whole(true, false, of);
+    const edge = tolerance * NEAR + LAST_BITS * Math.abs(answer);
+    if (Math.abs(value - answer) <= edge) return whole(true, false, of);
     const k = (key?.wrong ?? []).findIndex(
       (wrong2) => Math.abs(value - wrong2.value) <= wrong2.tolerance * NEAR
     );
@@ -2528,6 +2533,7 @@
   }
 
   // src/question/marking/own-run.js
+  var NOUGHT = 1e-12;
   function reading(run, mass, quantity, at2) {
     const [what, ...rest] = quantity.split(".");
     const whose = rest.join(".");
@@ -2544,8 +2550,11 @@
       for (let k = 0; k < column.length; k += 1) take(turnAfter(run.t, column, slopes, k) ?? 0);
       return most * factor;
     }
+    let scale = 0;
+    for (const value of column) scale = Math.max(scale, Math.abs(value));
     const t = at2 === "end" ? run.t[run.t.length - 1] : at2 === "start" ? run.t[0] : Number(at2);
-    return valueAt(run.t, column, slopes, t) * factor;
+    const found2 = valueAt(run.t, column, slopes, t);
+    return Math.abs(found2) <= NOUGHT * scale ? 0 : found2 * factor;
   }
 
   // src/question/marking/notation.js
@@ -2601,21 +2610,21 @@
 
   // src/question/marking/typed-number.js
   var LONGEST3 = 40;
-  var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var NUMBER = /^([+-]?\s*(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   var BARE = /^[\s+\-−–\d.,eE]*$/;
   function withUnit(typed, unit) {
     const text = typed.trim();
     return text && unit && BARE.test(text) ? `${text} ${unit}` : text;
   }
   function readNumber(typed, units) {
-    const text = withExponent(typed.trim());
+    const text = withExponent(narrow(typed.trim()));
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number2 = String(found2[1]);
+    const number2 = String(found2[1]).replace(/\s/g, "");
     const unit = found2[2] ?? "";
     const known2 = Object.keys(units).filter(Boolean);
     const own = unit ? known2.find((one) => sameUnit(one, unit)) : "";
@@ -2624,9 +2633,10 @@
       const text2 = { unit, units: known2.join(", ") };
       return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
     }
-    const value = Number(number2.replace(",", ".")) * factor;
+    const value = Number((Number(number2.replace(",", ".")) * factor).toPrecision(15));
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
+  var narrow = (typed) => typed.replace(/[０-９．＋－]/g, (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248));
 
   // src/question/forms/run.js
   var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };
@@ -2696,7 +2706,7 @@
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
-  var NOUGHT = 1e-12;
+  var NOUGHT2 = 1e-12;
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
@@ -2715,8 +2725,8 @@
     return 10 * power;
   }
   function axis(low, high, count) {
-    const bottom = low < -NOUGHT ? low : 0;
-    const above = high > NOUGHT ? high : 0;
+    const bottom = low < -NOUGHT2 ? low : 0;
+    const above = high > NOUGHT2 ? high : 0;
     const top = above === bottom ? 1 : above;
     const room = HEADROOM * (top - bottom);
     return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
@@ -2760,6 +2770,7 @@
         for (const place2 of places) {
           const kept = value && Object.hasOwn(value, name(place2)) ? value[name(place2)] : "";
           box(place2).value = String(kept);
+          mark2(place2, "");
         }
         draw();
       },
@@ -3057,7 +3068,7 @@
           return null;
         }
         if (this.facts.type === "reading") {
-          this.#entry = readOff(this.facts, { ...this.#entry });
+          if (this.#entry.own === void 0) this.#entry = readOff(this.facts, { ...this.#entry });
           if (this.#entry.own === void 0) {
             this.#complain(tr("Run the scene first: lock your prediction there."));
             return null;

@@ -194,11 +194,11 @@
   var SLOWEST = 1e-12;
   var RATES = [0.5, 0.2, 0.1];
   function rateFor(duration2) {
-    const wanted = duration2 / WATCH;
+    const wanted2 = duration2 / WATCH;
     for (let power2 = 1; power2 > SLOWEST; power2 /= 10) {
-      for (const rate of RATES) if (rate * power2 <= wanted) return rate * power2;
+      for (const rate of RATES) if (rate * power2 <= wanted2) return rate * power2;
     }
-    return wanted;
+    return wanted2;
   }
   function slowParts(touches2) {
     const parts2 = [];
@@ -453,7 +453,7 @@
     if (!first) return new Error(tr("This value does not work."));
     const message = told2(first.message);
     const text = first.hint ? `${message}: ${told2(first.hint)}` : message;
-    return Object.assign(new Error(text), { path: first.path });
+    return Object.assign(new Error(text), { path: first.path, refused: true });
   }
 
   // ../view/markup.js
@@ -1316,10 +1316,10 @@
     if (kind2 === "count") return String(Math.round(value));
     return short(value, figures2) + (UNITS2[kind2] ?? " J");
   }
-  function cameOut(wanted, got, figures2) {
+  function cameOut(wanted2, got, figures2) {
     let worst = "";
     let [error, came] = [0, 0];
-    for (const [k, [what, right]] of wanted.entries()) {
+    for (const [k, [what, right]] of wanted2.entries()) {
       const value = got[k];
       if (value === null || value === void 0) return "";
       const distance = Math.abs(value - right);
@@ -1328,11 +1328,11 @@
     const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
     return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
   }
-  function exactCell(wanted, { got }) {
-    return cameOut(wanted, got, 6);
+  function exactCell(wanted2, { got }) {
+    return cameOut(wanted2, got, 6);
   }
-  function steppedCell(wanted, { verdict: verdict2, got }) {
-    return [VERDICTS[verdict2] ?? verdict2, verdict2 === "blows-up" ? "" : cameOut(wanted, got, 3)];
+  function steppedCell(wanted2, { verdict: verdict2, got }) {
+    return [VERDICTS[verdict2] ?? verdict2, verdict2 === "blows-up" ? "" : cameOut(wanted2, got, 3)];
   }
 
   // src/hard/element.js
@@ -1713,9 +1713,9 @@
   var COIL = 7;
   function box(body2, view, layout, lift) {
     const width = bodyWidth(body2);
-    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
-    const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
-    const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
+    const wanted2 = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
+    const cut = wanted2 > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted2, TALLEST2 * REFERENCE_HEIGHT);
     const named3 = height >= NAMED;
     const mass = `${short(body2.mass)} kg`;
     return {
@@ -2174,9 +2174,10 @@
       for (const view of this.#views.values()) view.enable(on);
       this.switches.enable(on);
     }
-    show(settings, header) {
+    show(settings, header, pending) {
       this.switches.show(header);
       for (const [target, view] of this.#views) {
+        if (pending.has(target)) continue;
         const value = target in settings ? settings[target] : view.control.value;
         const number = valueIn(header, target) ?? Number(value) * view.control.per;
         if (Number.isFinite(number)) view.show(view.shown(number));
@@ -2673,10 +2674,10 @@
   var COLUMNS = 6;
   var ROWS = 11;
   function spread(count2, most) {
-    const wanted = Math.min(most, count2);
+    const wanted2 = Math.min(most, count2);
     return Array.from(
-      { length: wanted },
-      (_2, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
+      { length: wanted2 },
+      (_2, k) => Math.floor(k * (count2 - 1) / (wanted2 - 1) + 0.5)
     );
   }
   function tableOf(columns, rows, axisText, valueText3) {
@@ -2873,9 +2874,9 @@
           const point = before ? this.point : null;
           this.#places = this.#axes.map((control, k) => {
             const { set, values } = control.axis;
-            const wanted = point?.[set] ?? values[Number(this.#facts?.here[k])];
+            const wanted2 = point?.[set] ?? values[Number(this.#facts?.here[k])];
             control.show(grid.axes[k] ?? [], 0);
-            return control.nearest(Number(wanted));
+            return control.nearest(Number(wanted2));
           });
         }
         this.#choose(this.#places);
@@ -3798,6 +3799,9 @@
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together2(old, value), locked: old.locked };
+    if (old.locked && !value.locked && old.hash === value.hash) {
+      return withEarlier(old, old.earlier, value.earlier, alone(value));
+    }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }
@@ -4133,8 +4137,11 @@
       });
     }
     show(run) {
+      const first = !this.#run;
       this.#run = run;
+      if (first) void this.#restore();
       this.#means = meanForces(run);
+      this.#found = this.#ofThisRun(this.#found);
       const names = this.#means.map(
         ({ cart, other }) => tr("{cart}, while it touches {other}", { cart, other: body(other, run.header.track) })
       );
@@ -4147,21 +4154,29 @@
         names.length ? "" : tr("In this run no two touch for a time that can be read off.")
       );
     }
-    async restore() {
+    async #restore() {
       const kept = await this.kept.get();
       if (kept?.type !== TYPE) return;
       if (!Array.isArray(kept.found)) return this.found([]);
-      this.#found = new Map(kept.found);
-      if (this.#run) this.#tell();
+      this.#found = this.#ofThisRun(new Map(kept.found));
+      if (this.#found.size) this.#tell();
+    }
+    #ofThisRun(found3) {
+      if (isWhole(found3)) return found3;
+      const now = new Map(this.#means.map((mean) => [keyOf(mean), this.#said(mean)]));
+      return new Map([...found3].filter(([key, said]) => now.get(key) === said));
+    }
+    #said({ cart, other, value }) {
+      const track = (
+        /** @type {Run} */
+        this.#run.header.track
+      );
+      const told3 = { cart, other: body(other, track), force: short(value) };
+      return tr("mean force on {cart} by {other}: {force} N", told3);
     }
     #tell() {
-      const keys = [...this.#found.keys()];
-      const whole = keys.some((key) => {
-        const [cart2 = "", other2 = ""] = JSON.parse(key);
-        return isWall(other2) || this.#found.has(JSON.stringify([other2, cart2]));
-      });
-      if (whole) return this.found([...this.#found.values()]);
-      const [cart = "", other = ""] = JSON.parse(keys.at(-1) ?? "[]");
+      if (isWhole(this.#found)) return this.found([...this.#found.values()]);
+      const [cart = "", other = ""] = JSON.parse([...this.#found.keys()].at(-1) ?? "[]");
       const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
         other
       });
@@ -4179,12 +4194,7 @@
       this.#tries += 1;
       const off = read.value / mean.value - 1;
       if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
-      const said = tr("mean force on {cart} by {other}: {force} N", {
-        cart: mean.cart,
-        other: body(mean.other, this.#run.header.track),
-        force: short(mean.value)
-      });
-      this.#found.set(JSON.stringify([mean.cart, mean.other]), said);
+      this.#found.set(keyOf(mean), this.#said(mean));
       await this.#keep(this.box.value);
       this.box.value = "";
       this.#tell();
@@ -4241,7 +4251,7 @@
       const now = (/* @__PURE__ */ new Date()).toISOString();
       const before = await this.kept.get();
       const elsewhere = Array.isArray(before?.found) ? before.found : [];
-      this.#found = new Map([...elsewhere, ...this.#found]);
+      this.#found = new Map([...this.#ofThisRun(new Map(elsewhere)), ...this.#found]);
       const entry2 = {
         id: this.id,
         type: TYPE,
@@ -4257,6 +4267,16 @@
       });
     }
   };
+  var keyOf = ({ cart, other }) => JSON.stringify([cart, other]);
+  function isWhole(found3) {
+    return [...found3.keys()].some((key) => {
+      const [cart = "", other = ""] = JSON.parse(key);
+      return isWall(other) || found3.has(JSON.stringify([other, cart]));
+    });
+  }
+  function forgetForces(id) {
+    void new Kept(`${id}-forces`).forget();
+  }
   function showForces(element, said) {
     const template = (
       /** @type {HTMLTemplateElement} */
@@ -4605,7 +4625,7 @@
       return [...tables, html("p", "", text)];
     }
     #typed(row, changed, done) {
-      const read = readTyped(row.box.value);
+      const read = readTyped(row.box.value.replace(/\s*N\s*$/i, ""));
       let problem = "";
       if ("problem" in read) problem = read.problem;
       else if ("text" in read) problem = tr("Type a number; the unit is N.");
@@ -5303,6 +5323,7 @@
       this.error.hidden = !message;
     }
     async #changed() {
+      if (this.isLocked) return;
       this.#entry.value = this.form.value;
       this.#entry.asked = this.spec.ask;
       this.#told();
@@ -5457,14 +5478,14 @@
       const waits = this.first && this.presets.left.includes(name);
       const before = player.seen;
       player.pause();
-      if (waits) player.seen = 0;
+      if (this.first) player.seen = waits ? 0 : Infinity;
       player.seek(0);
       void draw().then((drawn2) => {
-        if (!waits) return;
         if (!drawn2) {
           player.seen = before;
           return player.seek(0);
         }
+        if (!waits) return;
         this.#offer(true);
         player.play();
       });
@@ -5774,7 +5795,7 @@
       this.details = /** @type {HTMLDetailsElement} */
       need(root, ".carts-how");
       this.details.addEventListener("toggle", () => this.#opened());
-      root.addEventListener(WATCHED, () => this.#opened());
+      root.addEventListener(WATCHED, () => this.details.isConnected && this.#opened());
     }
     async follow(run) {
       this.#exact = run;
@@ -7048,9 +7069,10 @@ ${lines4.join("\n")}
       ladder.follow(run);
       return how.follow(run);
     };
-    const show = (settings, header) => {
-      sliders.show(settings, header);
-      presets.show(settings, header);
+    const show = (values, header) => {
+      const pending = client2.state === "ready" ? values.pending : /* @__PURE__ */ new Set();
+      sliders.show(values.good, header, pending);
+      presets.show(values.good, header);
     };
     return { controls: sliders, presets, show, find, how, follow };
   }
@@ -7124,7 +7146,7 @@ ${lines4.join("\n")}
       else if (dataset.state !== "live") void this.#begin();
       else this.#mark();
     }
-    async #begin() {
+    async #begin(again = true) {
       try {
         await this.acts.first();
         await frame();
@@ -7135,7 +7157,10 @@ ${lines4.join("\n")}
         this.#waiting.resolve(void 0);
         this.#link();
       } catch (error) {
-        if (this.client.state !== "failed") this.#fail(
+        if (this.client.state === "failed") return;
+        if (again && /** @type {any} */
+        error.refused) return this.#begin(false);
+        this.#fail(
           /** @type {Error} */
           error
         );
@@ -7173,20 +7198,24 @@ ${lines4.join("\n")}
     get there() {
       return this.parts.length > 0 && typeof DecompressionStream === "function";
     }
-    async nearest(wanted) {
+    async nearest(wanted2) {
       this.#loading ??= this.#load();
       const table = await this.#loading;
-      const place4 = presetOf(table, wanted) ?? this.#onGrid(table, wanted);
+      const place4 = presetOf(table, wanted2) ?? this.#onGrid(table, wanted2);
       return { ...runAt(table, place4.number), set: place4.set };
     }
-    #onGrid({ axes }, wanted) {
-      if (Object.keys(wanted).some((key) => !axes.some((axis2) => axis2.set === key))) {
-        throw new Error(tr("This change needs Python, which does not run here."));
+    #onGrid({ axes, presets }, wanted2) {
+      const others = Object.keys(wanted2).filter((key) => !axes.some((axis2) => axis2.set === key));
+      if (others.length) {
+        const ready = presets.some((one) => others.every((key) => one[key] === wanted2[key]));
+        throw new Error(
+          ready ? tr("Ready-made values can be changed with Python only. Press: Reset all values.") : tr("This change needs Python, which does not run here.")
+        );
       }
       const set = {};
       let number = 0;
       for (const axis2 of axes) {
-        const asked3 = wanted[axis2.set];
+        const asked3 = wanted2[axis2.set];
         const place4 = nearest(axis2.numbers, this.#number(axis2, asked3));
         number = number * axis2.values.length + place4;
         if (asked3 !== void 0) set[axis2.set] = axis2.values[place4] ?? asked3;
@@ -7199,7 +7228,8 @@ ${lines4.join("\n")}
       if (asked3 === void 0) return control ? control.value * control.per : Number(box2?.value);
       if (typeof asked3 !== "string") return Number(asked3);
       const text = asked3.trim();
-      const number = control && text.endsWith(control.unit) ? text.slice(0, -control.unit.length) : "";
+      const unit = control?.unit ?? "";
+      const number = text.endsWith(unit) ? text.slice(0, text.length - unit.length) : "";
       if (!control || number.trim() === "" || Number.isNaN(Number(number))) {
         throw new Error(tr("A number without a unit, please: Python does not run here."));
       }
@@ -7215,11 +7245,11 @@ ${lines4.join("\n")}
       return { ...JSON.parse(text), numbers: new Float64Array(bytes, TEXT_AT + length) };
     }
   };
-  function presetOf({ axes, presets }, wanted) {
-    const k = presets.findIndex((preset) => plain3(preset) === plain3(wanted));
+  function presetOf({ axes, presets }, wanted2) {
+    const k = presets.findIndex((preset) => plain3(preset) === plain3(wanted2));
     if (k < 0) return null;
     const before = axes.reduce((product, axis2) => product * axis2.values.length, 1);
-    return { number: before + k, set: wanted };
+    return { number: before + k, set: wanted2 };
   }
   var plain3 = (settings) => JSON.stringify(Object.entries(settings).sort());
   function runAt({ headers, numbers }, place4) {
@@ -7250,6 +7280,10 @@ ${lines4.join("\n")}
       }
       this.#last = { target, at: now };
       Object.assign(this.wanted, changes2);
+    }
+    get pending() {
+      const keys = Object.keys(this.wanted);
+      return new Set(keys.filter((key) => this.wanted[key] !== this.good[key]));
     }
     giveUp(changes2) {
       for (const [key, value] of Object.entries(changes2)) {
@@ -7318,6 +7352,9 @@ ${lines4.join("\n")}
     }
     get stepwise() {
       return Boolean(this.prepared?.there);
+    }
+    get able() {
+      return this.client.state !== "failed" || this.stepwise;
     }
     stops(target) {
       return this.client.state === "failed" ? this.prepared?.stops[target] : void 0;
@@ -7490,6 +7527,7 @@ ${lines4.join("\n")}
   var Described = class {
     #timer = 0;
     #told = false;
+    #start = null;
     constructor(root, { fence, view }) {
       this.place = root.querySelector(`#${CSS.escape(fence.id)}-described`);
       this.fence = fence;
@@ -7501,7 +7539,9 @@ ${lines4.join("\n")}
     at(run, t3, moving) {
       clearTimeout(this.#timer);
       if (moving || !this.place || run.trajectory.t.length < 2) return;
-      if (t3 === 0 && !this.#told) return;
+      const start = JSON.stringify(run.header.bodies);
+      this.#start ??= start;
+      if (t3 === 0 && !this.#told && start === this.#start) return;
       this.#told = true;
       this.#timer = setTimeout(() => {
         if (this.place) say(this.place, this.words(run, t3));
@@ -8529,9 +8569,9 @@ ${lines4.join("\n")}
       this.root = root;
     }
     show(curves, note2) {
-      const wanted = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note2].join("|");
-      if (this.#told === wanted && this.root.firstChild) return;
-      this.#told = wanted;
+      const wanted2 = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note2].join("|");
+      if (this.#told === wanted2 && this.root.firstChild) return;
+      this.#told = wanted2;
       this.root.replaceChildren(...curves.map(entry), ...note2 ? [html("span", "", note2)] : []);
     }
     forget() {
@@ -9199,6 +9239,7 @@ ${lines4.join("\n")}
       const start = slider.valueAsNumber || 0;
       const perPixel = width / stage.getBoundingClientRect().width * Number(slider.max) / full;
       followPointer(down, (pixels2) => {
+        if (slider.disabled) return;
         const before = slider.value;
         slider.valueAsNumber = start + pixels2 * perPixel;
         if (slider.value !== before || slider.dataset.pulled === void 0) {
@@ -9932,7 +9973,8 @@ ${lines4.join("\n")}
       return item;
     }
     between(before, now) {
-      return this.told.filter(({ t: t3 }) => t3 > before && t3 <= now).map(({ sentence }) => sentence);
+      const after = before || -1;
+      return this.told.filter(({ t: t3 }) => t3 > after && t3 <= now).map(({ sentence }) => sentence);
     }
   };
 
@@ -10204,20 +10246,27 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var LASTS = 0.08;
   var FADES = 60;
   var SOFTEST = 0.05;
+  var wanted = recall(KEY2) === true;
   var Sound = class {
-    on = recall(KEY2) === true;
     #machine = null;
+    get on() {
+      return wanted;
+    }
     set(on) {
-      this.on = on;
+      wanted = on;
       retain(KEY2, on);
+      for (const box2 of document.querySelectorAll('[data-choice="sound"]')) {
+        box2.checked = on;
+      }
       if (on) this.#click(SOFTEST);
     }
     between(events, before, now) {
       if (!this.on) return;
+      const after = before || -1;
       const loudest = Math.max(...events.map(strength));
       for (const event of events) {
         const part = strength(event) / loudest;
-        if (event.t > before && event.t <= now && part > 0) this.#click(Math.max(part, SOFTEST));
+        if (event.t > after && event.t <= now && part > 0) this.#click(Math.max(part, SOFTEST));
       }
     }
     #click(loud) {
@@ -10236,7 +10285,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         source.connect(machine.destination);
         source.start();
       } catch {
-        this.on = false;
+        wanted = false;
       }
     }
   };
@@ -10539,12 +10588,11 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           forgotten: (now) => void this.#startAgain(now)
         });
         this.#watch = new Watch(this, baked, view.player, inside2.presets, {
-          first: () => this.#told && inside2.controls.enable(true),
+          first: () => this.#told && inside2.controls.enable(this.#runs.able),
           all: () => this.#watched()
         });
         if (!this.#predict) this.#lesson = baked.run;
         if (this.#lesson) inside2.find?.show(baked.run);
-        void inside2.find?.restore();
         void inside2.follow(baked.run);
         if (this.#watch.over) view.show(baked.run);
         view.enable(!this.#predict);
@@ -10557,6 +10605,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#values.forget();
         this.#lesson = null;
         forgetWatched(this);
+        forgetForces(this.id);
         this.innerHTML = this.#asBaked;
         this.classList.add("carts-asks");
         this.#adopt();
@@ -10567,7 +10616,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const [t3, values] = [this.time, { ...this.#values.good }];
         this.#view?.player.pause();
         showForces(this, said);
-        if (this.#asBaked) this.#asBaked = this.innerHTML;
         this.#adopt();
         await this.#restored;
         if (!this.#told) return;
@@ -10608,7 +10656,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       #draw(run) {
         const shown3 = this.#inside?.follow(run);
-        this.#inside?.show(this.#values.good, run.header);
+        this.#inside?.show(this.#values, run.header);
         this.#inside?.find?.show(run);
         offerUndo(this, this.#told && this.#values.canUndo);
         return shown3;
@@ -10654,7 +10702,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       #watched() {
         if (!this.#predict || !this.#lesson) return;
-        this.#inside?.controls.enable(true);
+        this.#inside?.controls.enable(this.#runs.able);
         if (!this.#predict.isLocked) return;
         this.#predict.compare(this.#lesson);
         this.#view?.announcer.tell([this.#predict.spoken]);

@@ -117,6 +117,9 @@
     if (!old || typeof old !== "object" || typeof value2 !== "object" || value2 === null) return value2;
     const opened2 = old.locked && old.locked !== value2.locked;
     if (opened2 && sameAnswer(old, value2)) return { ...together(old, value2), locked: old.locked };
+    if (old.locked && !value2.locked && old.hash === value2.hash) {
+      return withEarlier(old, old.earlier, value2.earlier, alone(value2));
+    }
     const other = opened2 || old.hash && value2.hash && old.hash !== value2.hash;
     return withEarlier(value2, old.earlier, value2.earlier, other ? alone(old) : []);
   }
@@ -492,6 +495,7 @@
   }
 
   // src/question/marking/own-run.js
+  var NOUGHT = 1e-12;
   function reading(run, mass, quantity, at) {
     const [what, ...rest] = quantity.split(".");
     const whose = rest.join(".");
@@ -508,8 +512,11 @@
       for (let k = 0; k < column.length; k += 1) take(turnAfter(run.t, column, slopes, k) ?? 0);
       return most * factor;
     }
+    let scale = 0;
+    for (const value2 of column) scale = Math.max(scale, Math.abs(value2));
     const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
-    return valueAt(run.t, column, slopes, t) * factor;
+    const found2 = valueAt(run.t, column, slopes, t);
+    return Math.abs(found2) <= NOUGHT * scale ? 0 : found2 * factor;
   }
 
   // src/question/marking/notation.js
@@ -565,16 +572,16 @@
 
   // src/question/marking/typed-number.js
   var LONGEST2 = 40;
-  var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var NUMBER = /^([+-]?\s*(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   function readNumber(typed, units) {
-    const text = withExponent(typed.trim());
+    const text = withExponent(narrow(typed.trim()));
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number2 = String(found2[1]);
+    const number2 = String(found2[1]).replace(/\s/g, "");
     const unit = found2[2] ?? "";
     const known = Object.keys(units).filter(Boolean);
     const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
@@ -583,9 +590,10 @@
       const text2 = { unit, units: known.join(", ") };
       return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
     }
-    const value2 = Number(number2.replace(",", ".")) * factor;
+    const value2 = Number((Number(number2.replace(",", ".")) * factor).toPrecision(15));
     return Number.isFinite(value2) ? { value: value2 } : { problem: tr("{text} is too large.", { text }) };
   }
+  var narrow = (typed) => typed.replace(/[０-９．＋－]/g, (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248));
 
   // src/question/forms/run.js
   var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };

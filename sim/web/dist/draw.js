@@ -14901,6 +14901,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const start = slider2.valueAsNumber || 0;
       const perPixel = width / stage2.getBoundingClientRect().width * Number(slider2.max) / full;
       followPointer(down, (pixels2) => {
+        if (slider2.disabled) return;
         const before2 = slider2.value;
         slider2.valueAsNumber = start + pixels2 * perPixel;
         if (slider2.value !== before2 || slider2.dataset.pulled === void 0) {
@@ -15634,7 +15635,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       return item;
     }
     between(before2, now) {
-      return this.told.filter(({ t }) => t > before2 && t <= now).map(({ sentence }) => sentence);
+      const after2 = before2 || -1;
+      return this.told.filter(({ t }) => t > after2 && t <= now).map(({ sentence }) => sentence);
     }
   };
 

@@ -223,6 +223,9 @@
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    if (old.locked && !value.locked && old.hash === value.hash) {
+      return withEarlier(old, old.earlier, value.earlier, alone(value));
+    }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }

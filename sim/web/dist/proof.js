@@ -90,7 +90,7 @@
     if (!first) return new Error(tr("This value does not work."));
     const message = told(first.message);
     const text = first.hint ? `${message}: ${told(first.hint)}` : message;
-    return Object.assign(new Error(text), { path: first.path });
+    return Object.assign(new Error(text), { path: first.path, refused: true });
   }
 
   // ../view/graph.js

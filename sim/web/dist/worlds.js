@@ -154,7 +154,7 @@
     if (!first) return new Error(tr("This value does not work."));
     const message = told(first.message);
     const text = first.hint ? `${message}: ${told(first.hint)}` : message;
-    return Object.assign(new Error(text), { path: first.path });
+    return Object.assign(new Error(text), { path: first.path, refused: true });
   }
 
   // ../view/numbers.js
@@ -1230,6 +1230,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const start = slider.valueAsNumber || 0;
       const perPixel = width / stage2.getBoundingClientRect().width * Number(slider.max) / full;
       followPointer(down, (pixels) => {
+        if (slider.disabled) return;
         const before = slider.value;
         slider.valueAsNumber = start + pixels * perPixel;
         if (slider.value !== before || slider.dataset.pulled === void 0) {
@@ -2264,6 +2265,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+    if (old.locked && !value.locked && old.hash === value.hash) {
+      return withEarlier(old, old.earlier, value.earlier, alone(value));
+    }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }

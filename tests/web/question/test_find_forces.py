@@ -77,6 +77,48 @@ def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_si
     expect(page.locator("#hidden .carts-found")).to_be_visible()
 
 
+@pytest.mark.one_browser
+def test_half_of_a_pair_does_not_go_with_that_of_another_run(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    """−4 N on A and 5.5 N on B stood there as the forces that were found."""
+    page = live(open_page(write_page(widget_site, "hidden-half", HIDDEN)), "hidden")
+    mean = on_scene(page, MEAN_ON_B, name="hidden")
+    assert "find the force on A too" in find(page, f"{mean:.2f}")
+    note = page.locator("#hidden .carts-find-note")
+    on_scene(page, "await el.set({'A.velocity': 0.3})", name="hidden")
+    expect(note).to_have_text("")
+    find(page, f"{-mean / 2:.2f}", which="A, while it touches B")
+    expect(page.locator("#hidden .carts-found")).to_be_hidden()
+    expect(note).to_contain_text("find the force on B too")
+
+
+@pytest.mark.one_browser
+def test_the_next_reader_is_not_told_the_forces_that_the_one_before_has_found(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(write_page(widget_site, "asking-again", ASKING)), "asking")
+    page.get_by_role("radio", name="It stops").check()
+    lock(page, "asking")
+    expect(page.locator("#asking .carts-find")).to_be_visible()
+    mean = on_scene(page, MEAN_OF_RUN, name="asking")
+    find(page, f"{mean:.3f}", "asking")
+    find(page, f"{-mean:.3f}", "asking", "A, while it touches B")
+    expect(page.locator("#asking .carts-found")).to_be_visible()
+    page.locator("#asking .carts-again").click()
+    page.locator("#asking .carts-forget-yes").click()
+    expect(page.locator("#asking .carts-found")).to_be_hidden()
+    page.wait_for_timeout(300)
+    page.reload()
+    live(page, "asking")
+    expect(page.locator("#asking .carts-found")).to_be_hidden()
+    assert page.evaluate(KEPT) is None
+
+
+MEAN_OF_RUN = """const of = (kind) =>
+    el.trajectory.events.find((e) => e.kind === kind && e.bodies.includes("B"));
+  const [touch, parting] = [of("contact"), of("separate")];
+  return (1.0 * (parting.after.B - touch.before.B)) / (parting.t - touch.t);"""
 KEPT = """async () => {
   const [{ name }] = (await indexedDB.databases()).filter((one) => !one.name.endsWith("-measured"));
   const open = indexedDB.open(name);

@@ -142,7 +142,7 @@ def test_a_tab_that_hears_nothing_loses_no_locked_prediction(
     expect(other.locator("#bump .carts-saved")).to_have_text("Saved.")
     items = saved_file(other)["items"]
     assert [(item["said"], "locked" in item) for item in items] == [
-        ("It turns back", True), ("It stops", False),
+        ("It stops", False), ("It turns back", True),
     ]  # fmt: skip
 
 

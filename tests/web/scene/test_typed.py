@@ -116,3 +116,50 @@ def test_a_refused_value_leaves_nothing_to_undo() -> None:
         [False, {}],
         [True, {"A.mass": 3}],
     ]
+
+
+def test_a_slider_that_has_gone_on_is_not_put_back_by_an_older_answer() -> None:
+    """Else each step by a key would begin where the run on the screen is, and be lost."""
+    pending = in_node(
+        """const { Values } = await import(source + "/scene/values.js");
+        const values = new Values();
+        values.ask({ "A.mass": 1.1 });
+        values.ask({ "A.mass": 1.2, "B.mass": 3 });
+        values.good = { "A.mass": 1.1, "B.mass": 3 };
+        const waiting = [...values.pending];
+        values.good = { ...values.wanted };
+        give([waiting, [...values.pending]]);""",
+        None,
+    )
+    assert pending == [["A.mass"], []]
+
+
+def test_a_value_refused_while_python_starts_does_not_end_the_scene() -> None:
+    """What it joined was refused: it was given up, and the scene is asked for once more. A scene
+    that is refused itself stays so."""
+    states = in_node(
+        """globalThis.requestAnimationFrame = (act) => setTimeout(act, 0);
+        globalThis.document = { createElement: () => ({}) };
+        globalThis.location = { hash: "" };
+        const { Live } = await import(source + "/scene/live.js");
+        const found = [];
+        for (const refusals of data) {
+          let left = refusals;
+          const note = { hidden: true, textContent: "", setAttribute() {} };
+          const element = Object.assign(new EventTarget(), {
+            dataset: {}, querySelector: () => note, querySelectorAll: () => [note] });
+          const client = Object.assign(new EventTarget(), { state: "ready" });
+          const live = new Live(element, client, {
+            first: async () => {
+              if (left-- > 0) throw Object.assign(new Error("overlap"), { refused: true });
+            },
+            told: () => true, stepwise: () => false, live: () => {}, failed: () => {},
+          });
+          live.follow();
+          await live.ready.catch(() => {});
+          found.push(element.dataset.state);
+        }
+        give(found);""",
+        [0, 1, 2],
+    )
+    assert states == ["live", "live", "failed"]

@@ -22,6 +22,9 @@ export function keepEarlier(old, value) {
   if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
   const opened = old.locked && old.locked !== value.locked;
   if (opened && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
+  if (old.locked && !value.locked && old.hash === value.hash) {
+    return withEarlier(old, old.earlier, value.earlier, alone(value));
+  }
   const other = opened || (old.hash && value.hash && old.hash !== value.hash);
   return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
 }

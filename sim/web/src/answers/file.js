@@ -12,7 +12,7 @@ const LARGEST = 1e300; // a number
 const MOST_TRIES = 1_000_000;
 const TEXTS = ["unit", "sure", "said", "asked", "locked", "why", "now"];
 const FORMS = ["worksheet", "pre", "post", "delayed"];
-const ID = /^[a-z_][a-z0-9-]{0,63}$/;
+const ID = /^[a-z_][a-z0-9-]{0,79}$/; // of a scene, 64 letters, and what was found in it
 const HASH = /^[0-9a-f]{12}$/;
 const TIME = /^\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z$/;
 

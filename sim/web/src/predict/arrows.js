@@ -136,7 +136,7 @@ export class ArrowsForm {
 
   /** While typing only what makes sense is taken. @param {Row} row @param {() => void} changed @param {boolean} done */
   #typed(row, changed, done) {
-    const read = readTyped(row.box.value);
+    const read = readTyped(row.box.value.replace(/\s*N\s*$/i, "")); // the box's own unit
     let problem = "";
     if ("problem" in read) problem = read.problem;
     else if ("text" in read) problem = tr("Type a number; the unit is N.");

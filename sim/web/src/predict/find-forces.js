@@ -45,10 +45,13 @@ export class FindForces {
     });
   }
 
-  /** @param {Run} run a run that may be told */
+  /** @param {Run} run a run that may be told: of a scene with a prediction after the lock, for both forces tell the answer */
   show(run) {
+    const first = !this.#run;
     this.#run = run;
+    if (first) void this.#restore();
     this.#means = meanForces(run);
+    this.#found = this.#ofThisRun(this.#found);
     const names = this.#means.map(({ cart, other }) =>
       tr("{cart}, while it touches {other}", { cart, other: body(other, run.header.track) }),
     );
@@ -63,23 +66,32 @@ export class FindForces {
   }
 
   /** The forces are shown at once where one was found before. */
-  async restore() {
+  async #restore() {
     const kept = await this.kept.get();
     if (kept?.type !== TYPE) return;
     if (!Array.isArray(kept.found)) return this.found([]); // kept when one force was enough
-    this.#found = new Map(kept.found);
-    if (this.#run) this.#tell();
+    this.#found = this.#ofThisRun(new Map(kept.found));
+    if (this.#found.size) this.#tell();
+  }
+
+  /** Both forces of a contact; of halves those that belong to this run: with one of another they would be no pair. @param {Map<string, string>} found */
+  #ofThisRun(found) {
+    if (isWhole(found)) return found;
+    const now = new Map(this.#means.map((mean) => [keyOf(mean), this.#said(mean)]));
+    return new Map([...found].filter(([key, said]) => now.get(key) === said));
+  }
+
+  /** @param {Mean} mean */
+  #said({ cart, other, value }) {
+    const track = /** @type {Run} */ (this.#run).header.track;
+    const told = { cart, other: body(other, track), force: short(value) };
+    return tr("mean force on {cart} by {other}: {force} N", told);
   }
 
   /** Shows all forces once those on both bodies of a contact were found; else says what is left. */
   #tell() {
-    const keys = [...this.#found.keys()];
-    const whole = keys.some((key) => {
-      const [cart = "", other = ""] = JSON.parse(key);
-      return isWall(other) || this.#found.has(JSON.stringify([other, cart]));
-    });
-    if (whole) return this.found([...this.#found.values()]);
-    const [cart = "", other = ""] = JSON.parse(keys.at(-1) ?? "[]");
+    if (isWhole(this.#found)) return this.found([...this.#found.values()]);
+    const [cart = "", other = ""] = JSON.parse([...this.#found.keys()].at(-1) ?? "[]");
     const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
       other,
     });
@@ -98,12 +110,7 @@ export class FindForces {
     this.#tries += 1;
     const off = read.value / mean.value - 1;
     if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
-    const said = tr("mean force on {cart} by {other}: {force} N", {
-      cart: mean.cart,
-      other: body(mean.other, this.#run.header.track),
-      force: short(mean.value),
-    });
-    this.#found.set(JSON.stringify([mean.cart, mean.other]), said);
+    this.#found.set(keyOf(mean), this.#said(mean));
     await this.#keep(this.box.value);
     this.box.value = "";
     this.#tell();
@@ -148,7 +155,7 @@ export class FindForces {
     const now = new Date().toISOString();
     const before = await this.kept.get();
     const elsewhere = Array.isArray(before?.found) ? before.found : []; // in another tab
-    this.#found = new Map([...elsewhere, ...this.#found]);
+    this.#found = new Map([...this.#ofThisRun(new Map(elsewhere)), ...this.#found]);
     const entry = {
       id: this.id,
       type: TYPE,
@@ -162,6 +169,22 @@ export class FindForces {
     };
     await this.kept.put(entry).catch(() => {}); // refused: at the next visit it is found again
   }
+}
+
+/** @param {Mean} mean */
+const keyOf = ({ cart, other }) => JSON.stringify([cart, other]);
+
+/** Whether the forces on both bodies of a contact were found; of a wall there is one. @param {Map<string, string>} found */
+function isWhole(found) {
+  return [...found.keys()].some((key) => {
+    const [cart = "", other = ""] = JSON.parse(key);
+    return isWall(other) || found.has(JSON.stringify([other, cart]));
+  });
+}
+
+/** The next reader of a scene finds them too. @param {string} id of the scene */
+export function forgetForces(id) {
+  void new Kept(`${id}-forces`).forget();
 }
 
 /** The inside that shows the forces takes the place of the one that hides them. @param {HTMLElement} element @param {string[]} said what the reader found */

@@ -171,6 +171,7 @@ export class Predict {
   }
 
   async #changed() {
+    if (this.isLocked) return;
     this.#entry.value = this.form.value;
     this.#entry.asked = this.spec.ask;
     this.#told();

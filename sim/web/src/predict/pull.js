@@ -21,6 +21,7 @@ export function pullable(stage, slider, full, width) {
     const start = slider.valueAsNumber || 0;
     const perPixel = ((width / stage.getBoundingClientRect().width) * Number(slider.max)) / full;
     followPointer(down, (pixels) => {
+      if (slider.disabled) return; // locked while it is being pulled
       const before = slider.value;
       slider.valueAsNumber = start + pixels * perPixel;
       if (slider.value !== before || slider.dataset.pulled === undefined) {

@@ -201,7 +201,7 @@ export function questionElement(book) {
         return null;
       }
       if (this.facts.type === "reading") {
-        this.#entry = readOff(this.facts, { ...this.#entry });
+        if (this.#entry.own === undefined) this.#entry = readOff(this.facts, { ...this.#entry });
         if (this.#entry.own === undefined) {
           this.#complain(tr("Run the scene first: lock your prediction there."));
           return null;

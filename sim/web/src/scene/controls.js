@@ -35,10 +35,15 @@ export class Controls {
     this.switches.enable(on);
   }
 
-  /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("../../../view/types.js").Header} header */
-  show(settings, header) {
+  /**
+   * Shows the values of the run on screen. A slider that has gone on since stays where it is: its next
+   * step by a key is one from there.
+   * @param {Record<string, unknown>} settings @param {import("../../../view/types.js").Header} header @param {Set<string>} pending
+   */
+  show(settings, header, pending) {
     this.switches.show(header);
     for (const [target, view] of this.#views) {
+      if (pending.has(target)) continue;
       const value = target in settings ? settings[target] : view.control.value;
       const number = valueIn(header, target) ?? Number(value) * view.control.per;
       if (Number.isFinite(number)) view.show(view.shown(number));

@@ -8,6 +8,8 @@ const REST = 250; // ms: while the time is pulled, nobody listens
 export class Described {
   #timer = 0;
   #told = false;
+  /** @type {string | null} the carts that the page describes at the start */
+  #start = null;
 
   /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
   constructor(root, { fence, view }) {
@@ -25,7 +27,9 @@ export class Described {
   at(run, t, moving) {
     clearTimeout(this.#timer);
     if (moving || !this.place || run.trajectory.t.length < 2) return;
-    if (t === 0 && !this.#told) return; // the page says more of the start
+    const start = JSON.stringify(run.header.bodies);
+    this.#start ??= start;
+    if (t === 0 && !this.#told && start === this.#start) return; // the page says more of the start
     this.#told = true;
     this.#timer = setTimeout(() => {
       if (this.place) say(this.place, this.words(run, t));

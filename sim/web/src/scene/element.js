@@ -1,6 +1,6 @@
 /** `<carts-scene>`: adopts the baked page, then lets Python compute what the reader asks for. */
 
-import { showForces } from "../predict/find-forces.js";
+import { forgetForces, showForces } from "../predict/find-forces.js";
 import { need } from "../shared/dom.js";
 import { readBaked } from "./baked.js";
 import * as words from "./element-words.js";
@@ -91,12 +91,11 @@ export function sceneElement(client, folder) {
         forgotten: (now) => void this.#startAgain(now),
       });
       this.#watch = new Watch(this, baked, view.player, inside.presets, {
-        first: () => this.#told && inside.controls.enable(true),
+        first: () => this.#told && inside.controls.enable(this.#runs.able),
         all: () => this.#watched(),
       });
       if (!this.#predict) this.#lesson = baked.run;
       if (this.#lesson) inside.find?.show(baked.run);
-      void inside.find?.restore();
       void inside.follow(baked.run);
       if (this.#watch.over) view.show(baked.run);
       view.enable(!this.#predict);
@@ -111,6 +110,7 @@ export function sceneElement(client, folder) {
       this.#values.forget();
       this.#lesson = null;
       forgetWatched(this);
+      forgetForces(this.id);
       this.innerHTML = this.#asBaked;
       this.classList.add("carts-asks");
       this.#adopt();
@@ -123,7 +123,6 @@ export function sceneElement(client, folder) {
       const [t, values] = [this.time, { ...this.#values.good }];
       this.#view?.player.pause();
       showForces(this, said);
-      if (this.#asBaked) this.#asBaked = this.innerHTML;
       this.#adopt();
       await this.#restored;
       if (!this.#told) return;
@@ -181,7 +180,7 @@ export function sceneElement(client, folder) {
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
       const shown = this.#inside?.follow(run);
-      this.#inside?.show(this.#values.good, run.header);
+      this.#inside?.show(this.#values, run.header);
       this.#inside?.find?.show(run);
       words.offerUndo(this, this.#told && this.#values.canUndo);
       return shown;
@@ -235,7 +234,7 @@ export function sceneElement(client, folder) {
     /** All was seen: now it stands beside the prediction. */
     #watched() {
       if (!this.#predict || !this.#lesson) return;
-      this.#inside?.controls.enable(true);
+      this.#inside?.controls.enable(this.#runs.able);
       if (!this.#predict.isLocked) return;
       this.#predict.compare(this.#lesson);
       this.#view?.announcer.tell([this.#predict.spoken]);

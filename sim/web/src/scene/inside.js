@@ -70,10 +70,12 @@ export function wireInside(element, baked, view, client, acts) {
     ladder.follow(run);
     return how.follow(run);
   };
-  /** @param {import("./values.js").Settings} settings @param {import("../../../view/types.js").Header} header */
-  const show = (settings, header) => {
-    sliders.show(settings, header);
-    presets.show(settings, header);
+  /** @param {import("./values.js").Values} values @param {import("../../../view/types.js").Header} header */
+  const show = (values, header) => {
+    // Until Python answers, prepared runs are shown, and the sliders with their values.
+    const pending = client.state === "ready" ? values.pending : new Set();
+    sliders.show(values.good, header, pending);
+    presets.show(values.good, header);
   };
   return { controls: sliders, presets, show, find, how, follow };
 }

@@ -75,7 +75,8 @@ export class Live {
     else this.#mark();
   }
 
-  async #begin() {
+  /** @param {boolean} again whether a refused value may be behind it: it was given up meanwhile @returns {Promise<void>} */
+  async #begin(again = true) {
     try {
       await this.acts.first();
       await frame();
@@ -86,7 +87,9 @@ export class Live {
       this.#waiting.resolve(undefined);
       this.#link();
     } catch (error) {
-      if (this.client.state !== "failed") this.#fail(/** @type {Error} */ (error));
+      if (this.client.state === "failed") return;
+      if (again && /** @type {any} */ (error).refused) return this.#begin(false);
+      this.#fail(/** @type {Error} */ (error));
     }
   }
 

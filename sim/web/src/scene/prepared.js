@@ -52,9 +52,15 @@ export class Prepared {
   }
 
   /** @param {Table} table @param {Settings} wanted */
-  #onGrid({ axes }, wanted) {
-    if (Object.keys(wanted).some((key) => !axes.some((axis) => axis.set === key))) {
-      throw new Error(tr("This change needs Python, which does not run here."));
+  #onGrid({ axes, presets }, wanted) {
+    const others = Object.keys(wanted).filter((key) => !axes.some((axis) => axis.set === key));
+    if (others.length) {
+      const ready = presets.some((one) => others.every((key) => one[key] === wanted[key]));
+      throw new Error(
+        ready
+          ? tr("Ready-made values can be changed with Python only. Press: Reset all values.")
+          : tr("This change needs Python, which does not run here."),
+      );
     }
     /** @type {Settings} */
     const set = {};
@@ -75,8 +81,8 @@ export class Prepared {
     if (asked === undefined) return control ? control.value * control.per : Number(box?.value);
     if (typeof asked !== "string") return Number(asked);
     const text = asked.trim();
-    const number =
-      control && text.endsWith(control.unit) ? text.slice(0, -control.unit.length) : "";
+    const unit = control?.unit ?? "";
+    const number = text.endsWith(unit) ? text.slice(0, text.length - unit.length) : "";
     if (!control || number.trim() === "" || Number.isNaN(Number(number))) {
       throw new Error(tr("A number without a unit, please: Python does not run here."));
     }

@@ -44,6 +44,11 @@ export class Runs {
     return Boolean(this.prepared?.there);
   }
 
+  /** Whether a changed value has an answer: of Python, or prepared. */
+  get able() {
+    return this.client.state !== "failed" || this.stepwise;
+  }
+
   /** The values that a slider can take where there is no Python. @param {string} target @returns {number[] | undefined} in its unit */
   stops(target) {
     return this.client.state === "failed" ? this.prepared?.stops[target] : undefined;

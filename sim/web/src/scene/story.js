@@ -104,8 +104,9 @@ export class Story {
     return item;
   }
 
-  /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
+  /** What has happened after `before`, up to and including `now`; from the start on all of it. @param {number} before @param {number} now */
   between(before, now) {
-    return this.told.filter(({ t }) => t > before && t <= now).map(({ sentence }) => sentence);
+    const after = before || -1;
+    return this.told.filter(({ t }) => t > after && t <= now).map(({ sentence }) => sentence);
   }
 }

@@ -30,6 +30,12 @@ export class Values {
     Object.assign(this.wanted, changes);
   }
 
+  /** @returns {Set<string>} what newer values were asked for than those of the run on screen */
+  get pending() {
+    const keys = Object.keys(this.wanted);
+    return new Set(keys.filter((key) => this.wanted[key] !== this.good[key]));
+  }
+
   /** A refused value goes back to the last good one. @param {Settings} changes */
   giveUp(changes) {
     for (const [key, value] of Object.entries(changes)) {

@@ -43,5 +43,5 @@ export function refusal(problems) {
   if (!first) return new Error(tr("This value does not work."));
   const message = told(first.message);
   const text = first.hint ? `${message}: ${told(first.hint)}` : message;
-  return Object.assign(new Error(text), { path: first.path });
+  return Object.assign(new Error(text), { path: first.path, refused: true });
 }

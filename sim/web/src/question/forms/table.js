@@ -45,6 +45,7 @@ export function tableForm(root, changed, facts) {
       for (const place of places) {
         const kept = value && Object.hasOwn(value, name(place)) ? value[name(place)] : "";
         box(place).value = String(kept);
+        mark(place, ""); // what stood beside it was of another number
       }
       draw();
     },

@@ -11,6 +11,7 @@ import { linkName } from "./link-name.js";
 import { plain } from "./plain.js";
 
 const NEAR = 1 + 1e-9; // a number on the edge of the tolerance is inside, whatever its last bit
+const LAST_BITS = 1e-12; // of the answer: 70 cm/s are 0.7 m/s also where the tolerance is 0
 
 /**
  * @param {Facts} facts @param {any} value the answer @param {number | null} own the quantity in the student's own run
@@ -176,7 +177,8 @@ function known(key, k, of) {
 /** @param {any} value @param {number} answer @param {number} tolerance @param {number} of @param {any} key with known wrong answers */
 function near(value, answer, tolerance, of, key = null) {
   if (typeof value !== "number" || !Number.isFinite(value)) return made("unclear", 0, of);
-  if (Math.abs(value - answer) <= tolerance * NEAR) return whole(true, false, of);
+  const edge = tolerance * NEAR + LAST_BITS * Math.abs(answer);
+  if (Math.abs(value - answer) <= edge) return whole(true, false, of);
   const k = (key?.wrong ?? []).findIndex(
     (/** @type {any} */ wrong) => Math.abs(value - wrong.value) <= wrong.tolerance * NEAR,
   );

@@ -2,6 +2,8 @@
 
 import { turnAfter, valueAt } from "../../../../view/trajectory.js";
 
+const NOUGHT = 1e-12; // of the greatest in the run: a cart that stops dead has rounding left
+
 /**
  * @param {any} run `el.trajectory` of the scene @param {Record<string, number>} mass kg, by cart
  * @param {string} quantity v.A, x.A, a.A, p.A or F.A-B @param {number | string} at seconds, start, end or largest
@@ -23,6 +25,9 @@ export function reading(run, mass, quantity, at) {
     for (let k = 0; k < column.length; k += 1) take(turnAfter(run.t, column, slopes, k) ?? 0);
     return most * factor;
   }
+  let scale = 0;
+  for (const value of column) scale = Math.max(scale, Math.abs(value));
   const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
-  return valueAt(run.t, column, slopes, t) * factor;
+  const found = valueAt(run.t, column, slopes, t);
+  return Math.abs(found) <= NOUGHT * scale ? 0 : found * factor;
 }

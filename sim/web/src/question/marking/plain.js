@@ -3,6 +3,6 @@ export function plain(text) {
   return text
     .toLowerCase()
     .replace(/[−–]/g, "-")
-    .replace(/[\s.,;:!?“”„"'’`()]+/g, " ")
+    .replace(/[\s.,;:!?“”„"'’`()。，、！？；：（）「」『』«»‹›‘…¿¡]+/g, " ")
     .trim();
 }

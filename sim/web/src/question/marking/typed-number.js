@@ -5,7 +5,7 @@ import { twoReadings } from "../../shared/typed.js";
 import { sameUnit, withExponent } from "./notation.js";
 
 const LONGEST = 40;
-const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+const NUMBER = /^([+-]?\s*(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
 
 const BARE = /^[\s+\-−–\d.,eE]*$/; // a number without a unit
 
@@ -20,14 +20,14 @@ export function withUnit(typed, unit) {
  * @returns {{value: number} | {problem: string}}
  */
 export function readNumber(typed, units) {
-  const text = withExponent(typed.trim());
+  const text = withExponent(narrow(typed.trim()));
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   const grouped = twoReadings(text);
   if (grouped) return { problem: grouped };
   const found = NUMBER.exec(text);
   if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-  const number = String(found[1]);
+  const number = String(found[1]).replace(/\s/g, "");
   const unit = found[2] ?? "";
   const known = Object.keys(units).filter(Boolean);
   const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
@@ -36,6 +36,11 @@ export function readNumber(typed, units) {
     const text = { unit, units: known.join(", ") };
     return { problem: tr("“{unit}” does not fit here. Units: {units}", text) };
   }
-  const value = Number(number.replace(",", ".")) * factor;
+  // To the digits that a unit leaves: 35 cm/s are 0.35 m/s, not 0.35000000000000003.
+  const value = Number((Number(number.replace(",", ".")) * factor).toPrecision(15));
   return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
 }
+
+/** Figures and signs as wide as a Chinese letter are the same numbers. @param {string} typed */
+const narrow = (typed) =>
+  typed.replace(/[０-９．＋－]/g, (sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0));

@@ -43,7 +43,8 @@ export class How {
     this.message = message;
     this.details = /** @type {HTMLDetailsElement} */ (need(root, ".carts-how"));
     this.details.addEventListener("toggle", () => this.#opened());
-    root.addEventListener(WATCHED, () => this.#opened());
+    // The element outlives this inside of it.
+    root.addEventListener(WATCHED, () => this.details.isConnected && this.#opened());
   }
 
   /** A new exact run: it is shown, or its scene step by step. @param {Run} run */

@@ -12,25 +12,34 @@ const LASTS = 0.08; // s
 const FADES = 60; // 1/s
 const SOFTEST = 0.05; // of the loudest: a contact that is heard at all
 
+let wanted = recall(KEY) === true; // in all scenes of the page
+
 export class Sound {
-  on = recall(KEY) === true;
   /** @type {AudioContext | null} */
   #machine = null;
 
+  get on() {
+    return wanted;
+  }
+
   /** @param {boolean} on by the reader */
   set(on) {
-    this.on = on;
+    wanted = on;
     retain(KEY, on);
+    for (const box of document.querySelectorAll('[data-choice="sound"]')) {
+      /** @type {HTMLInputElement} */ (box).checked = on;
+    }
     if (on) this.#click(SOFTEST); // a first one: it works, and this is how loud it is at least
   }
 
   /** What happened in a piece of the run. @param {RunEvent[]} events of the run @param {number} before @param {number} now both in s */
   between(events, before, now) {
     if (!this.on) return;
+    const after = before || -1; // what happens at the start is heard, too
     const loudest = Math.max(...events.map(strength));
     for (const event of events) {
       const part = strength(event) / loudest;
-      if (event.t > before && event.t <= now && part > 0) this.#click(Math.max(part, SOFTEST));
+      if (event.t > after && event.t <= now && part > 0) this.#click(Math.max(part, SOFTEST));
     }
   }
 
@@ -51,7 +60,7 @@ export class Sound {
       source.connect(machine.destination);
       source.start();
     } catch {
-      this.on = false; // no loudspeaker: the run goes on in silence
+      wanted = false; // no loudspeaker: the run goes on in silence
     }
   }
 }

@@ -68,14 +68,15 @@ export class Watch {
     const waits = this.first && this.presets.left.includes(name);
     const before = player.seen;
     player.pause();
-    if (waits) player.seen = 0;
+    // One that was watched is whole again, also after another that was left half-way.
+    if (this.first) player.seen = waits ? 0 : Infinity;
     player.seek(0);
     void draw().then((drawn) => {
-      if (!waits) return;
       if (!drawn) {
         player.seen = before;
         return player.seek(0);
       }
+      if (!waits) return;
       this.#offer(true);
       player.play();
     });
