@@ -231,7 +231,8 @@
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
-    if (old.locked && !value.locked && old.hash === value.hash) {
+    const same = old.hash === value.hash && old.type === value.type;
+    if (old.locked && !value.locked && same) {
       return withEarlier(old, old.earlier, value.earlier, alone(value));
     }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
@@ -2595,6 +2596,10 @@
 
   // src/shared/typed.js
   var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function tidy(typed) {
+    const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
+    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
+  }
   function twoReadings(typed) {
     const text = GROUPED.exec(typed)?.[0];
     if (!text) return "";
@@ -2610,21 +2615,21 @@
 
   // src/question/marking/typed-number.js
   var LONGEST3 = 40;
-  var NUMBER = /^([+-]?\s*(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   var BARE = /^[\s+\-−–\d.,eE]*$/;
   function withUnit(typed, unit) {
     const text = typed.trim();
-    return text && unit && BARE.test(text) ? `${text} ${unit}` : text;
+    return text && unit && BARE.test(tidy(text)) ? `${text} ${unit}` : text;
   }
   function readNumber(typed, units) {
-    const text = withExponent(narrow(typed.trim()));
+    const text = withExponent(tidy(typed));
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number2 = String(found2[1]).replace(/\s/g, "");
+    const number2 = String(found2[1]);
     const unit = found2[2] ?? "";
     const known2 = Object.keys(units).filter(Boolean);
     const own = unit ? known2.find((one) => sameUnit(one, unit)) : "";
@@ -2636,7 +2641,6 @@
     const value = Number((Number(number2.replace(",", ".")) * factor).toPrecision(15));
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
-  var narrow = (typed) => typed.replace(/[０-９．＋－]/g, (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248));
 
   // src/question/forms/run.js
   var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };

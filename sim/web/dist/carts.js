@@ -814,7 +814,7 @@
   var LONGEST = 40;
   var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
   function readTyped(typed) {
-    const text = withExponent(typed.trim());
+    const text = withExponent(tidy(typed));
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
     const grouped = twoReadings(text);
@@ -827,6 +827,10 @@
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+  }
+  function tidy(typed) {
+    const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
+    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
   }
   function twoReadings(typed) {
     const text = GROUPED.exec(typed)?.[0];
@@ -2115,9 +2119,10 @@
     enable(on) {
       for (const box2 of this.#boxes.values()) box2.disabled = !on;
     }
-    show(header) {
+    show(header, pending = /* @__PURE__ */ new Set()) {
       this.#header = header;
       for (const [set, box2] of this.#boxes) {
+        if (pending.has(set)) continue;
         const effect = effectOf(set, header);
         if (effect) box2.checked = effect.active;
         need(
@@ -2175,7 +2180,7 @@
       this.switches.enable(on);
     }
     show(settings, header, pending) {
-      this.switches.show(header);
+      this.switches.show(header, pending);
       for (const [target, view] of this.#views) {
         if (pending.has(target)) continue;
         const value = target in settings ? settings[target] : view.control.value;
@@ -3799,7 +3804,8 @@
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together2(old, value), locked: old.locked };
-    if (old.locked && !value.locked && old.hash === value.hash) {
+    const same = old.hash === value.hash && old.type === value.type;
+    if (old.locked && !value.locked && same) {
       return withEarlier(old, old.earlier, value.earlier, alone(value));
     }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
@@ -4175,6 +4181,7 @@
       return tr("mean force on {cart} by {other}: {force} N", told3);
     }
     #tell() {
+      if (!this.#found.size) return;
       if (isWhole(this.#found)) return this.found([...this.#found.values()]);
       const [cart = "", other = ""] = JSON.parse([...this.#found.keys()].at(-1) ?? "[]");
       const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
@@ -5478,14 +5485,17 @@
       const waits = this.first && this.presets.left.includes(name);
       const before = player.seen;
       player.pause();
-      if (this.first) player.seen = waits ? 0 : Infinity;
+      if (waits) player.seen = 0;
       player.seek(0);
       void draw().then((drawn2) => {
         if (!drawn2) {
           player.seen = before;
           return player.seek(0);
         }
-        if (!waits) return;
+        if (!waits) {
+          if (this.first) player.seen = Infinity;
+          return player.seek(player.time);
+        }
         this.#offer(true);
         player.play();
       });

@@ -117,7 +117,8 @@
     if (!old || typeof old !== "object" || typeof value2 !== "object" || value2 === null) return value2;
     const opened2 = old.locked && old.locked !== value2.locked;
     if (opened2 && sameAnswer(old, value2)) return { ...together(old, value2), locked: old.locked };
-    if (old.locked && !value2.locked && old.hash === value2.hash) {
+    const same = old.hash === value2.hash && old.type === value2.type;
+    if (old.locked && !value2.locked && same) {
       return withEarlier(old, old.earlier, value2.earlier, alone(value2));
     }
     const other = opened2 || old.hash && value2.hash && old.hash !== value2.hash;
@@ -557,6 +558,10 @@
 
   // src/shared/typed.js
   var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function tidy(typed) {
+    const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
+    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
+  }
   function twoReadings(typed) {
     const text = GROUPED.exec(typed)?.[0];
     if (!text) return "";
@@ -572,16 +577,16 @@
 
   // src/question/marking/typed-number.js
   var LONGEST2 = 40;
-  var NUMBER = /^([+-]?\s*(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   function readNumber(typed, units) {
-    const text = withExponent(narrow(typed.trim()));
+    const text = withExponent(tidy(typed));
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number2 = String(found2[1]).replace(/\s/g, "");
+    const number2 = String(found2[1]);
     const unit = found2[2] ?? "";
     const known = Object.keys(units).filter(Boolean);
     const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
@@ -593,7 +598,6 @@
     const value2 = Number((Number(number2.replace(",", ".")) * factor).toPrecision(15));
     return Number.isFinite(value2) ? { value: value2 } : { problem: tr("{text} is too large.", { text }) };
   }
-  var narrow = (typed) => typed.replace(/[０-９．＋－]/g, (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248));
 
   // src/question/forms/run.js
   var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };

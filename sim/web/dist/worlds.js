@@ -2265,7 +2265,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
     const opened2 = old.locked && old.locked !== value.locked;
     if (opened2 && sameAnswer(old, value)) return { ...together(old, value), locked: old.locked };
-    if (old.locked && !value.locked && old.hash === value.hash) {
+    const same = old.hash === value.hash && old.type === value.type;
+    if (old.locked && !value.locked && same) {
       return withEarlier(old, old.earlier, value.earlier, alone(value));
     }
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;

@@ -37,10 +37,19 @@ def find(page: Page, typed: str, name: str = "hidden", which: str = "B, while it
         finder.locator("summary").click()
     finder.locator("select").select_option(label=which)
     box = finder.locator("input")
+    before = page.locator(f"#{name} .carts-find-note").text_content()
     box.press("ControlOrMeta+a")
     box.press_sequentially(typed)
     box.press("Enter")
-    page.wait_for_timeout(100)
+    # It is answered at once, or when what is right is kept: then the box is empty, or gone.
+    page.wait_for_function(
+        """([name, typed, before]) => {
+          const box = document.querySelector(`#${name} .carts-find input`);
+          const note = document.querySelector(`#${name} .carts-find-note`);
+          return !box || box.value !== typed || note?.textContent !== before;
+        }""",
+        arg=[name, typed, before],
+    )
     note = page.locator(f"#{name} .carts-find-note")
     return note.inner_text() if note.count() else ""
 
@@ -102,17 +111,16 @@ def test_the_next_reader_is_not_told_the_forces_that_the_one_before_has_found(
     lock(page, "asking")
     expect(page.locator("#asking .carts-find")).to_be_visible()
     mean = on_scene(page, MEAN_OF_RUN, name="asking")
-    find(page, f"{mean:.3f}", "asking")
+    assert "find the force on A too" in find(page, f"{mean:.3f}", "asking")
     find(page, f"{-mean:.3f}", "asking", "A, while it touches B")
     expect(page.locator("#asking .carts-found")).to_be_visible()
     page.locator("#asking .carts-again").click()
     page.locator("#asking .carts-forget-yes").click()
     expect(page.locator("#asking .carts-found")).to_be_hidden()
-    page.wait_for_timeout(300)
+    page.wait_for_function(f"async () => (await ({KEPT})()) === undefined")
     page.reload()
     live(page, "asking")
     expect(page.locator("#asking .carts-found")).to_be_hidden()
-    assert page.evaluate(KEPT) is None
 
 
 MEAN_OF_RUN = """const of = (kind) =>

@@ -1,7 +1,7 @@
 /**
  * Where a scene hides the forces: the reader finds those of one contact, each from its own cart,
  * F = m Δv / Δt, and then sees them all: one force tells nothing of the other before. What was found
- * is kept with the answers, so it is there again at the next visit.
+ * is kept with the answers, so it is there again at the next visit; half of a pair counts for its run.
  */
 
 import { body, isWall } from "../../../view/bodies.js";
@@ -90,6 +90,7 @@ export class FindForces {
 
   /** Shows all forces once those on both bodies of a contact were found; else says what is left. */
   #tell() {
+    if (!this.#found.size) return; // the run is another one meanwhile
     if (isWhole(this.#found)) return this.found([...this.#found.values()]);
     const [cart = "", other = ""] = JSON.parse([...this.#found.keys()].at(-1) ?? "[]");
     const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {

@@ -41,7 +41,7 @@ export class Controls {
    * @param {Record<string, unknown>} settings @param {import("../../../view/types.js").Header} header @param {Set<string>} pending
    */
   show(settings, header, pending) {
-    this.switches.show(header);
+    this.switches.show(header, pending);
     for (const [target, view] of this.#views) {
       if (pending.has(target)) continue;
       const value = target in settings ? settings[target] : view.control.value;

@@ -31,10 +31,11 @@ export class Switches {
     for (const box of this.#boxes.values()) box.disabled = !on;
   }
 
-  /** Shows what acts in the run on screen. @param {Header} header */
-  show(header) {
+  /** Shows what acts in the run on screen; a box that was ticked since stays so. @param {Header} header @param {Set<string>} pending */
+  show(header, pending = new Set()) {
     this.#header = header;
     for (const [set, box] of this.#boxes) {
+      if (pending.has(set)) continue;
       const effect = effectOf(set, header);
       if (effect) box.checked = effect.active;
       need(/** @type {Element} */ (box.closest(".carts-switch")), ".carts-error").hidden = true;

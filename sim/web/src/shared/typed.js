@@ -11,7 +11,7 @@ const GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
  * @param {string} typed @returns {{value: number} | {text: string} | {problem: string}}
  */
 export function readTyped(typed) {
-  const text = withExponent(typed.trim());
+  const text = withExponent(tidy(typed));
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   const grouped = twoReadings(text);
@@ -24,6 +24,15 @@ export function readTyped(typed) {
     return { text: text.replace(/(\d),(\d)/, "$1.$2") };
   }
   return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+}
+
+/** Figures and signs as wide as a Chinese letter are the same numbers; a sign may stand apart. @param {string} typed */
+export function tidy(typed) {
+  const narrow = (/** @type {string} */ sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0);
+  return typed
+    .trim()
+    .replace(/[０-９．，＋－]/g, narrow)
+    .replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
 }
 
 /** What a comma before three digits can mean, with a unit behind it or none; empty: there is none. @param {string} typed */

@@ -1,18 +1,18 @@
 /** A number that a student typed, in the question's own unit. */
 
 import { tr } from "../../../../view/language.js";
-import { twoReadings } from "../../shared/typed.js";
+import { tidy, twoReadings } from "../../shared/typed.js";
 import { sameUnit, withExponent } from "./notation.js";
 
 const LONGEST = 40;
-const NUMBER = /^([+-]?\s*(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
 
 const BARE = /^[\s+\-−–\d.,eE]*$/; // a number without a unit
 
 /** What was typed, in words: a bare number with the question's unit. @param {string} typed @param {string} unit */
 export function withUnit(typed, unit) {
   const text = typed.trim();
-  return text && unit && BARE.test(text) ? `${text} ${unit}` : text;
+  return text && unit && BARE.test(tidy(text)) ? `${text} ${unit}` : text;
 }
 
 /**
@@ -20,14 +20,14 @@ export function withUnit(typed, unit) {
  * @returns {{value: number} | {problem: string}}
  */
 export function readNumber(typed, units) {
-  const text = withExponent(narrow(typed.trim()));
+  const text = withExponent(tidy(typed));
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   const grouped = twoReadings(text);
   if (grouped) return { problem: grouped };
   const found = NUMBER.exec(text);
   if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-  const number = String(found[1]).replace(/\s/g, "");
+  const number = String(found[1]);
   const unit = found[2] ?? "";
   const known = Object.keys(units).filter(Boolean);
   const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
@@ -40,7 +40,3 @@ export function readNumber(typed, units) {
   const value = Number((Number(number.replace(",", ".")) * factor).toPrecision(15));
   return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
 }
-
-/** Figures and signs as wide as a Chinese letter are the same numbers. @param {string} typed */
-const narrow = (typed) =>
-  typed.replace(/[０-９．＋－]/g, (sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0));

@@ -68,15 +68,17 @@ export class Watch {
     const waits = this.first && this.presets.left.includes(name);
     const before = player.seen;
     player.pause();
-    // One that was watched is whole again, also after another that was left half-way.
-    if (this.first) player.seen = waits ? 0 : Infinity;
+    if (waits) player.seen = 0;
     player.seek(0);
     void draw().then((drawn) => {
       if (!drawn) {
         player.seen = before;
         return player.seek(0);
       }
-      if (!waits) return;
+      if (!waits) {
+        if (this.first) player.seen = Infinity; // watched before another that was left half-way
+        return player.seek(player.time);
+      }
       this.#offer(true);
       player.play();
     });
