@@ -661,12 +661,15 @@
     /** @type {import("./words.js").Aim[]} */
     ["A", "B", "one", "other"]
   );
+  var TYPED = 600;
   var CARTS = (
     /** @type {import("./words.js").Aim[]} */
     ["A", "B"]
   );
   var Session = class {
     #mending = null;
+    #typing = 0;
+    // another ruler, or slower: read anew when no more keys come
     #repair = null;
     #model = { time: 0, places: {} };
     #along = null;
@@ -686,8 +689,9 @@
       need(root, ".carts-film-time");
       this.slider.addEventListener("input", () => this.#seek());
       for (const input of this.setup.inputs) {
-        input.addEventListener("change", () => {
-          if (this.phase === "followed") this.read();
+        input.addEventListener("input", () => {
+          clearTimeout(this.#typing);
+          if (this.phase === "followed") this.#typing = setTimeout(() => this.read(), TYPED);
         });
       }
       this.#on("follow", () => void this.follow());
@@ -856,6 +860,7 @@
       this.view.mark(this.#marks());
     }
     end() {
+      clearTimeout(this.#typing);
       this.helper.end();
       this.view.end();
       this.root.remove();

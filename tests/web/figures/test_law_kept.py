@@ -48,16 +48,16 @@ def test_the_last_key_is_kept_when_the_page_is_left_soon_after(
     open_page: OpenPage, bench: Path
 ) -> None:
     page = opened(open_page, bench)
-    page.evaluate(
-        """async (text) => {
-          const box = document.querySelector("carts-law textarea");
-          box.value = text;
-          box.dispatchEvent(new Event("input"));
-          await new Promise((done) => setTimeout(done, 100));
-          location.reload();
-        }""",
-        HEAVY,
-    )
+    with page.expect_navigation():
+        page.evaluate(
+            """(text) => {
+              const box = document.querySelector("carts-law textarea");
+              box.value = text;
+              box.dispatchEvent(new Event("input"));
+              setTimeout(() => location.reload(), 100);
+            }""",
+            HEAVY,
+        )
     page.wait_for_selector("carts-law[data-state=live]")
     expect(text_box(page)).to_have_value(HEAVY)
 

@@ -18,11 +18,13 @@ import * as words from "./words.js";
 
 const ENDS = ["one", "other"];
 const ALL = /** @type {import("./words.js").Aim[]} */ (["A", "B", "one", "other"]);
+const TYPED = 600; // ms
 const CARTS = /** @type {import("./words.js").Aim[]} */ (["A", "B"]);
 
 export class Session {
   /** @type {Mending | null} */
   #mending = null;
+  #typing = 0; // another ruler, or slower: read anew when no more keys come
   /** @type {Repair | null} */
   #repair = null;
   /** Where the model's carts are, m, and when, s of the readings. @type {{time: number, places: Record<string, number>}} */
@@ -46,8 +48,9 @@ export class Session {
     this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-film-time"));
     this.slider.addEventListener("input", () => this.#seek());
     for (const input of this.setup.inputs) {
-      input.addEventListener("change", () => {
-        if (this.phase === "followed") this.read(); // by another ruler, or slower
+      input.addEventListener("input", () => {
+        clearTimeout(this.#typing);
+        if (this.phase === "followed") this.#typing = setTimeout(() => this.read(), TYPED);
       });
     }
     this.#on("follow", () => void this.follow());
@@ -236,6 +239,7 @@ export class Session {
   }
 
   end() {
+    clearTimeout(this.#typing);
     this.helper.end();
     this.view.end();
     this.root.remove();
