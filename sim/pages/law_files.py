@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from sim.pages.text.author_text import author_text
+from sim.pages.text.author_text import author_text, shown_here
 from sim.scene.read_written import named_laws
 
 MOST_BYTES = 100_000
@@ -29,12 +29,6 @@ def with_law_files(
     for name in sorted(asked - set(found)):
         path = next((folder / name for folder in folders if (folder / name).is_file()), None)
         if path is not None and path.stat().st_size <= MOST_BYTES:
-            found[name] = author_text(path, _shown(path))
+            found[name] = author_text(path, shown_here(path))
     laws = {name: text for name, text in found.items() if name in asked or name in own}
     return {**plain, "laws": laws} if laws else dict(plain)
-
-
-def _shown(path: Path) -> str:
-    """From the current folder where that is possible."""
-    here = Path.cwd()
-    return (path.relative_to(here) if path.is_relative_to(here) else path).as_posix()

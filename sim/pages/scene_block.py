@@ -22,6 +22,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
 from sim.pages.law_files import with_law_files
 from sim.pages.off_track import off_track
+from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
 from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
@@ -202,9 +203,9 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
             ("file",),
             "no-such-file",
             f"there is no scene file “{name}”",
-            f"looked in: {', '.join(shown_here(lesson.scene_folders)) or 'no folder'}",
+            f"looked in: {', '.join(map(shown_here, lesson.scene_folders)) or 'no folder'}",
         )
-    shown = shown_here([path])[0]
+    shown = shown_here(path)
     try:
         scene = load(path.read_text(encoding="utf-8-sig"))
     except YamlError as error:
@@ -238,11 +239,3 @@ def found_in(
         if path.is_file() and path.resolve().is_relative_to(folder.resolve()):
             return path
     return None
-
-
-def shown_here(paths: Iterable[Path]) -> list[str]:
-    """Paths as messages show them: from the current folder where that is possible."""
-    here = Path.cwd()
-    return [
-        (path.relative_to(here) if path.is_relative_to(here) else path).as_posix() for path in paths
-    ]

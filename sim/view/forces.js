@@ -28,8 +28,15 @@ export function contactForce({ trajectory }, pair, t, zero) {
  * @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {number}
  */
 export function resultant(run, name, t, zero) {
-  const along = [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
-  return along.reduce((sum, { value }) => sum + value, 0);
+  return summed(forcesAlong(run, name, t, zero));
+}
+
+/** N, + to the right. @param {Force[]} along */
+export const summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
+
+/** All forces on a cart along the track. @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {Force[]} */
+export function forcesAlong(run, name, t, zero) {
+  return [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
 }
 
 /**

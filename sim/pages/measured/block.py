@@ -24,6 +24,7 @@ from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import OFFERED, Units
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, SiteIds, load_block
+from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, Source
 from sim.scene.presentation import ID
@@ -167,7 +168,7 @@ class _Reader:
             measured = read_measured([text], units)
         except ReadingError as error:
             self.findings += [
-                Finding(_shown(path), fault.line, 1, "readings", fault.reason, fault.hint)
+                Finding(shown_here(path), fault.line, 1, "readings", fault.reason, fault.hint)
                 for fault in error.faults
             ]
             return "", "", None
@@ -184,8 +185,3 @@ def _find(name: str, folders: Iterable[Path]) -> Path | None:
             if path.is_file() and path.resolve().is_relative_to(folder.resolve()):
                 return path
     return None
-
-
-def _shown(path: Path) -> str:
-    here = Path.cwd()
-    return (path.relative_to(here) if path.is_relative_to(here) else path).as_posix()

@@ -9,8 +9,8 @@ from sim.lesson import LessonError
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, bank_name, read_form
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, Places, SiteIds, load_block, shown_here, yaml_findings
-from sim.pages.text.author_text import author_text
+from sim.pages.scene_block import Lesson, Places, SiteIds, load_block, yaml_findings
+from sim.pages.text.author_text import author_text, shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.text.yaml_source import Plain, YamlError, load
@@ -73,7 +73,7 @@ def _bank(
         message = f"there is no bank “{name[:60]}”"
         problem = Problem(("bank",), "no-such-file", message, f"looked in: {folders or FOLDER}")
         return None, [places.finding(problem)]
-    (shown,) = shown_here([path])
+    shown = shown_here(path)
     try:
         text = lesson.texts.get(path) or author_text(path, shown)
     except AuthorError as error:

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
-from sim.pages.language import ENGLISH, UnknownLanguageError, language_of, mark, words
+from sim.pages.language import ENGLISH, mark, of_page, words
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE, policy
 from sim.pages.site_files import ASSETS, FILM
@@ -55,14 +55,6 @@ _PAGE = """\
 """
 
 
-def _words(language: str) -> Mapping[str, str]:
-    """Ours; none of a language that only the theme speaks."""
-    try:
-        return words(language_of(language))
-    except UnknownLanguageError:
-        return {}
-
-
 def single_lesson(
     page: Path, site: Path, runtime: Iterable[str], elsewhere: Mapping[str, str] | None = None
 ) -> str:
@@ -90,7 +82,7 @@ def single_lesson(
     language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
     return _PAGE.format(
         language=language,
-        made=html.escape(_words(language).get(_MADE, _MADE), quote=False),
+        made=html.escape(words(of_page(None, "", language)).get(_MADE, _MADE), quote=False),
         kinds=_first(r'<html [^>]*class="no-js *([^"]*)"', text),
         policy=policy(styles, scripts, {"font-src": "data:"}),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),

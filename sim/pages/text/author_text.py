@@ -18,3 +18,9 @@ def author_text(path: Path, shown: str) -> str:
         message, hint = "this is not UTF-8 text", "save the file as UTF-8"
         finding = Finding(shown, line, 1, "not-text", message, hint)
     raise AuthorError([finding])
+
+
+def shown_here(path: Path) -> str:
+    """A path as messages show it: from the current folder where that is possible."""
+    here = Path.cwd()
+    return (path.relative_to(here) if path.is_relative_to(here) else path).as_posix()

@@ -13,8 +13,8 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson, shown_here
-from sim.pages.text.author_text import author_text
+from sim.pages.scene_block import Lesson
+from sim.pages.text.author_text import author_text, shown_here
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.plain_lines import without_code
@@ -132,7 +132,7 @@ def part_of(source: Source, root: Path) -> Part:
     words = read_words(source.catalogue, shown(source.catalogue, root))
     made = put_in(text, units_of(source.path, text), words.words)
     bank = is_bank(source.path)  # named as the form that draws from it does
-    file = shown_here([source.path])[0] if bank else shown(source.page, root)
+    file = shown_here(source.path) if bank else shown(source.page, root)
     return Part(source, words, made, file)
 
 

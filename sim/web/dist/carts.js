@@ -535,11 +535,11 @@
     return `${label}, ${map.name} ${value}, ${parts2[row]} steps in 1 s: ${told3}.`;
   }
   function sceneOf({ scene }, map, column) {
-    const plain4 = structuredClone(scene);
-    let place4 = plain4;
+    const plain3 = structuredClone(scene);
+    let place4 = plain3;
     for (const key of map.path.slice(0, -1)) place4 = place4[key];
     place4[map.path.at(-1) ?? ""] = map.values[column];
-    return plain4;
+    return plain3;
   }
   function command(scene, method, parts2) {
     return `echo '${JSON.stringify(scene)}' | carts run - --method ${method} --step ${1 / parts2}`;
@@ -828,6 +828,7 @@
     }
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   }
+  var withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
@@ -4193,7 +4194,7 @@
     }
     async #check() {
       const mean = this.#means[this.which.selectedIndex];
-      const read = readTyped(this.box.value.replace(/\s*N\s*$/i, ""));
+      const read = readTyped(withoutNewtons(this.box.value));
       if (!mean || !this.#run) return;
       if (!("value" in read)) {
         return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));
@@ -4632,7 +4633,7 @@
       return [...tables, html("p", "", text)];
     }
     #typed(row, changed, done) {
-      const read = readTyped(row.box.value.replace(/\s*N\s*$/i, ""));
+      const read = readTyped(withoutNewtons(row.box.value));
       let problem = "";
       if ("problem" in read) problem = read.problem;
       else if ("text" in read) problem = tr("Type a number; the unit is N.");
@@ -7192,6 +7193,9 @@ ${lines4.join("\n")}
     }
   };
 
+  // src/shared/settings.js
+  var asText2 = (settings) => JSON.stringify(Object.entries(settings).sort());
+
   // src/scene/prepared.js
   var TEXT_AT = 8;
   var Prepared = class {
@@ -7256,12 +7260,11 @@ ${lines4.join("\n")}
     }
   };
   function presetOf({ axes, presets }, wanted2) {
-    const k = presets.findIndex((preset) => plain3(preset) === plain3(wanted2));
+    const k = presets.findIndex((preset) => asText2(preset) === asText2(wanted2));
     if (k < 0) return null;
     const before = axes.reduce((product, axis2) => product * axis2.values.length, 1);
     return { number: before + k, set: wanted2 };
   }
-  var plain3 = (settings) => JSON.stringify(Object.entries(settings).sort());
   function runAt({ headers, numbers }, place4) {
     const sizeOf = (header2) => header2.ok ? header2.rows * header2.columns.length : 0;
     const start = headers.slice(0, place4).reduce((sum, header2) => sum + sizeOf(header2), 0);
@@ -7337,7 +7340,6 @@ ${lines4.join("\n")}
       this.#before = [];
     }
   };
-  var asText2 = (settings) => JSON.stringify(Object.entries(settings).sort());
 
   // src/scene/runs.js
   var Runs = class {
@@ -7549,9 +7551,11 @@ ${lines4.join("\n")}
     at(run, t3, moving) {
       clearTimeout(this.#timer);
       if (moving || !this.place || run.trajectory.t.length < 2) return;
-      const start = JSON.stringify(run.header.bodies);
-      this.#start ??= start;
-      if (t3 === 0 && !this.#told && start === this.#start) return;
+      if (t3 === 0 && !this.#told) {
+        const start = JSON.stringify(run.header.bodies);
+        this.#start ??= start;
+        if (start === this.#start) return;
+      }
       this.#told = true;
       this.#timer = setTimeout(() => {
         if (this.place) say(this.place, this.words(run, t3));
@@ -7683,8 +7687,11 @@ ${lines4.join("\n")}
     return Math.abs(force2) < zero ? 0 : force2;
   }
   function resultant(run, name, t3, zero) {
-    const along = [...contactForces(run, name, t3, zero), ...effectForces(run, name, t3)];
-    return along.reduce((sum, { value }) => sum + value, 0);
+    return summed(forcesAlong(run, name, t3, zero));
+  }
+  var summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
+  function forcesAlong(run, name, t3, zero) {
+    return [...contactForces(run, name, t3, zero), ...effectForces(run, name, t3)];
   }
   function contactForces(run, name, t3, zero) {
     return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t3, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
@@ -7774,9 +7781,9 @@ ${lines4.join("\n")}
       say(this.note, since || tr("since the start"));
       const room = this.#vertical ? this.#roomFor(run) : 0;
       for (const { name, mass } of run.header.bodies) {
-        const along = [...contactForces(run, name, t3, this.zero), ...effectForces(run, name, t3)];
+        const along = forcesAlong(run, name, t3, this.zero);
         this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
-        const whole = resultant(run, name, t3, this.zero);
+        const whole = summed(along);
         const { t: times2, v: v2, a: a2 } = run.trajectory;
         const speed = (at3) => valueAt(times2, v2[name] ?? [], a2[name] ?? [], at3);
         const change2 = speed(t3) - speed(touch?.start ?? 0);

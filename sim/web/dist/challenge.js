@@ -64,6 +64,9 @@
     );
   }
 
+  // src/shared/settings.js
+  var asText = (settings) => JSON.stringify(Object.entries(settings).sort());
+
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   function recall(key, where = TAB) {
@@ -735,7 +738,7 @@
       const set = setBy(scene);
       const again = this.#tries.before > 0 && Object.keys(set).length === 0;
       if (again) return;
-      const key = JSON.stringify(Object.entries(set).sort());
+      const key = asText(set);
       const { tried } = this.#tries;
       if (tried.includes(key)) return;
       tried.push(key);

@@ -13572,8 +13572,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     return Math.abs(force) < zero ? 0 : force;
   }
   function resultant(run, name, t, zero) {
-    const along = [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
-    return along.reduce((sum, { value }) => sum + value, 0);
+    return summed(forcesAlong(run, name, t, zero));
+  }
+  var summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
+  function forcesAlong(run, name, t, zero) {
+    return [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
   }
   function contactForces(run, name, t, zero) {
     return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
@@ -13663,9 +13666,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       say(this.note, since || tr("since the start"));
       const room = this.#vertical ? this.#roomFor(run) : 0;
       for (const { name, mass } of run.header.bodies) {
-        const along = [...contactForces(run, name, t, this.zero), ...effectForces(run, name, t)];
+        const along = forcesAlong(run, name, t, this.zero);
         this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
-        const whole = resultant(run, name, t, this.zero);
+        const whole = summed(along);
         const { t: times2, v, a } = run.trajectory;
         const speed = (at) => valueAt2(times2, v[name] ?? [], a[name] ?? [], at);
         const change = speed(t) - speed(touch?.start ?? 0);

@@ -147,6 +147,9 @@
     });
   }
 
+  // src/shared/settings.js
+  var asText = (settings) => JSON.stringify(Object.entries(settings).sort());
+
   // src/shared/waiting.js
   var RESET = "carts-reset";
   function refusal(problems) {
@@ -812,12 +815,12 @@
     let written = strings[0] ?? "";
     values.forEach((value, k) => {
       const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+      written += quote + asText2(value) + quote + (strings[k + 1] ?? "");
     });
     return new Markup(written);
   }
-  function asText(value) {
-    if (Array.isArray(value)) return value.map(asText).join("");
+  function asText2(value) {
+    if (Array.isArray(value)) return value.map(asText2).join("");
     if (value instanceof Markup) return value.text;
     if (value === false || value === null || value === void 0) return "";
     return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
@@ -2635,7 +2638,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         /** @type {CustomEvent} */
         event
       );
-      const values = JSON.stringify(Object.entries(detail ?? {}).sort());
+      const values = asText(detail ?? {});
       if (values === this.#values) return;
       this.#values = values;
       if (!this.querySelector('[aria-pressed="true"]')) return;

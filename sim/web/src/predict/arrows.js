@@ -4,7 +4,7 @@ import { tr } from "../../../view/language.js";
 import { fixed, short } from "../../../view/numbers.js";
 import { arrowLength, isCut } from "../../../view/shapes.js";
 import { html, need, say } from "../shared/dom.js";
-import { readTyped } from "../shared/typed.js";
+import { readTyped, withoutNewtons } from "../shared/typed.js";
 import { asked, greatest, LONG, pulled } from "./arrow-parts.js";
 
 /** @typedef {{pair: string, on: string, side: "left" | "right", size: number | null, slider: HTMLInputElement}} Guess size in N, null: not set yet; side of the pair */
@@ -136,7 +136,7 @@ export class ArrowsForm {
 
   /** While typing only what makes sense is taken. @param {Row} row @param {() => void} changed @param {boolean} done */
   #typed(row, changed, done) {
-    const read = readTyped(row.box.value.replace(/\s*N\s*$/i, "")); // the box's own unit
+    const read = readTyped(withoutNewtons(row.box.value));
     let problem = "";
     if ("problem" in read) problem = read.problem;
     else if ("text" in read) problem = tr("Type a number; the unit is N.");

@@ -12,7 +12,7 @@ import { touches } from "../../../view/windows.js";
 import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
 import { Kept } from "../shared/kept.js";
-import { readTyped } from "../shared/typed.js";
+import { readTyped, withoutNewtons } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {{cart: string, other: string, value: number}} Mean value: N, + to the right */
@@ -103,7 +103,7 @@ export class FindForces {
 
   async #check() {
     const mean = this.#means[this.which.selectedIndex];
-    const read = readTyped(this.box.value.replace(/\s*N\s*$/i, ""));
+    const read = readTyped(withoutNewtons(this.box.value));
     if (!mean || !this.#run) return;
     if (!("value" in read)) {
       return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));

@@ -7,6 +7,7 @@ import { listed } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
+import { asText } from "../shared/settings.js";
 import { recall, retain } from "../shared/tab.js";
 import { triedKeeper } from "./challenge-kept.js";
 import { masses, setBy } from "./forms/run.js";
@@ -77,7 +78,7 @@ export class ChallengeElement extends HTMLElement {
     const set = setBy(scene);
     const again = this.#tries.before > 0 && Object.keys(set).length === 0;
     if (again) return; // as the lesson sets it: that was the first at the first visit
-    const key = JSON.stringify(Object.entries(set).sort());
+    const key = asText(set);
     const { tried } = this.#tries;
     if (tried.includes(key)) return;
     tried.push(key);

@@ -27,9 +27,11 @@ export class Described {
   at(run, t, moving) {
     clearTimeout(this.#timer);
     if (moving || !this.place || run.trajectory.t.length < 2) return;
-    const start = JSON.stringify(run.header.bodies);
-    this.#start ??= start;
-    if (t === 0 && !this.#told && start === this.#start) return; // the page says more of the start
+    if (t === 0 && !this.#told) {
+      const start = JSON.stringify(run.header.bodies);
+      this.#start ??= start;
+      if (start === this.#start) return; // the page says more of the start
+    }
     this.#told = true;
     this.#timer = setTimeout(() => {
       if (this.place) say(this.place, this.words(run, t));

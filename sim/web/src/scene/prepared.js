@@ -5,6 +5,7 @@
 
 import { tr } from "../../../view/language.js";
 import { gunzip, loadPart } from "../runtime/payload.js";
+import { asText } from "../shared/settings.js";
 import { nearest } from "./controls.js";
 
 /** @typedef {import("./values.js").Settings} Settings */
@@ -103,14 +104,11 @@ export class Prepared {
 
 /** A button sets several values at once, others than the sliders too. @param {Table} table @param {Settings} wanted */
 function presetOf({ axes, presets }, wanted) {
-  const k = presets.findIndex((preset) => plain(preset) === plain(wanted));
+  const k = presets.findIndex((preset) => asText(preset) === asText(wanted));
   if (k < 0) return null;
   const before = axes.reduce((product, axis) => product * axis.values.length, 1);
   return { number: before + k, set: wanted };
 }
-
-/** @param {Settings} settings */
-const plain = (settings) => JSON.stringify(Object.entries(settings).sort());
 
 /** @param {Table} table @param {number} place */
 function runAt({ headers, numbers }, place) {

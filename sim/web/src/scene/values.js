@@ -3,6 +3,8 @@
  * “undo”. A slider that is dragged counts as one change.
  */
 
+import { asText } from "../shared/settings.js";
+
 /** @typedef {Record<string, number | string | boolean>} Settings paths such as A.mass to SI numbers, text with a unit, or whether an effect acts */
 
 const ONE_CHANGE = 1000; // ms; changes of one target that follow so soon are one
@@ -86,6 +88,3 @@ export class Values {
     this.#before = [];
   }
 }
-
-/** @param {Settings} settings @returns {string} the same in whatever order they were set */
-const asText = (settings) => JSON.stringify(Object.entries(settings).sort());

@@ -26,6 +26,9 @@ export function readTyped(typed) {
   return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
 }
 
+/** What was typed in a box of forces, whose own unit may stand behind it. @param {string} typed */
+export const withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
+
 /** Figures and signs as wide as a Chinese letter are the same numbers; a sign may stand apart. @param {string} typed */
 export function tidy(typed) {
   const narrow = (/** @type {string} */ sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0);

@@ -9,6 +9,7 @@ import { readBaked } from "../scene/baked.js";
 import { WATCHED } from "../scene/time/watch.js";
 import { askScene } from "../shared/ask-scene.js";
 import { html, need, say } from "../shared/dom.js";
+import { asText } from "../shared/settings.js";
 import { RESET, refusal } from "../shared/waiting.js";
 import { ends } from "./ends.js";
 import { Pictures } from "./pictures.js";
@@ -92,7 +93,7 @@ export class WorldsElement extends HTMLElement {
   /** Other values are set: what is shown here, or being computed, is of the old ones. @param {Event} event */
   #heard(event) {
     const { detail } = /** @type {CustomEvent} */ (event);
-    const values = JSON.stringify(Object.entries(detail ?? {}).sort());
+    const values = asText(detail ?? {});
     if (values === this.#values) return;
     this.#values = values;
     if (!this.querySelector('[aria-pressed="true"]')) return;

@@ -3,7 +3,7 @@
  * acceleration, change of velocity. One scale in N for all, the same as in the picture.
  */
 
-import { contactForces, effectForces, resultant, verticalForces } from "../../../../view/forces.js";
+import { forcesAlong, summed, verticalForces } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, px, short, speedUnit } from "../../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "../../../../view/shapes.js";
@@ -59,9 +59,9 @@ export class FreeBody {
     say(this.note, since || tr("since the start"));
     const room = this.#vertical ? this.#roomFor(run) : 0;
     for (const { name, mass } of run.header.bodies) {
-      const along = [...contactForces(run, name, t, this.zero), ...effectForces(run, name, t)];
+      const along = forcesAlong(run, name, t, this.zero);
       this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
-      const whole = resultant(run, name, t, this.zero);
+      const whole = summed(along);
       const { t: times, v, a } = run.trajectory;
       const speed = (/** @type {number} */ at) => valueAt(times, v[name] ?? [], a[name] ?? [], at);
       const change = speed(t) - speed(touch?.start ?? 0);
