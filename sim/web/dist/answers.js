@@ -1023,15 +1023,15 @@
     return row;
   }
   function codeBox(text) {
-    const label2 = html("label", "", `${text} `);
+    const label = html("label", "", `${text} `);
     const box = (
       /** @type {HTMLInputElement} */
       html("input", "carts-answers-code")
     );
     Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
     box.placeholder = "BLUE-FOX-27";
-    label2.append(box);
-    return { label: label2, box };
+    label.append(box);
+    return { label, box };
   }
   function status() {
     const made2 = html("p", "carts-answers-status");
@@ -1120,7 +1120,7 @@
     });
   }
   function askWhose(place2, book2, keep) {
-    const { label: label2, box } = codeBox(tr("Whose file is it? Code word from your card"));
+    const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
     const above = document.querySelector(".carts-answers-who .carts-answers-code");
     box.value = /** @type {HTMLInputElement | null} */
     above?.value ?? "";
@@ -1140,7 +1140,7 @@
       keep("");
     };
     place2.replaceChildren(
-      label2,
+      label,
       " ",
       button(tr("Save with this code word"), () => void withCode(), "carts-answers-with-code"),
       " ",
@@ -1169,14 +1169,14 @@
   }
   function importRow(book2, told2) {
     const row = html("p", "carts-answers-import");
-    const label2 = html("label", "", `${tr("Bring answers back from a file")} `);
+    const label = html("label", "", `${tr("Bring answers back from a file")} `);
     const box = (
       /** @type {HTMLInputElement} */
       html("input", "carts-answers-open")
     );
     Object.assign(box, { type: "file", accept: ".json,application/json" });
-    label2.append(box);
-    row.append(label2);
+    label.append(box);
+    row.append(label);
     box.addEventListener("change", async () => {
       const file = box.files?.[0];
       if (!file) return;
@@ -1378,12 +1378,12 @@
       const body = question.querySelector(".carts-q-options");
       const labels = [...body?.querySelectorAll("label") ?? []];
       const order = new Map(
-        labels.map((label2) => [label2, hash(`${student}/${question.id}/${label2.dataset.option}`)])
+        labels.map((label) => [label, hash(`${student}/${question.id}/${label.dataset.option}`)])
       );
       labels.sort((a, b) => (order.get(a) ?? 0) - (order.get(b) ?? 0));
-      labels.forEach((label2, k) => {
-        body?.append(label2);
-        const letter = label2.querySelector(".carts-q-letter");
+      labels.forEach((label, k) => {
+        body?.append(label);
+        const letter = label.querySelector(".carts-q-letter");
         if (letter) letter.textContent = LETTERS[k] ?? "";
       });
     }
@@ -1509,8 +1509,11 @@
           "{n} questions are not answered.",
           left
         );
+        const unread = this.#questions().filter((question) => question.unread).length;
+        const unclear = counted("1 number cannot be read.", "{n} numbers cannot be read.", unread);
         const words3 = [
           left ? missing : "",
+          unread ? unclear : "",
           book2.student ? "" : tr("You have typed no code word yet: My answers."),
           tr("After handing in you cannot change anything.")
         ];
@@ -1645,7 +1648,7 @@
     const root = part("who", tr("Who works here"));
     const { student } = book2;
     const now = student ? tr("These are the answers of {student}.", { student }) : tr("No code word yet: the next person at this computer sees these answers.");
-    const { label: label2, box } = codeBox(
+    const { label, box } = codeBox(
       student ? tr("Somebody else? Code word") : tr("Code word from your card")
     );
     const told2 = status();
@@ -1655,7 +1658,7 @@
       if (key === "Enter") void look();
     });
     const row = html("p");
-    row.append(label2, " ", go);
+    row.append(label, " ", go);
     const two = html(
       "p",
       "carts-quiet",
@@ -2186,9 +2189,9 @@
       said: () => picked().map((input) => words(input.closest("label"))).join("; ")
     };
   }
-  function words(label2) {
-    const letter = label2?.querySelector(".carts-q-letter")?.textContent;
-    const text = plainText(label2?.querySelector(".carts-q-text"));
+  function words(label) {
+    const letter = label?.querySelector(".carts-q-letter")?.textContent;
+    const text = plainText(label?.querySelector(".carts-q-text"));
     return letter ? `${letter}: ${text}` : text;
   }
 
@@ -2621,6 +2624,9 @@
     const text = typed.trim();
     return text && unit && BARE.test(tidy(text)) ? `${text} ${unit}` : text;
   }
+  function withoutUnit(said, unit) {
+    return unit && said.endsWith(` ${unit}`) ? said.slice(0, -unit.length - 1) : said;
+  }
   function readNumber(typed, units) {
     const text = withExponent(tidy(typed));
     if (!text) return { problem: tr("Type a number, for example 0.5") };
@@ -2628,7 +2634,8 @@
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
-    if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+    if (!found2 || /^[.,]/.test(found2[2] ?? ""))
+      return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number2 = String(found2[1]);
     const unit = found2[2] ?? "";
     const known2 = Object.keys(units).filter(Boolean);
@@ -2749,6 +2756,8 @@
       /** @type {HTMLInputElement} */
       place2.querySelector("input")
     );
+    const label = (place2) => box(place2).getAttribute("aria-label") ?? "";
+    const unit = (place2) => facts.cells[name(place2)]?.unit ?? "";
     const read = (place2) => readNumber(box(place2).value, facts.cells[name(place2)]?.units ?? {});
     const filled2 = () => places.filter((place2) => box(place2).value.trim());
     const draw = () => facts.plot && plot(root, facts, typed());
@@ -2778,17 +2787,24 @@
         }
         draw();
       },
+      recall(said, value) {
+        this.value = value;
+        const parts = said.split("; ");
+        for (const place2 of filled2()) {
+          const part2 = parts.find((one) => one.startsWith(`${label(place2)}: `));
+          const { value: plain3 } = box(place2);
+          if (part2) box(place2).value = withoutUnit(part2.slice(label(place2).length + 2), unit(place2));
+          if (typed()[name(place2)] !== value[name(place2)]) box(place2).value = plain3;
+        }
+      },
       enable(on) {
         for (const place2 of places) box(place2).readOnly = !on;
       },
-      said: () => filled2().map((place2) => {
-        const { unit } = facts.cells[name(place2)] ?? { unit: "" };
-        return `${box(place2).getAttribute("aria-label")}: ${withUnit(box(place2).value, unit)}`;
-      }).join("; "),
+      said: () => filled2().map((place2) => `${label(place2)}: ${withUnit(box(place2).value, unit(place2))}`).join("; "),
       problem: () => {
         for (const place2 of filled2()) {
           const found2 = read(place2);
-          if ("problem" in found2) return `${box(place2).getAttribute("aria-label")}: ${found2.problem}`;
+          if ("problem" in found2) return `${label(place2)}: ${found2.problem}`;
         }
         return "";
       },
@@ -2833,12 +2849,14 @@
       root.querySelector(".carts-q-points")
     );
     place2.replaceChildren(
-      ...numbers(across).map(({ tick, text }) => label(text, at2(tick), `${BOTTOM + 16}`, "middle")),
-      ...numbers(up).map(({ tick, text }) => label(text, `${LEFT - 6}`, high(tick), "end")),
+      ...numbers(across).map(
+        ({ tick, text }) => tickText(text, at2(tick), `${BOTTOM + 16}`, "middle")
+      ),
+      ...numbers(up).map(({ tick, text }) => tickText(text, `${LEFT - 6}`, high(tick), "end")),
       ...points.map(([a, b]) => svg("circle", { cx: at2(Number(a)), cy: high(Number(b)), r: 4.5 }))
     );
   }
-  function label(text, x, y, anchor) {
+  function tickText(text, x, y, anchor) {
     const made2 = svg("text", { x, y, "text-anchor": anchor });
     made2.textContent = text;
     return made2;
@@ -2877,8 +2895,7 @@
       },
       said: () => withUnit(box.value, facts.unit),
       recall: (said) => {
-        const unit = facts.unit ? ` ${facts.unit}` : "";
-        box.value = unit && said.endsWith(unit) ? said.slice(0, -unit.length) : said;
+        box.value = withoutUnit(said, facts.unit);
       },
       problem: () => {
         const found2 = read();
@@ -2911,6 +2928,21 @@
     drawn: drawnForm,
     idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed)
   };
+
+  // src/question/unread.js
+  var PAUSE = 1500;
+  var waiting = /* @__PURE__ */ new WeakMap();
+  function complain(question, problem) {
+    clearTimeout(waiting.get(question));
+    const place2 = need(question, ".carts-q-error");
+    say(place2, problem);
+    place2.hidden = !problem;
+  }
+  function complainSoon(question) {
+    complain(question, "");
+    const timer = window.setTimeout(() => complain(question, question.unread), PAUSE);
+    waiting.set(question, timer);
+  }
 
   // src/question/element.js
   var NOT_SAVED = tr("Not saved");
@@ -2965,6 +2997,9 @@
       get answered() {
         return !isEmpty(this.#form?.value);
       }
+      get unread() {
+        return this.answered && this.#form?.problem?.() || "";
+      }
       get value() {
         return this.#form?.value ?? null;
       }
@@ -3007,7 +3042,8 @@
         ];
         if (current) {
           this.#entry = found2;
-          if (this.#form.recall && typeof found2.said === "string") this.#form.recall(found2.said);
+          if (this.#form.recall && typeof found2.said === "string")
+            this.#form.recall(found2.said, found2.value);
           else this.#form.value = found2.value;
           for (const radio of this.#certainty()) radio.checked = radio.value === found2.sure;
           this.#say(isEmpty(found2.value) ? "" : this.#keptWord());
@@ -3039,7 +3075,8 @@
         this.#entry = entry;
         void this.#keep();
         this.#feedback?.stale();
-        this.#complain("");
+        if (this.#feedback) complain(this, "");
+        else complainSoon(this);
         this.#print();
         this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
       }
@@ -3066,15 +3103,14 @@
         return book2.lasts ? tr("Saved") : NOT_SAVED;
       }
       #attempt() {
-        const problem = this.#form?.problem?.() ?? "";
-        if (!this.answered || problem) {
-          this.#complain(problem || tr("Answer first."));
+        if (!this.answered || this.unread) {
+          complain(this, this.unread || tr("Answer first."));
           return null;
         }
         if (this.facts.type === "reading") {
           if (this.#entry.own === void 0) this.#entry = readOff(this.facts, { ...this.#entry });
           if (this.#entry.own === void 0) {
-            this.#complain(tr("Run the scene first: lock your prediction there."));
+            complain(this, tr("Run the scene first: lock your prediction there."));
             return null;
           }
         }
@@ -3101,11 +3137,6 @@
         const place2 = need(this, ".carts-q-saved");
         say(place2, word);
         place2.classList.toggle("carts-q-unsaved", word === NOT_SAVED);
-      }
-      #complain(problem) {
-        const place2 = need(this, ".carts-q-error");
-        say(place2, problem);
-        place2.hidden = !problem;
       }
     };
   }
@@ -3172,14 +3203,14 @@
     asking?.focus();
     if (asking) return Promise.resolve(false);
     const form2 = document.createElement("form");
-    const label2 = html("label", "", `${tr("Your teacher's word")} `);
+    const label = html("label", "", `${tr("Your teacher's word")} `);
     const box = document.createElement("input");
     Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
     const button2 = Object.assign(html("button", "carts-button", tr("Open")), { type: "submit" });
     const wrong2 = html("span", "carts-error");
     wrong2.setAttribute("role", "alert");
-    label2.append(box);
-    form2.append(label2, " ", button2, " ", wrong2);
+    label.append(box);
+    form2.append(label, " ", button2, " ", wrong2);
     place2.append(form2);
     box.focus();
     if (document.readyState !== "complete")

@@ -5501,6 +5501,12 @@
         player.play();
       });
     }
+    back() {
+      const waits = this.presets.pressed.some((name) => this.presets.left.includes(name));
+      if (!this.over || waits) return;
+      this.player.seen = Infinity;
+      if (!this.whole) this.#offer(false);
+    }
     #end() {
       this.over = true;
       this.whole = true;
@@ -10148,19 +10154,20 @@ ${lines4.join("\n")}
     }
     #offerWindows() {
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
-      if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
-      const options = begun2.map(({ bodies, start }, i2) => {
+      const texts = begun2.map(({ bodies, start }) => {
         const names = dashed(bodies, this.run.header.track);
-        const option2 = html(
-          "option",
-          "",
-          tr("{names} at {time} s", { names, time: fixed(start, 2) })
-        );
+        return tr("{names} at {time} s", { names, time: fixed(start, 2) });
+      });
+      const whole = need(this.zoom, "option");
+      const there = [...this.zoom.options].slice(1);
+      if (there.map(({ text }) => text).join("\n") === texts.join("\n")) return;
+      const chosen = this.zoom.selectedIndex;
+      const options = texts.map((text, i2) => {
+        const option2 = html("option", "", text);
         option2.setAttribute("value", String(i2));
         return option2;
       });
-      const chosen = this.zoom.selectedIndex;
-      this.zoom.replaceChildren(need(this.zoom, "option"), ...options);
+      this.zoom.replaceChildren(whole, ...options);
       this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
     }
   };
@@ -10683,6 +10690,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#inside?.how.reset();
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
+        this.#watch?.back();
         this.#view?.player.seek(0);
       }
       async #first() {

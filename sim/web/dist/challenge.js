@@ -588,7 +588,8 @@
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
     const found2 = NUMBER.exec(text);
-    if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+    if (!found2 || /^[.,]/.test(found2[2] ?? ""))
+      return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number2 = String(found2[1]);
     const unit = found2[2] ?? "";
     const known = Object.keys(units).filter(Boolean);

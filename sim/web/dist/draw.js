@@ -15796,19 +15796,20 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     #offerWindows() {
       const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
-      if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
-      const options = begun2.map(({ bodies, start }, i) => {
+      const texts = begun2.map(({ bodies, start }) => {
         const names = dashed(bodies, this.run.header.track);
-        const option = html2(
-          "option",
-          "",
-          tr("{names} at {time} s", { names, time: fixed(start, 2) })
-        );
+        return tr("{names} at {time} s", { names, time: fixed(start, 2) });
+      });
+      const whole = need(this.zoom, "option");
+      const there = [...this.zoom.options].slice(1);
+      if (there.map(({ text: text3 }) => text3).join("\n") === texts.join("\n")) return;
+      const chosen = this.zoom.selectedIndex;
+      const options = texts.map((text3, i) => {
+        const option = html2("option", "", text3);
         option.setAttribute("value", String(i));
         return option;
       });
-      const chosen = this.zoom.selectedIndex;
-      this.zoom.replaceChildren(need(this.zoom, "option"), ...options);
+      this.zoom.replaceChildren(whole, ...options);
       this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
     }
   };

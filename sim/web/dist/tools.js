@@ -122,11 +122,16 @@
   function workStopwatch(scene) {
     let counted = 0;
     let started = null;
+    let here = need(scene, '[data-tool="stopwatch"]');
+    const tool = () => {
+      const now = need(scene, '[data-tool="stopwatch"]');
+      if (now !== here) [here, counted, started] = [now, 0, null];
+      return here;
+    };
     const reading = () => counted + (started === null ? 0 : Math.max(0, scene.time - started));
     const show = () => {
-      const tool = need(scene, '[data-tool="stopwatch"]');
-      const button = need(tool, '[data-act="stop"]');
-      const read = need(tool, "output");
+      const button = need(tool(), '[data-act="stop"]');
+      const read = need(here, "output");
       put(read, "aria-live", started === null ? "polite" : "off");
       say(read, fixed(reading(), DECIMALS));
       say(button, (started === null ? button.dataset.start : button.dataset.stop) ?? "");
@@ -142,6 +147,7 @@
         target.closest('[data-tool="stopwatch"] [data-act]')
       );
       if (!button) return;
+      tool();
       if (button.getAttribute("data-act") === "zero") {
         counted = 0;
         if (started !== null) started = scene.time;

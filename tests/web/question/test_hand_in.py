@@ -17,7 +17,7 @@ from sim.lesson.key_file import key_file
 from sim.pages.extension import Page as MadePage
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as, saved_file
-from tests.web.question.question_site import BANK, question_site, questions_page, ready
+from tests.web.question.question_site import BANK, question_site, questions_page, ready, write_page
 
 __all__ = ["question_site"]  # a fixture
 
@@ -95,3 +95,36 @@ def test_a_form_is_taken_before_and_after_and_handed_in(
     pre.locator(".carts-quiz-open").click()
     expect(pre.get_by_label("forwards")).to_be_visible()
     expect(pre.get_by_label("forwards")).to_be_disabled()
+
+
+NUMBERS = """title: Numbers
+forms:
+  both: [how-fast]
+items:
+  - id: how-fast
+    type: number
+    ask: A cart needs 2 s for 1 m. How fast is it?
+    answer: 0.5 m/s
+    tolerance: 0.01 m/s
+    topics: [first-law]
+"""
+EXAM = "```quiz\nid: numbers\nform: pre\nmode: exam\nbank: numbers.yml\nuse: both\n```\n"
+
+
+@pytest.mark.one_browser
+def test_a_form_without_check_tells_a_number_that_cannot_be_read_and_asks_before_it_is_handed_in(
+    open_page: OpenPage, question_site: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "numbers.yml").write_text(NUMBERS, encoding="utf-8")
+    page = ready(open_page(write_page(question_site, "numbers", EXAM, tmp_path)))
+    box, told = (page.locator(f"carts-quiz .carts-q-{part}") for part in ("typed", "error"))
+    box.fill("0,5,0")
+    expect(told).to_contain_text("is not a number")
+    quiz = page.locator("carts-quiz")
+    quiz.locator(".carts-quiz-hand-in").click()
+    expect(quiz.locator(".carts-quiz-sure-text")).to_contain_text("1 number cannot be read.")
+    quiz.locator(".carts-quiz-no").click()
+    box.fill("0,5")
+    expect(told).to_be_hidden()
+    quiz.locator(".carts-quiz-hand-in").click()
+    expect(quiz.locator(".carts-quiz-sure-text")).not_to_contain_text("cannot be read")

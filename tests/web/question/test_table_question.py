@@ -47,7 +47,7 @@ def test_cells_are_marked_one_by_one_and_drawn_and_come_back(
     expect(page.locator("#gains .carts-q-verdict")).to_contain_text("Partly right")
     marks = page.locator("#gains .carts-q-cell-mark")
     expect(marks).to_have_text(["✓ right", "✗ not yet"])
-    cells.nth(1).fill("0.8")
+    cells.nth(1).fill("0,8")
     expect(marks).to_have_text(["", ""])
     page.locator("#gains .carts-q-check").click()
     expect(page.locator("#gains .carts-q-verdict")).to_have_text("Right.")
@@ -56,11 +56,11 @@ def test_cells_are_marked_one_by_one_and_drawn_and_come_back(
     assert item["value"] == {"1-2": 0.4, "2-2": 0.8}
     # What has a unit gets no second one.
     first, second = item["said"].split("; ")
-    assert first.endswith(": 40 cm/s") and second.endswith(": 0.8 m/s")
+    assert first.endswith(": 40 cm/s") and second.endswith(": 0,8 m/s")
     page.reload()
     ready(page)
-    expect(cells.nth(0)).to_have_value("0.4")
-    expect(cells.nth(1)).to_have_value("0.8")
+    expect(cells.nth(0)).to_have_value("40 cm/s")  # as typed, not as it was read
+    expect(cells.nth(1)).to_have_value("0,8")
     expect(points).to_have_count(2)
 
 

@@ -194,9 +194,26 @@ def test_of_ready_made_settings_each_is_watched_before_all_of_them_are_known(
     expect(scene.locator(".carts-clock")).to_have_text(re.compile(r"^0\.000?$"))
     assert told(page, "presets")["events"] != 0
     scene.locator("[data-preset=heavy]").click()
+    expect(scene.locator(".carts-transport")).to_have_class(re.compile("carts-is-playing"))
+    scene.locator(".carts-reset").click()  # left half-way: what was watched before is there
+    assert told(page, "presets")["events"] != 0
+    expect(scene.locator(".carts-end")).to_be_hidden()
+    expect(left).to_have_text("Still to watch: heavy")
+    scene.locator("[data-preset=heavy]").click()
     scene.locator(".carts-end").click()
     expect(left).to_have_text("All watched.")
     assert scene.get_attribute("data-watched") == ""
     expect(scene.locator(".carts-compared")).to_be_visible()
     scene.locator(".carts-end").click()  # it leads to the comparison now
     expect(scene.locator(".carts-compared")).to_be_focused()
+
+
+@pytest.mark.one_browser
+def test_the_touches_offered_to_the_graphs_are_those_of_the_run_on_the_page(watched: Page) -> None:
+    touches = watched.locator("#watched .carts-window option")
+    on_scene(watched, "el.time = 1.5", name="watched")
+    before = touches.all_text_contents()
+    on_scene(watched, 'await el.set({ "A.velocity": 1.3 })', name="watched")
+    after = touches.all_text_contents()
+    assert len(after) == len(before) > 1
+    assert after[1:] != before[1:]

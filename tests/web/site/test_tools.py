@@ -60,6 +60,24 @@ def test_a_stopwatch_counts_the_time_of_the_carts(page: Page) -> None:
 
 
 @pytest.mark.one_browser
+def test_the_next_reader_of_a_scene_begins_with_a_stopwatch_at_zero(page: Page) -> None:
+    read, press, _ = watch(page)
+    seek(page, 0.5)
+    press.click()
+    seek(page, 1.25)
+    expect(read).to_have_text("0.75")
+    # What “Start again” does to the inside of a scene.
+    page.locator("#after-the-hand [data-tool=stopwatch]").evaluate(
+        "tool => { const anew = tool.cloneNode(true);"
+        " anew.querySelector('output').textContent = '0.00'; tool.replaceWith(anew); }"
+    )
+    expect(press).to_have_text("Start")
+    press.click()
+    seek(page, 1.5)
+    expect(read).to_have_text("0.25")
+
+
+@pytest.mark.one_browser
 def test_time_that_is_pulled_back_is_never_counted_below_zero(page: Page) -> None:
     read, press, _ = watch(page)
     seek(page, 1.0)

@@ -10,10 +10,11 @@ import { FORMS } from "./forms/kinds.js";
 import { readOff } from "./forms/run.js";
 import { wait } from "./gate.js";
 import { plainText } from "./plain-text.js";
+import { complain, complainSoon } from "./unread.js";
 
 /**
  * What every kind of form offers. `said` is the answer in words; `recall` brings typed words back.
- * @typedef {{value: any, enable: (on: boolean) => void, said: () => string, recall?: (said: string) => void,
+ * @typedef {{value: any, enable: (on: boolean) => void, said: () => string, recall?: (said: string, value: any) => void,
  *   problem?: () => string, marked?: (shown: string[]) => void, follow?: (book: import("../answers/book.js").Book) => void}} Form
  */
 
@@ -81,6 +82,11 @@ export function questionElement(book) {
       return !isEmpty(this.#form?.value);
     }
 
+    /** Why this answer cannot be read; nothing where it can, or where there is none. */
+    get unread() {
+      return (this.answered && this.#form?.problem?.()) || "";
+    }
+
     /** The answer as it stands. */
     get value() {
       return this.#form?.value ?? null;
@@ -129,7 +135,8 @@ export function questionElement(book) {
       ];
       if (current) {
         this.#entry = found;
-        if (this.#form.recall && typeof found.said === "string") this.#form.recall(found.said);
+        if (this.#form.recall && typeof found.said === "string")
+          this.#form.recall(found.said, found.value);
         else this.#form.value = found.value;
         for (const radio of this.#certainty()) radio.checked = radio.value === found.sure;
         this.#say(isEmpty(found.value) ? "" : this.#keptWord());
@@ -162,7 +169,8 @@ export function questionElement(book) {
       this.#entry = entry;
       void this.#keep(); // first of all
       this.#feedback?.stale();
-      this.#complain("");
+      if (this.#feedback) complain(this, "");
+      else complainSoon(this);
       this.#print();
       this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
     }
@@ -195,15 +203,14 @@ export function questionElement(book) {
 
     /** One press on Check: what was answered, and the run that it was read off. */
     #attempt() {
-      const problem = this.#form?.problem?.() ?? "";
-      if (!this.answered || problem) {
-        this.#complain(problem || tr("Answer first."));
+      if (!this.answered || this.unread) {
+        complain(this, this.unread || tr("Answer first."));
         return null;
       }
       if (this.facts.type === "reading") {
         if (this.#entry.own === undefined) this.#entry = readOff(this.facts, { ...this.#entry });
         if (this.#entry.own === undefined) {
-          this.#complain(tr("Run the scene first: lock your prediction there."));
+          complain(this, tr("Run the scene first: lock your prediction there."));
           return null;
         }
       }
@@ -238,13 +245,6 @@ export function questionElement(book) {
       const place = need(this, ".carts-q-saved");
       say(place, word);
       place.classList.toggle("carts-q-unsaved", word === NOT_SAVED);
-    }
-
-    /** @param {string} problem */
-    #complain(problem) {
-      const place = need(this, ".carts-q-error");
-      say(place, problem);
-      place.hidden = !problem;
     }
   };
 }

@@ -134,8 +134,11 @@ export function quizElement(book) {
         "{n} questions are not answered.",
         left,
       );
+      const unread = this.#questions().filter((question) => question.unread).length;
+      const unclear = counted("1 number cannot be read.", "{n} numbers cannot be read.", unread);
       const words = [
         left ? missing : "",
+        unread ? unclear : "",
         book.student ? "" : tr("You have typed no code word yet: My answers."),
         tr("After handing in you cannot change anything."),
       ];

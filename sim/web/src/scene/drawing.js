@@ -104,22 +104,23 @@ export class Drawing {
     );
   }
 
-  /** Parts of the time that the graphs can show alone: those in which bodies touch. */
+  /** Parts of the time that the graphs can show alone: those in which bodies touch, as far as was seen. */
   #offerWindows() {
     const begun = this.windows.filter(({ start }) => start <= this.#seen);
-    if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
-    const options = begun.map(({ bodies, start }, i) => {
+    const texts = begun.map(({ bodies, start }) => {
       const names = dashed(bodies, this.run.header.track);
-      const option = html(
-        "option",
-        "",
-        tr("{names} at {time} s", { names, time: fixed(start, 2) }),
-      );
+      return tr("{names} at {time} s", { names, time: fixed(start, 2) });
+    });
+    const whole = need(this.zoom, "option");
+    const there = [...this.zoom.options].slice(1);
+    if (there.map(({ text }) => text).join("\n") === texts.join("\n")) return;
+    const chosen = this.zoom.selectedIndex;
+    const options = texts.map((text, i) => {
+      const option = html("option", "", text);
       option.setAttribute("value", String(i));
       return option;
     });
-    const chosen = this.zoom.selectedIndex;
-    this.zoom.replaceChildren(need(this.zoom, "option"), ...options);
+    this.zoom.replaceChildren(whole, ...options);
     this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
   }
 }

@@ -191,6 +191,7 @@ export function sceneElement(client, folder) {
       this.#inside?.how.reset();
       this.#view?.player.pause();
       if (this.#lesson) this.#draw(this.#lesson);
+      this.#watch?.back();
       this.#view?.player.seek(0);
     }
 

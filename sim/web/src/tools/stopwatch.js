@@ -16,12 +16,18 @@ export function workStopwatch(scene) {
   let counted = 0; // s, before the last start
   /** @type {number | null} s, the instant of the last start while it runs */
   let started = null;
+  let here = need(scene, '[data-tool="stopwatch"]');
 
+  /** The stopwatch on the page: where its scene has started again, it is another reader's. */
+  const tool = () => {
+    const now = need(scene, '[data-tool="stopwatch"]');
+    if (now !== here) [here, counted, started] = [now, 0, null];
+    return here;
+  };
   const reading = () => counted + (started === null ? 0 : Math.max(0, scene.time - started));
   const show = () => {
-    const tool = need(scene, '[data-tool="stopwatch"]');
-    const button = need(tool, '[data-act="stop"]');
-    const read = need(tool, "output");
+    const button = need(tool(), '[data-act="stop"]');
+    const read = need(here, "output");
     put(read, "aria-live", started === null ? "polite" : "off"); // it is read out when it stands
     say(read, fixed(reading(), DECIMALS));
     say(button, (started === null ? button.dataset.start : button.dataset.stop) ?? "");
@@ -34,6 +40,7 @@ export function workStopwatch(scene) {
   scene.addEventListener("click", ({ target }) => {
     const button = /** @type {Element} */ (target).closest('[data-tool="stopwatch"] [data-act]');
     if (!button) return;
+    tool();
     if (button.getAttribute("data-act") === "zero") {
       counted = 0;
       if (started !== null) started = scene.time;

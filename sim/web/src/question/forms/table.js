@@ -4,7 +4,7 @@ import { tr } from "../../../../view/language.js";
 import { fixed, px } from "../../../../view/numbers.js";
 import { axis, axisDecimals, ticks } from "../../../../view/scales.js";
 import { put, svg } from "../../shared/dom.js";
-import { readNumber, withUnit } from "../marking/typed-number.js";
+import { readNumber, withoutUnit, withUnit } from "../marking/typed-number.js";
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [50, 305, 15, 160]; // of the plot, as the template draws its axes
 const COUNT = 4; // numbers on an axis, about
@@ -18,6 +18,8 @@ export function tableForm(root, changed, facts) {
   const name = (/** @type {HTMLElement} */ place) => String(place.dataset.cell);
   const box = (/** @type {HTMLElement} */ place) =>
     /** @type {HTMLInputElement} */ (place.querySelector("input"));
+  const label = (/** @type {HTMLElement} */ place) => box(place).getAttribute("aria-label") ?? "";
+  const unit = (/** @type {HTMLElement} */ place) => facts.cells[name(place)]?.unit ?? "";
   const read = (/** @type {HTMLElement} */ place) =>
     readNumber(box(place).value, facts.cells[name(place)]?.units ?? {});
   const filled = () => places.filter((place) => box(place).value.trim());
@@ -49,20 +51,27 @@ export function tableForm(root, changed, facts) {
       }
       draw();
     },
+    recall(said, value) {
+      this.value = value;
+      const parts = said.split("; ");
+      for (const place of filled()) {
+        const part = parts.find((one) => one.startsWith(`${label(place)}: `));
+        const { value: plain } = box(place);
+        if (part) box(place).value = withoutUnit(part.slice(label(place).length + 2), unit(place));
+        if (typed()[name(place)] !== value[name(place)]) box(place).value = plain;
+      }
+    },
     enable(on) {
       for (const place of places) box(place).readOnly = !on;
     },
     said: () =>
       filled()
-        .map((place) => {
-          const { unit } = facts.cells[name(place)] ?? { unit: "" };
-          return `${box(place).getAttribute("aria-label")}: ${withUnit(box(place).value, unit)}`;
-        })
+        .map((place) => `${label(place)}: ${withUnit(box(place).value, unit(place))}`)
         .join("; "),
     problem: () => {
       for (const place of filled()) {
         const found = read(place);
-        if ("problem" in found) return `${box(place).getAttribute("aria-label")}: ${found.problem}`;
+        if ("problem" in found) return `${label(place)}: ${found.problem}`;
       }
       return "";
     },
@@ -101,14 +110,16 @@ function plot(root, { rows, plot, given }, value) {
   put(grid, "d", `M${at(0)} ${TOP}V${BOTTOM}M${LEFT} ${high(0)}H${RIGHT}`);
   const place = /** @type {Element} */ (root.querySelector(".carts-q-points"));
   place.replaceChildren(
-    ...numbers(across).map(({ tick, text }) => label(text, at(tick), `${BOTTOM + 16}`, "middle")),
-    ...numbers(up).map(({ tick, text }) => label(text, `${LEFT - 6}`, high(tick), "end")),
+    ...numbers(across).map(({ tick, text }) =>
+      tickText(text, at(tick), `${BOTTOM + 16}`, "middle"),
+    ),
+    ...numbers(up).map(({ tick, text }) => tickText(text, `${LEFT - 6}`, high(tick), "end")),
     ...points.map(([a, b]) => svg("circle", { cx: at(Number(a)), cy: high(Number(b)), r: 4.5 })),
   );
 }
 
 /** @param {string} text @param {string} x @param {string} y @param {string} anchor */
-function label(text, x, y, anchor) {
+function tickText(text, x, y, anchor) {
   const made = svg("text", { x, y, "text-anchor": anchor });
   made.textContent = text;
   return made;

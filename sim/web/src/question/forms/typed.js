@@ -1,6 +1,6 @@
 /** Answers that are typed: a number with a unit, a few words, several sentences. */
 
-import { readNumber, withUnit } from "../marking/typed-number.js";
+import { readNumber, withoutUnit, withUnit } from "../marking/typed-number.js";
 
 /** @typedef {import("../element.js").Form} Form */
 
@@ -39,8 +39,7 @@ export function numberForm(root, changed, facts) {
     },
     said: () => withUnit(box.value, facts.unit),
     recall: (said) => {
-      const unit = facts.unit ? ` ${facts.unit}` : "";
-      box.value = unit && said.endsWith(unit) ? said.slice(0, -unit.length) : said;
+      box.value = withoutUnit(said, facts.unit);
     },
     problem: () => {
       const found = read();

@@ -15,6 +15,11 @@ export function withUnit(typed, unit) {
   return text && unit && BARE.test(tidy(text)) ? `${text} ${unit}` : text;
 }
 
+/** As it stands in its box, behind which the unit stands. @param {string} said @param {string} unit */
+export function withoutUnit(said, unit) {
+  return unit && said.endsWith(` ${unit}`) ? said.slice(0, -unit.length - 1) : said;
+}
+
 /**
  * @param {string} typed @param {Record<string, number>} units how many of the question's unit each allowed unit is
  * @returns {{value: number} | {problem: string}}
@@ -26,7 +31,8 @@ export function readNumber(typed, units) {
   const grouped = twoReadings(text);
   if (grouped) return { problem: grouped };
   const found = NUMBER.exec(text);
-  if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+  if (!found || /^[.,]/.test(found[2] ?? ""))
+    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   const number = String(found[1]);
   const unit = found[2] ?? "";
   const known = Object.keys(units).filter(Boolean);
