@@ -4367,6 +4367,10 @@
     place4.hidden = !message;
     say(place4, message);
   }
+  function noteBeside(scene, message) {
+    const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").textContent : "";
+    note(scene, `${why} ${message}`.trim());
+  }
   function planOf(run) {
     return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told2(phase.why) }));
   }
@@ -5503,9 +5507,11 @@
     }
     back() {
       const waits = this.presets.pressed.some((name) => this.presets.left.includes(name));
-      if (!this.over || waits) return;
-      this.player.seen = Infinity;
-      if (!this.whole) this.#offer(false);
+      if (this.over && !waits) {
+        this.player.seen = Infinity;
+        if (!this.whole) this.#offer(false);
+      }
+      this.player.seek(0);
     }
     #end() {
       this.over = true;
@@ -7133,10 +7139,12 @@ ${lines4.join("\n")}
       this.element.addEventListener(WATCHED, () => this.#link(), { signal });
     }
     #link() {
-      if (this.element.dataset.state !== "live" || !this.acts.told()) return;
+      const { state } = this.element.dataset;
+      const able = state === "live" || state === "failed" && this.acts.stepwise();
+      if (!able || !this.acts.told()) return;
       if (this.#linked === location.hash) return;
       this.#linked = location.hash;
-      this.acts.live();
+      this.acts.link();
     }
     still() {
       for (const kind2 of ["pointerdown", "keydown", "focusin"]) {
@@ -7195,6 +7203,7 @@ ${lines4.join("\n")}
       note2.hidden = false;
       say(note2, `${error.message} ${without(this.acts.told(), this.acts.stepwise())}`);
       this.#waiting.reject(error);
+      this.#link();
       this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
   };
@@ -10564,7 +10573,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #live = new Live(this, client2, {
         first: () => this.#first(),
         told: () => this.#told,
-        live: () => this.#told && void followLink(this, this.#runs, (text) => note(this, text)),
+        link: () => this.#told && void followLink(this, this.#runs, (text) => noteBeside(this, text)),
         failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
         stepwise: () => this.#runs.stepwise
       });
@@ -10691,7 +10700,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
         this.#watch?.back();
-        this.#view?.player.seek(0);
       }
       async #first() {
         const run = await this.#runs.ask();

@@ -121,6 +121,23 @@ def test_without_python_a_slider_is_moved_by_hand_and_its_box_says_the_value_of_
 
 
 @pytest.mark.one_browser
+def test_without_python_a_link_is_followed_to_the_nearest_run_and_one_that_cannot_be_is_told(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = failed(open_page(prepared_site / "slides-without.html"), "slides")
+    mass = page.locator('#slides [data-set="A.mass"] .carts-number-box')
+    page.evaluate("location.hash = '#carts:slides?A.mass=9%20kg&t=0.5'")
+    expect(page.locator("#slides .carts-clock")).to_have_text(re.compile(r"^0\.50"))
+    page.evaluate("location.hash = '#carts:slides?A.mass=2.04%20kg'")
+    expect(mass).not_to_have_value("1")
+    assert abs(float(mass.input_value()) - 2.04) < 0.2
+    page.evaluate("location.hash = '#carts:slides?B.mass=3%20kg'")
+    note = page.locator("#slides .carts-note")
+    expect(note).to_contain_text("This change needs Python")
+    expect(note).to_contain_text("prepared run")  # what was said before stays
+
+
+@pytest.mark.one_browser
 def test_without_python_a_slider_leaves_the_boxes_to_tick_as_they_are(
     open_page: OpenPage, prepared_site: Path
 ) -> None:

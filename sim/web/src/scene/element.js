@@ -39,7 +39,8 @@ export function sceneElement(client, folder) {
     #live = new Live(this, client, {
       first: () => this.#first(),
       told: () => this.#told,
-      live: () => this.#told && void followLink(this, this.#runs, (text) => words.note(this, text)),
+      link: () =>
+        this.#told && void followLink(this, this.#runs, (text) => words.noteBeside(this, text)),
       failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
       stepwise: () => this.#runs.stepwise,
     });
@@ -192,7 +193,6 @@ export function sceneElement(client, folder) {
       this.#view?.player.pause();
       if (this.#lesson) this.#draw(this.#lesson);
       this.#watch?.back();
-      this.#view?.player.seek(0);
     }
 
     /** Python's own answer takes the place of the baked run. */

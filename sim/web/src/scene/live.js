@@ -6,9 +6,9 @@ import * as words from "./element-words.js";
 import { WATCHED } from "./time/watch.js";
 
 /**
- * @typedef {{first: () => Promise<void>, told: () => boolean, stepwise: () => boolean, live: () => void,
+ * @typedef {{first: () => Promise<void>, told: () => boolean, stepwise: () => boolean, link: () => void,
  *   failed: () => void}} Acts `first` asks for the first run and shows it; `told`: no prediction is
- *   waited for; `stepwise`: there are runs that need no Python
+ *   waited for; `link` follows the page's address; `stepwise`: there are runs that need no Python
  */
 
 export class Live {
@@ -39,10 +39,12 @@ export class Live {
 
   /** Follows the page's address, once, if it asks for a state of this scene. */
   #link() {
-    if (this.element.dataset.state !== "live" || !this.acts.told()) return;
+    const { state } = this.element.dataset;
+    const able = state === "live" || (state === "failed" && this.acts.stepwise());
+    if (!able || !this.acts.told()) return;
     if (this.#linked === location.hash) return;
     this.#linked = location.hash;
-    this.acts.live();
+    this.acts.link();
   }
 
   /** The picture stands: Python starts at the first touch at the latest. */
@@ -107,6 +109,7 @@ export class Live {
     note.hidden = false;
     say(note, `${error.message} ${words.without(this.acts.told(), this.acts.stepwise())}`);
     this.#waiting.reject(error);
+    this.#link();
     this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
   }
 }

@@ -84,12 +84,14 @@ export class Watch {
     });
   }
 
-  /** Back at the values of the lesson: a ready-made setting that was left half-way hides nothing of them. */
+  /** Back at the start, with the values of the lesson: a ready-made setting that was left half-way hides nothing of them. */
   back() {
     const waits = this.presets.pressed.some((name) => this.presets.left.includes(name));
-    if (!this.over || waits) return;
-    this.player.seen = Infinity;
-    if (!this.whole) this.#offer(false);
+    if (this.over && !waits) {
+      this.player.seen = Infinity;
+      if (!this.whole) this.#offer(false);
+    }
+    this.player.seek(0);
   }
 
   #end() {
