@@ -66,7 +66,7 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
 def _measured(request: Mapping[str, Any]) -> Measured:
     units = request.get("units") or {}
     known = {key: str(units[key]) for key in ("time", "length", "force") if units.get(key)}
-    chosen = Units(**known, run=int(request.get("run") or 0))
+    chosen = Units(**known, run=str(request.get("run") or ""))
     found = read_measured([str(text) for text in request["texts"]], chosen)
     found = replace(found, synthetic=bool(request.get("synthetic")))
     begin, end = request.get("from"), request.get("until")

@@ -1,7 +1,7 @@
 """What a column holds, by its unit and by what it is called in schools of many languages.
 
-A unit says it surely (m/s is a velocity, whatever stands before it), a word where no unit is. Whose
-column it is stands at the end: “Position 1”, “v_A”, “位置B”, “Position, Ch 2”.
+A unit says it surely (m/s is a velocity, whatever stands before it), a word where no unit is.
+Whose column it is stands behind or before: “Position 1”, “v_A”, “位置B”, “Position, Ch 2”, “B: x”.
 """
 
 from __future__ import annotations
@@ -30,11 +30,33 @@ SPEED_UNITS = r"(?:[cm]?m/s|km/h)"
 _SPEED_HEAD = re.compile(
     rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:[\t;,|\"]|$|Run)", re.I
 )
-_NAMED = {
-    kind: re.compile(rf"\W*(?:{words})(?:(?:[\s_.,-]*(?:of\s+|ch\s*)?)"
-                     r"(?P<who>[A-Za-z0-9]{1,12}))?\W*", re.I)
-    for kind, words in WORDS.items()
-}  # fmt: skip
+_OF = r"(?:of\s+|ch\s*)?"
+_BEHIND = rf"[\s_.,:-]+{_OF}(?P<who>[A-Za-z0-9]{{1,12}})"
+_NO_SYMBOL = r"(?!(?-i:[vafp])[\s_.:-])"  # v_x is no place of a cart v
+_SHORT = r"[A-Za-z]?\d{1,2}|[A-Za-z]"  # xA, x1, xb
+_LONG = r"(?-i:[A-Z])?\d{1,2}|(?-i:[A-Z])"  # PositionA, Position1: “positions” names no cart s
+
+
+def _alternatives(words: str, *, letters: bool) -> str:
+    """The longest first; single letters, or the words."""
+    chosen = [one for one in words.split("|") if (len(one) == 1 and one.isascii()) == letters]
+    return "|".join(sorted(chosen, key=len, reverse=True)) or "(?!)"
+
+
+def named(words: str) -> tuple[re.Pattern[str], ...]:
+    """Patterns of heads with one of these words, which `|` parts; for `owner`."""
+    letter, word = (_alternatives(words, letters=one) for one in (True, False))
+    return (
+        re.compile(rf"\W*(?:{word})(?:{_BEHIND}|{_OF}(?P<glued>{_LONG}))?\W*", re.I),
+        re.compile(rf"\W*(?P<who>.{{1,24}}?)[\s_.,:-]+(?:{word})\W*", re.I),
+        re.compile(rf"\W*(?:{letter})(?:{_BEHIND}|(?P<glued>{_SHORT}))?\W*", re.I),
+        re.compile(rf"\W*(?P<who>{_NO_SYMBOL}.{{1,24}}?)[\s_.:-]+(?:{letter})\W*", re.I),
+    )
+
+
+_NAMED = {kind: named(words) for kind, words in WORDS.items()}
+_GENERIC = re.compile(r"\b(?:cart|wagen|glider|trolley|troli|kereta|chariot|carro|sensor)\b", re.I)
+_ALONG, SIDEWAYS = {"x", "horizontal"}, {"y", "z", "vertical"}
 _TIME = re.compile(rf"\W*(?:{WORDS['time']})(?:[\s_.-]+[A-Za-z0-9]{{1,8}}|\d{{0,2}})\W*", re.I)
 _WHO = re.compile(r".+?(?:[\s_.,-]+(?P<after>[A-Za-z0-9]{1,12})|(?P<digits>\d{1,2}))\W*")
 
@@ -45,16 +67,31 @@ def is_time(name: str) -> bool:
 
 
 def quantity_of(name: str, unit: str) -> tuple[Quantity | None, str]:
-    """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s."""
+    """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s or “Cart B: velocity”."""
     kind = _by_unit(unit)
-    for one, pattern in _NAMED.items():
-        match = pattern.fullmatch(name)
-        if match and one != "time" and kind in (None, one):
-            return one, match["who"] or ""
+    for one in WORDS:
+        if (
+            one != "time"
+            and kind in (None, one)
+            and (whose := owner(name, _NAMED[one])) is not None
+        ):
+            if whose.lower() in SIDEWAYS:
+                return None, ""
+            return one, "" if whose.lower() in _ALONG else whose
     if kind is None or kind == "time":
         return kind, ""
     match = _WHO.fullmatch(name)
     return kind, (match["after"] or match["digits"]) if match else ""
+
+
+def owner(name: str, patterns: tuple[re.Pattern[str], ...]) -> str | None:
+    """Whose column a head with one of these words is; "" where it does not say, None for others."""
+    for pattern in patterns:
+        if match := pattern.fullmatch(name):
+            groups = match.groupdict()
+            found = groups["who"] or groups.get("glued") or ""
+            return _GENERIC.sub("", found).strip(" _.,:-") or found
+    return None
 
 
 def _by_unit(unit: str) -> Quantity | None:

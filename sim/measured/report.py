@@ -16,7 +16,8 @@ from sim.measured.model.known import Known, Untold, told
 from sim.measured.model.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
-from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_loss, of_pair
+from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_loss
+from sim.measured.words_of_forces import of_pair
 from sim.measured.words_of_phones import of_clocks, of_phones
 
 FORMAT = 1

@@ -21,6 +21,12 @@ from sim.measured.tracks import Measured
 QUIET = 0.1
 """Share of the greatest force below which a sensor counts as not pushed."""
 
+SURE = 6.0
+"""Standard deviations that none of some thousand readings lies beyond by chance."""
+
+SCALE = 0.05
+"""Share of the greatest force by which scales and bumps of two sensors differ, law or no law."""
+
 MIDDLE = 0.6745  # median of |x| with noise 1
 STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
 Z = 1.96  # half a 95 % interval in standard deviations, for many readings
@@ -41,6 +47,7 @@ class Pair:
     ratio: float  # |F_B| : |F_A|
     ratio_half: float  # half of its 95 % interval
     worst: tuple[float, float]  # t and sum where the sum is farthest from zero
+    explained: float  # N, the largest sum that noise, clocks and scales make without another push
     lag: float  # s, how much later B's readings are
     set: float | None = None  # s, by which B's clock was set by the contact
 
@@ -81,6 +88,12 @@ def third_law(measured: Measured) -> Pair:
     sums = [x + y for x, y in zip(a, b, strict=True)]
     worst = max(range(len(t)), key=lambda k: abs(sums[k]))
     widths = _widths(t)
+    lag = _lag(t, a, b)
+    steepest = max(
+        abs(y - x) / (later - time)
+        for (x, y), (time, later) in zip(itertools.pairwise(a), itertools.pairwise(t), strict=True)
+    )
+    explained = SURE * math.hypot(*noise) + abs(lag) * steepest + SCALE * max(peaks)
     return Pair(
         t=t,
         forces=(tuple(a), tuple(b)),
@@ -93,7 +106,8 @@ def third_law(measured: Measured) -> Pair:
         ratio=ratio,
         ratio_half=half,
         worst=(t[worst], sums[worst]),
-        lag=_lag(t, a, b),
+        explained=explained,
+        lag=lag,
         set=moved,
     )
 

@@ -30,6 +30,12 @@ _WRITTEN = {
 
 _WIDE = str.maketrans("（）［］／：　", "()[]/: ")
 
+_RUN = re.compile(
+    r"(?<![^\W\d_])(?:(?:run|data\s?set|lauf|durchgang|essai|ensayo|larian)\W{0,3}(\d{1,4})|(latest)\b)",
+    re.I,
+)
+"""What a logger says of the run, before the name of a column or behind it."""
+
 _HEAD = (
     re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,10})[)\]]\s*(?:run\W*\d*)?\s*", re.I),
     re.compile(r"(?P<name>[^/]+?)\s*/\s*(?P<unit>[^\W\d_]{1,4}(?:/s|/h|\s*s-1)?)\s*"),
@@ -40,12 +46,12 @@ _HEAD = (
 @dataclass(frozen=True, slots=True)
 class Units:
     """What a reader says of a file: what columns without a unit are in, and which of several runs
-    is meant, from 1 (0: the first that is long enough)."""
+    is meant, by its name or its place from 1 (nothing: the first that is long enough)."""
 
     time: str = "s"
     length: str = "m"
     force: str = "N"
-    run: int = 0
+    run: str = ""
 
     def of(self, kind: Kind) -> str:
         """The unit for a kind of column."""
@@ -58,11 +64,22 @@ def head(text: str) -> tuple[str, str]:
     What a logger says of the run (“Run 1: Force (N)”, “Force (N) Run #1”) is left out.
     """
     text = text.translate(_WIDE)
-    text = text.rpartition(":")[2] or text
+    if run := _RUN.search(text):
+        before, after = text[: run.start()].strip(" \"'#"), text[run.end() :].lstrip()
+        if not before and after.startswith(":"):
+            text = after[1:]
+        elif before and not after:
+            text = before
     for pattern in _HEAD:
         if match := pattern.fullmatch(text.strip()):
             return match["name"].strip(), match["unit"].strip()
     return text.strip(), ""
+
+
+def run_of(text: str) -> str:
+    """The run that a column's head names: "2" for “Run 2: Force (N)”; empty: it names none."""
+    match = _RUN.search(text)
+    return (match[1] or match[2].lower()) if match else ""
 
 
 def plain_unit(unit: str) -> str:

@@ -25,6 +25,11 @@ def texts_of(content: bytes) -> list[str]:
     return [decoded(_unzipped(content))]
 
 
+def _rank(name: str) -> int:
+    """A project before its exported table, and a text, which may be a remark, last."""
+    return (".trk", ".csv", ".tsv", ".txt").index(name.lower()[-4:])
+
+
 def _unzipped(content: bytes) -> bytes:
     import io
     import zipfile
@@ -37,8 +42,7 @@ def _unzipped(content: bytes) -> bytes:
                 for name in pack.namelist()
                 if name.lower().endswith(SUFFIXES) and not name.startswith(ASIDE)
             ]
-            # A project before its exported table, else the first table.
-            names.sort(key=lambda name: not name.lower().endswith(".trk"))
+            names.sort(key=_rank)
             if not names:
                 raise refuse(1, "no table is in this zip", "export as CSV")
             with pack.open(names[0]) as member:

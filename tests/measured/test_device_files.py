@@ -142,19 +142,19 @@ def test_of_several_runs_the_one_that_is_asked_for_is_read(
     texts = [sensor_carts(Motion(), seed=k) for k in (1, 2, 3)]
     text = together(texts)
     for k, one in enumerate(texts, 1):
-        found, alone = read_measured([text], Units(run=k)), read_measured([one])
+        found, alone = read_measured([text], Units(run=str(k))), read_measured([one])
         assert found.runs == ("1", "2", "3")
         assert [track.t for track in found.tracks] == [track.t for track in alone.tracks]
         assert [track.value for track in found.tracks] == [t.value for t in alone.tracks]
     assert read_measured([text]).tracks[0].value == read_measured([texts[0]]).tracks[0].value
     with pytest.raises(ReadingError, match="there is no run 4: this file has 3"):
-        read_measured([text], Units(run=4))
+        read_measured([text], Units(run="4"))
     assert read_measured([texts[0]]).runs == ()
 
 
 def test_a_span_of_time_changes_nothing_else_that_was_read() -> None:
     text = below([sensor_carts(Motion(), seed=k) for k in (1, 2)])
-    whole = read_measured([text], Units(run=2))
+    whole = read_measured([text], Units(run="2"))
     span = between(whole, 0.1, None)
     assert whole.runs == ("1", "2")
     assert span.tracks[0].t[0] >= 0.1 > whole.tracks[0].t[0]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from random import Random
 
 import pytest
@@ -57,6 +58,27 @@ def test_a_late_clock_is_told_as_a_clock() -> None:
     found = third_law(measured)
     assert found.lag == pytest.approx(0.004, abs=0.001)
     assert any("clock" in one for one in forces_report(measured, found)["sentences"])
+    early = sensors(late=-0.004)
+    told = " ".join(forces_report(early, third_law(early))["sentences"])
+    assert "The readings of A come 3.9 ms later than those of B" in told
+
+
+def test_a_push_on_one_sensor_alone_is_no_agreement() -> None:
+    """One common push, and a hand on each sensor at another time: as scattered as it is, the ratio
+    is near 1, and at no hand's instant are both forces equal."""
+    measured = sensors()
+    a, b = measured.tracks
+    hands = [
+        tuple(value + (8.0 if begin <= t < begin + 0.05 else 0.0) for t, value in pairs)
+        for begin, pairs in ((0.32, zip(a.t, a.value, strict=True)),
+                             (0.70, zip(b.t, b.value, strict=True)))
+    ]  # fmt: skip
+    first, second = (replace(one, value=held) for one, held in zip((a, b), hands, strict=True))
+    pushed = replace(measured, tracks=(first, second))
+    said = " ".join(forces_report(pushed, third_law(pushed))["sentences"])
+    assert "equal in size" not in said
+    assert "do not agree" in said or "scatter too much" in said
+    assert "equal in size" in " ".join(forces_report(measured, third_law(measured))["sentences"])
 
 
 def test_noise_alone_is_refused() -> None:

@@ -80,8 +80,8 @@ FILE = click.Path(dir_okay=False, path_type=Path)
     metavar="LENGTH",
     help="Distance of the two marks when the bumpers just touch, for example 21.5 cm.",
 )
-@click.option("--run", type=click.IntRange(1), metavar="NUMBER", default=None,
-              help="Of several runs in a log, this one, from 1; default: the first.")  # fmt: skip
+@click.option("--run", metavar="NUMBER", default="",
+              help="Of several runs in a log, this one, as numbered there; default: the first.")  # fmt: skip
 @click.option("--from", "begin", metavar="TIME", help="Leave readings before this time out.")
 @click.option("--until", "end", metavar="TIME", help="Leave readings after this time out.")
 @click.option("--length", type=click.Choice(OFFERED["length"]), default="m", show_default=True,
@@ -112,7 +112,7 @@ def command(
     length: str,
     time: str,
     force: str,
-    run: int | None,
+    run: str,
     scene_file: Path | None,
     tracker_file: Path | None,
 ) -> None:
@@ -136,7 +136,7 @@ def command(
     low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
     if low is not None and high is not None and low >= high:
         raise click.UsageError(f"--from {begin} is not before --until {end}.")
-    units = Units(time=time, length=length, force=force, run=run or 0)
+    units = Units(time=time, length=length, force=force, run=run)
     measured = cut(readings(files, units), low, high)
     only_of_positions(ctx, measured.kind)
     measured = replace(measured, notes=units_said(measured.notes, typed(ctx, OF_UNITS)))

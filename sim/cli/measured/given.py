@@ -8,7 +8,8 @@ from typing import NoReturn
 import click
 
 from sim.cli.named_file import bytes_of
-from sim.measured.refusal import ReadingError, refuse
+from sim.measured.refusal import ReadingError
+from sim.measured.runs import place_of
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import MOST_ZIPPED, texts_of
@@ -26,9 +27,11 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
         measured = read_measured(texts, units)
     except ReadingError as error:
         _refuse(files[error.source], error)
-    there = max(1, len(measured.runs))
-    if units.run > there:  # only logs of sensors know of runs, and refuse it themselves
-        _refuse(files[0], refuse(1, f"there is no run {units.run}: this file has {there}"))
+    if units.run and not measured.runs:  # where there are several, their reader refuses it itself
+        try:
+            place_of(units.run, ["1"])
+        except ReadingError as error:
+            _refuse(files[0], error)
     return measured
 
 

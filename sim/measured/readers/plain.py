@@ -12,18 +12,15 @@ import itertools
 import re
 from collections.abc import Sequence
 
-from sim.measured.heads import is_time, quantity_of
+from sim.measured.heads import SIDEWAYS, is_time, named, owner, quantity_of
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
+from sim.measured.runs import of_one_run
 from sim.measured.table import MOST_FAULTS, Column, Table, read_table
-from sim.measured.track import FEWEST, Reading, Track
+from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 
-_FORCE = re.compile(r"(.*\b)?(f|force|kraft|fuerza|forza)[\s_.-]*([a-z0-9]{0,8})", re.I)
-_POSITION = re.compile(
-    r"(?:x|pos|position|place|ort)[\s_.-]*(?:of\s+)?(?P<after>[a-z0-9]{0,8})"
-    r"|(?P<before>[a-z][a-z0-9]{0,8})[\s_.-]+(?:x|pos|position)",
-    re.I,
-)
+_FORCE = named("f|force|kraft|fuerza|forza|daya")
+_POSITION = named("x|pos|position|place|ort")
 _COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
 _NOT_POSITION = re.compile(r"xx|x\W?(speed|vel)", re.I)
 
@@ -35,8 +32,10 @@ def claims(text: str) -> bool:
 
 def read(text: str, units: Units) -> Reading:
     """The tracks of a table; raises ReadingError."""
-    kind, tracks, said = _of_table(read_table(text), units)
-    return Reading("force" if kind == "force" else "length", tuple(tracks), tuple(said))
+    table, runs, said = of_one_run(read_table(text), units.run)
+    kind, tracks, notes = _of_table(table, units)
+    what: Content = "force" if kind == "force" else "length"
+    return Reading(what, tuple(tracks), (*said, *notes), runs=runs)
 
 
 def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]:
@@ -49,18 +48,18 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
             f"no column holds positions or forces (columns: {names})",
             "name them x_A and x_B, or F_A and F_B",
         )
-    (time_factor,), time_note = _unit(table, [time], "time", units)
+    clocks = [_clock(table, column, time) for column in wanted]
+    time_factors, time_note = _unit(table, clocks, "time", units)
     value_factors, value_note = _unit(table, wanted, kind, units)
-    tracks = [
-        _track(table, name, time, column, (time_factor, si))
-        for name, column, si in zip(_names(wanted), wanted, value_factors, strict=True)
-    ]
+    factors = zip(time_factors, value_factors, strict=True)
+    columns = zip(_names(wanted), clocks, wanted, factors, strict=True)
+    tracks = [_track(table, *one) for one in columns]
     said = [f"{table.separator} between the columns, decimal {table.decimal}"]
     return kind, tracks, [time_note, value_note, *said]
 
 
 def _time_column(table: Table) -> Column:
-    times = [c for c in table.columns if is_time(c.name) or kind_of_unit(c.unit) == "time"]
+    times = [c for c in table.columns if _is_time(c)]
     if times:  # a clock of whole seconds stands still between readings
         return next((column for column in times if _rises(column)), times[0])
     first = table.columns[0]
@@ -70,6 +69,17 @@ def _time_column(table: Table) -> Column:
     return first
 
 
+def _clock(table: Table, column: Column, first: Column) -> Column:
+    """The times of a sensor that has a column of its own for them, to its left."""
+    left = table.columns[: table.columns.index(column)]
+    times = [c for c in left if _is_time(c) and _rises(c)]
+    return times[-1] if times else first
+
+
+def _is_time(column: Column) -> bool:
+    return is_time(column.name) or kind_of_unit(column.unit) == "time"
+
+
 def _rises(column: Column) -> bool:
     told = [value for value in column.values if value is not None]
     return all(a < b for a, b in itertools.pairwise(told))
@@ -77,18 +87,38 @@ def _rises(column: Column) -> bool:
 
 def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
     """The columns with forces, else those with positions."""
-    others = [column for column in table.columns if column is not time]
-    others = [c for c in others if not is_time(c.name) and kind_of_unit(c.unit) != "time"]
-    forces = [c for c in others if _FORCE.fullmatch(c.name) or kind_of_unit(c.unit) == "force"]
+    others = [column for column in table.columns if column is not time and not _is_time(column)]
+    forces = [c for c in others if _is_force(c)]
     if len(forces) >= 2:
         return _not_three(table, forces, "force sensors"), "force"
-    places = [c for c in others if _POSITION.fullmatch(c.name) and not _NOT_POSITION.match(c.name)]
+    places = [c for c in others if _is_place(c)]
     if not places:
         places = [c for c in others if quantity_of(c.name, c.unit)[0] == "pos" and c.unit]
         places = places if len(places) == 2 else []
-    if not places and len(others) == 2 and not forces:
-        places = [c for c in others if kind_of_unit(c.unit) in (None, "length")]
+    if not places and forces:  # the other sensor may stand in a file of its own
+        return forces, "force"
+    if not places and len(others) == 2:
+        _no_velocities(table, others)
+        places = [c for c in others if not c.unit or kind_of_unit(c.unit) == "length"]
     return _not_three(table, places, "carts"), "length"
+
+
+def _is_force(column: Column) -> bool:
+    return owner(column.name, _FORCE) is not None or kind_of_unit(column.unit) == "force"
+
+
+def _is_place(column: Column) -> bool:
+    whose = owner(column.name, _POSITION)
+    other = whose is None or whose.lower() in SIDEWAYS or _NOT_POSITION.match(column.name)
+    return not other and kind_of_unit(column.unit or "m") == "length"
+
+
+def _no_velocities(table: Table, columns: Sequence[Column]) -> None:
+    """Two columns without a unit are places, whatever they are called, but not by these words."""
+    for column in columns:
+        if not column.unit and quantity_of(column.name, "")[0] in ("vel", "acc"):
+            reason = f"“{shown(column.name)}” has no unit and is no place"
+            raise refuse(table.heads_line, reason, f"write its unit: {shown(column.name)} (m/s)")
 
 
 def _not_three(table: Table, columns: list[Column], what: str) -> list[Column]:
@@ -104,13 +134,12 @@ def _names(columns: Sequence[Column]) -> list[str]:
     """What the carts are called: by their track, by their column, or A and B."""
     found = []
     for k, column in enumerate(columns):
-        match = _POSITION.fullmatch(column.name) or _FORCE.fullmatch(column.name)
-        parts = [part for part in (match.groups() if match else ()) if part]
-        what, who = quantity_of(column.name, "")
-        known = match is not None or what == "pos"
-        parts = parts or [who]
-        label = column.track or parts[-1] or ("" if known else column.name) or "AB"[k]
-        found.append(label.strip() or "AB"[k])
+        whose = owner(column.name, _POSITION)
+        whose = owner(column.name, _FORCE) if whose is None else whose
+        if whose is None:
+            what, whose = quantity_of(column.name, "")
+            whose = whose if what == "pos" else column.name
+        found.append((column.track or whose).strip() or "AB"[k])
     if len(found) == 2 and found[0] == found[1]:
         found = [f"{name} {k}" for k, name in enumerate(found, 1)]
     return found

@@ -13,18 +13,17 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.measured.heads import Quantity, has_speeds, is_time, quantity_of
 from sim.measured.readers import plain
-from sim.measured.refusal import ReadingError, refuse, shown
+from sim.measured.refusal import refuse, shown
+from sim.measured.runs import of_one_run, place_of
 from sim.measured.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor, plain_unit
+from sim.measured.units import Units, factor, plain_unit, run_of
 from sim.scene.quantity import SPEED
 
-_RUN = re.compile(r"\brun\s*#?\s*(\d+)|\b(latest)\b", re.I)
 _HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
 
 
@@ -36,7 +35,10 @@ def claims(text: str) -> bool:
     head = next((line for line in lines if _TIMES.search(line)), "")
     if _FORCES.search(head):
         return False
-    return bool(_HEAD.search(head)) or len({m.group(0) for m in _RUN.finditer(head)}) > 1
+    return (
+        bool(_HEAD.search(head))
+        or len(set(filter(None, map(run_of, re.split(r"[\t;,]", head))))) > 1
+    )
 
 
 _TIMES = re.compile(r"\btime\b", re.I)
@@ -47,47 +49,14 @@ MOST_HEADS = 30
 
 def read(text: str, units: Units) -> Reading:
     """Both carts of one run, or one; raises ReadingError."""
-    runs, place = _runs(text), max(0, units.run - 1)
-    table = read_table(text)
-    notes: list[str] = []
-    beside = _columns_of(table, runs)
-    if beside:
-        if place >= len(runs):
-            raise _no_run(units.run, len(runs))
-        table = beside[place]
-        left = [run for k, run in enumerate(runs) if k != place]
-        notes.append(f"run {runs[place]} is read; other runs in the file: {', '.join(left)}")
+    table, runs, notes = of_one_run(read_table(text), units.run)
     below: list[str] = []
-    tracks = _tracks(table, replace(units, run=0) if beside else units, notes, below)
+    tracks = _tracks(table, replace(units, run="") if runs else units, notes, below)
     if not tracks:
         return plain.read(text, units)
     notes.append(f"{table.separator} between the columns, decimal {table.decimal}")
-    every = tuple(runs if beside else below)
+    every = runs or tuple(below)
     return Reading("length", tuple(tracks), tuple(notes), own=len(tracks) == 2, runs=every)
-
-
-def _no_run(asked: int, there: int) -> ReadingError:
-    return refuse(1, f"there is no run {asked}: this file has {there}", "1 is the first")
-
-
-def _runs(text: str) -> list[str]:
-    head = next((line for line in text.splitlines() if _TIMES.search(line)), "")
-    found = [m.group(1) or m.group(2) for m in _RUN.finditer(head)]
-    return list(dict.fromkeys(found))
-
-
-def _columns_of(table: Table, runs: Sequence[str]) -> list[Table]:
-    """The columns of each run; heads have lost its label, so the order of times tells it. Empty
-    where there is one run, or one time for all."""
-    cuts = [k for k, one in enumerate(table.columns) if is_time(one.name)]
-    if len(runs) < 2 or len(cuts) < len(runs):
-        return []
-    per = len(cuts) // len(runs)
-    begins = [0, *cuts[per : per * len(runs) : per], len(table.columns)]
-    return [
-        replace(table, columns=table.columns[begin:end])
-        for begin, end in itertools.pairwise(begins)
-    ]
 
 
 def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> list[Track]:
@@ -167,7 +136,7 @@ def _track(
 Rows = list[tuple[float, float, int]]
 
 
-def _one_run(rows: Rows, name: str, asked: int, notes: list[str], below: list[str]) -> Rows:
+def _one_run(rows: Rows, name: str, asked: str, notes: list[str], below: list[str]) -> Rows:
     """From where the time starts anew to the next such place; repeated times are left out. All
     named."""
     runs: list[Rows] = [[]]
@@ -181,9 +150,8 @@ def _one_run(rows: Rows, name: str, asked: int, notes: list[str], below: list[st
         else:
             runs[-1].append(row)
     long = [run for run in runs if len(run) >= FEWEST]
-    if asked > len(long):
-        raise _no_run(asked, len(long))
-    kept = long[max(0, asked - 1)] if long else max(runs, key=len)
+    place = place_of(asked, [str(k) for k in range(1, len(long) + 1)])
+    kept = long[place] if long else max(runs, key=len)
     if len(long) > max(1, len(below)):
         below[:] = [str(k) for k in range(1, len(long) + 1)]
     if len(runs) > 1:
