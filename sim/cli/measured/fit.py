@@ -81,7 +81,7 @@ FILE = click.Path(dir_okay=False, path_type=Path)
     help="Distance of the two marks when the bumpers just touch, for example 21.5 cm.",
 )
 @click.option("--run", metavar="NUMBER", default="",
-              help="Of several runs in a log, this one, as numbered there; default: the first.")  # fmt: skip
+              help="Of several runs in a log, this one; default: the first.")  # fmt: skip
 @click.option("--from", "begin", metavar="TIME", help="Leave readings before this time out.")
 @click.option("--until", "end", metavar="TIME", help="Leave readings after this time out.")
 @click.option("--length", type=click.Choice(OFFERED["length"]), default="m", show_default=True,
