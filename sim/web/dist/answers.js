@@ -2110,6 +2110,9 @@
       touched = true;
       button2.focus();
       changed();
+      const [k, all] = [items2().indexOf(item2) + 1, items2().length];
+      const told2 = tr("Now {k} of {all}: {text}", { k, all, text: textOf(item2) });
+      say(need(root, ".carts-q-picked"), told2);
     });
     return {
       get value() {
@@ -2126,7 +2129,7 @@
       enable(on) {
         for (const button2 of buttons()) button2.disabled = !on;
       },
-      said: () => touched ? items2().map((item2) => plainText(item2.querySelector(".carts-q-text"))).join(" → ") : ""
+      said: () => touched ? items2().map(textOf).join(" → ") : ""
     };
   }
   function matchForm(root, changed) {
@@ -2138,7 +2141,6 @@
       /** @type {HTMLSelectElement} */
       row.querySelector("select")
     );
-    const text = (place2) => plainText(place2?.querySelector(".carts-q-text"));
     for (const row of rows2) select(row).addEventListener("change", changed);
     const chosen2 = () => rows2.filter((row) => select(row).value);
     return {
@@ -2156,9 +2158,12 @@
       },
       said: () => chosen2().map((row) => {
         const right = root.querySelector(`[data-right="${CSS.escape(select(row).value)}"]`);
-        return `${text(row)} – ${text(right)}`;
+        return `${textOf(row)} – ${textOf(right)}`;
       }).join("; ")
     };
+  }
+  function textOf(line) {
+    return plainText(line?.querySelector(".carts-q-text"));
   }
 
   // src/question/forms/choice.js
@@ -2379,14 +2384,16 @@
         /** @type {Link} */
         { between: [objects[a], objects[b]], by }
       );
-      if (!links.delete(name(link))) links.set(name(link), link);
-      touched();
+      const gone = links.delete(name(link));
+      if (!gone) links.set(name(link), link);
+      touched(link, gone);
     }
-    function touched() {
+    function touched(link, gone) {
       verdicts = {};
-      say(status2, "");
       changed();
       show();
+      const said = { link: words2(link) };
+      say(status2, gone ? tr("Removed: {link}", said) : tr("Added: {link}", said));
     }
     function show() {
       diagram.draw(
@@ -2411,7 +2418,7 @@
       remove.disabled = add2.disabled;
       remove.addEventListener("click", () => {
         links.delete(name(link));
-        touched();
+        touched(link, true);
         const next = (
           /** @type {HTMLElement | null} */
           list.querySelector("button")

@@ -1518,10 +1518,12 @@
     offer(runs) {
       this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
       if (this.run.options.length === runs.length) return;
-      this.run.replaceChildren(...runs.map((name, k) => new Option(name, String(k + 1))));
-      this.run.value = this.#wanted || "1";
+      this.run.replaceChildren(...runs.map((name) => new Option(name)));
+      this.run.value = this.#wanted;
+      if (this.run.selectedIndex < 0) this.run.selectedIndex = 0;
     }
     clear() {
+      for (const box of [...this.#masses, this.distance]) box.value = "";
       this.#wanted = "";
       this.run.replaceChildren();
       this.from.value = "";
@@ -1586,7 +1588,7 @@
       }
       return {
         units: this.chosen,
-        run: Number(this.run.value || this.#wanted),
+        run: this.run.value || this.#wanted,
         from: number(this.from),
         until: number(this.until),
         law: this.law.value,

@@ -71,6 +71,8 @@ def test_a_diagram_is_drawn_marked_and_comes_back(open_page: OpenPage, question_
         ["force on book by table · force on table by book"]
     )
     expect(page.locator("#book .carts-q-focus li")).to_have_text(["force on book by table"])
+    heard = page.locator("#book .carts-q-picked")
+    expect(heard).to_have_text("Added: book and table touch")
     node(page, "table").focus()  # keys: the arrow goes to the next box
     page.keyboard.press("Enter")
     page.keyboard.press("ArrowRight")
@@ -85,6 +87,7 @@ def test_a_diagram_is_drawn_marked_and_comes_back(open_page: OpenPage, question_
     expect(rows.locator(".carts-q-cell-mark")).to_have_text(["✓ right", "✗ not yet", "✓ right"])
     drag(page, "book", ODD)  # the way is still “touch”: the same line again takes it away
     expect(lines).to_have_count(2)
+    expect(heard).to_have_text(f"Removed: book and {ODD} touch")
     page.locator("#book .carts-q-check").click()
     expect(page.locator("#book .carts-q-verdict")).to_contain_text("Partly right")
     page.locator("#book .carts-q-ways").get_by_label("without touching").check()

@@ -1,5 +1,7 @@
 /** Putting lines in order with two buttons each, and joining pairs with a list each: no dragging. */
 
+import { tr } from "../../../../view/language.js";
+import { need, say } from "../../shared/dom.js";
 import { plainText } from "../plain-text.js";
 
 /** @typedef {import("../element.js").Form} Form */
@@ -20,6 +22,9 @@ export function orderForm(root, changed) {
     touched = true;
     button.focus();
     changed();
+    const [k, all] = [items().indexOf(item) + 1, items().length];
+    const told = tr("Now {k} of {all}: {text}", { k, all, text: textOf(item) });
+    say(need(root, ".carts-q-picked"), told);
   });
   return {
     get value() {
@@ -39,12 +44,7 @@ export function orderForm(root, changed) {
     enable(on) {
       for (const button of buttons()) button.disabled = !on;
     },
-    said: () =>
-      touched
-        ? items()
-            .map((item) => plainText(item.querySelector(".carts-q-text")))
-            .join(" → ")
-        : "",
+    said: () => (touched ? items().map(textOf).join(" → ") : ""),
   };
 }
 
@@ -53,8 +53,6 @@ export function matchForm(root, changed) {
   const rows = /** @type {HTMLElement[]} */ ([...root.querySelectorAll("[data-left]")]);
   const select = (/** @type {HTMLElement} */ row) =>
     /** @type {HTMLSelectElement} */ (row.querySelector("select"));
-  const text = (/** @type {Element | null} */ place) =>
-    plainText(place?.querySelector(".carts-q-text"));
   for (const row of rows) select(row).addEventListener("change", changed);
   const chosen = () => rows.filter((row) => select(row).value);
   return {
@@ -74,8 +72,13 @@ export function matchForm(root, changed) {
       chosen()
         .map((row) => {
           const right = root.querySelector(`[data-right="${CSS.escape(select(row).value)}"]`);
-          return `${text(row)} – ${text(right)}`;
+          return `${textOf(row)} – ${textOf(right)}`;
         })
         .join("; "),
   };
+}
+
+/** What a line says. @param {Element | null} line */
+function textOf(line) {
+  return plainText(line?.querySelector(".carts-q-text"));
 }

@@ -44,15 +44,18 @@ export function interactionsForm(root, changed, { objects, focus, key }) {
   /** The same line again takes it away. @param {number} a @param {number} b */
   function toggle(a, b, by = way()) {
     const link = /** @type {Link} */ ({ between: [objects[a], objects[b]], by });
-    if (!links.delete(name(link))) links.set(name(link), link);
-    touched();
+    const gone = links.delete(name(link));
+    if (!gone) links.set(name(link), link);
+    touched(link, gone);
   }
 
-  function touched() {
+  /** Who does not see the picture hears what was done. @param {Link} link @param {boolean} gone */
+  function touched(link, gone) {
     verdicts = {};
-    say(status, "");
     changed();
     show();
+    const said = { link: words(link) };
+    say(status, gone ? tr("Removed: {link}", said) : tr("Added: {link}", said));
   }
 
   function show() {
@@ -77,7 +80,7 @@ export function interactionsForm(root, changed, { objects, focus, key }) {
     remove.disabled = add.disabled;
     remove.addEventListener("click", () => {
       links.delete(name(link));
-      touched();
+      touched(link, true);
       const next = /** @type {HTMLElement | null} */ (list.querySelector("button"));
       (next ?? first)?.focus();
     });
