@@ -160,36 +160,6 @@
     );
   }
 
-  // src/answers/parts.js
-  function button(text, act, name = "") {
-    const made = (
-      /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text)
-    );
-    made.type = "button";
-    made.addEventListener("click", act);
-    return made;
-  }
-  function askingButton(text, question, yes, act, name) {
-    const row = html("p", `carts-answers-asking ${name}`);
-    const first = button(text, () => ask(true));
-    const asked = html("span", "", `${question} `);
-    const no = button(tr("No"), () => ask(false), "carts-answers-no");
-    const go = () => {
-      ask(false);
-      act();
-    };
-    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
-    asked.hidden = true;
-    row.append(first, asked);
-    function ask(on) {
-      first.hidden = on;
-      asked.hidden = !on;
-      (on ? no : first).focus();
-    }
-    return row;
-  }
-
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
     const known2 = (
@@ -2292,6 +2262,63 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return { ...baked, fence: { ...baked.fence, camera } };
   }
 
+  // src/answers/parts.js
+  function button(text, act, name = "") {
+    const made = (
+      /** @type {HTMLButtonElement} */
+      html("button", `carts-button ${name}`.trim(), text)
+    );
+    made.type = "button";
+    made.addEventListener("click", act);
+    return made;
+  }
+  function askingButton(text, question, yes, act, name) {
+    const row = html("p", `carts-answers-asking ${name}`);
+    const first = button(text, () => ask(true));
+    const asked = html("span", "", `${question} `);
+    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    const go = () => {
+      ask(false);
+      act();
+    };
+    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
+    asked.hidden = true;
+    row.append(first, asked);
+    function ask(on) {
+      first.hidden = on;
+      asked.hidden = !on;
+      (on ? no : first).focus();
+    }
+    return row;
+  }
+
+  // src/law/bar.js
+  function lawBar(acts) {
+    const button2 = (text, act) => {
+      const made = (
+        /** @type {HTMLButtonElement} */
+        html("button", "carts-button", text)
+      );
+      made.type = "button";
+      made.addEventListener("click", act);
+      return made;
+    };
+    const root = html("div", "carts-law-bar");
+    const run = button2(tr("Run"), acts.run);
+    const judge = button2(tr("Judge"), acts.judge);
+    const end2 = button2(tr("Stop"), acts.stop);
+    end2.disabled = true;
+    const again = askingButton(
+      tr("Begin again"),
+      tr("Back to the law that you began with? Yours stays in “My answers”."),
+      tr("Begin again"),
+      acts.again,
+      "carts-law-again"
+    );
+    root.append(run, judge, end2, button2(tr("Save as a file"), acts.save), again);
+    return { root, run, judge, end: end2 };
+  }
+
   // src/law/editor.js
   var STEP2 = "    ";
   var LONGEST2 = 2e4;
@@ -3344,6 +3371,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/law/element.js
+  var YOURS = tr("Your law");
   function lawElement(base) {
     return class CartsLaw extends HTMLElement {
       #facts = null;
@@ -3351,6 +3379,15 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       #pictures = null;
       #python = new OwnPython(base);
       #turn = 0;
+      #drawn = "";
+      // the law whose run is drawn; empty: it is no run of the reader's
+      #bar = lawBar({
+        run: () => this.#do(() => this.#run()),
+        judge: () => this.#do(() => this.#judge()),
+        stop: () => this.#python.stop(),
+        save: () => this.#save(),
+        again: () => this.#again()
+      });
       complete = Promise.resolve();
       connectedCallback() {
         if (this.#facts) return;
@@ -3369,7 +3406,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.found = html("div", "carts-law-found");
         const live = need(this, ".carts-law-live");
         const told2 = [this.fault, this.unsaved.root, this.note, this.shown, this.found];
-        live.append(this.editor.root, this.#buttons(), ...told2);
+        live.append(this.editor.root, this.#bar.root, ...told2);
         live.hidden = false;
         this.classList.add("carts-law-ready");
         this.#first();
@@ -3380,36 +3417,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#pictures?.leave();
         this.#python.stop();
       }
-      #buttons() {
-        const button2 = (text, act) => {
-          const made = (
-            /** @type {HTMLButtonElement} */
-            html("button", "carts-button", text)
-          );
-          made.type = "button";
-          made.addEventListener("click", act);
-          return made;
-        };
-        const bar = html("div", "carts-law-bar");
-        this.run = button2(tr("Run"), () => this.#do(() => this.#run()));
-        this.judge = button2(tr("Judge"), () => this.#do(() => this.#judge()));
-        this.end = button2(tr("Stop"), () => this.#python.stop());
-        this.end.disabled = true;
-        bar.append(
-          this.run,
-          this.judge,
-          this.end,
-          button2(tr("Save as a file"), () => this.#save()),
-          askingButton(
-            tr("Begin again"),
-            tr("Back to the law that you began with? Yours stays in “My answers”."),
-            tr("Begin again"),
-            () => this.#again(),
-            "carts-law-again"
-          )
-        );
-        return bar;
-      }
       async #restore() {
         this.#take(await this.keeper?.get() || String(this.#facts?.start));
         this.#open(true);
@@ -3418,7 +3425,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       #open(on) {
         if (this.editor) this.editor.box.readOnly = !on;
         for (const one of this.querySelectorAll(".carts-law-bar button"))
-          one.toggleAttribute("disabled", !on || one === this.end);
+          one.toggleAttribute("disabled", !on || one === this.#bar.end);
       }
       #take(text) {
         if (this.editor) this.editor.text = text;
@@ -3444,7 +3451,11 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         return this.unsaved?.hear(this.keeper?.put(text, tried));
       }
       #paper() {
-        say(need(this, ".carts-law-paper code"), this.editor?.text ?? "");
+        const text = this.editor?.text ?? "";
+        say(need(this, ".carts-law-paper code"), text);
+        const caption = this.shown?.querySelector("figcaption");
+        if (!caption || !this.#drawn) return;
+        say(caption, text === this.#drawn ? YOURS : tr("Your law, before you changed it"));
       }
       #again() {
         if (!this.editor || !this.#facts || !this.#baked) return;
@@ -3478,14 +3489,20 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           this.note,
           tr("Computing …")
         );
-        const { header, numbers } = await this.#python.ask({ do: "run", scene: this.#scene() });
+        const scene = this.#scene();
+        const { header, numbers } = await this.#python.ask({ do: "run", scene });
         const run = { header, trajectory: fromWire(header, numbers) };
         this.#show(
           run,
           /** @type {Baked} */
           this.#baked,
-          tr("Your law")
+          YOURS
         );
+        this.#drawn = scene.laws[
+          /** @type {Facts} */
+          this.#facts.file
+        ];
+        this.#paper();
         const unequal = (
           /** @type {any} */
           header.unequal
@@ -3550,6 +3567,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       #picture(run, baked, caption) {
         this.#pictures?.leave();
+        this.#drawn = "";
         this.#pictures = new Pictures(baked, [{ run, caption }]);
         this.shown?.replaceChildren(this.#pictures.root);
       }
@@ -3574,8 +3592,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         if (line2) this.editor?.go(line2);
       }
       #working(on) {
-        for (const one of [this.run, this.judge]) if (one) one.disabled = on;
-        if (this.end) this.end.disabled = !on;
+        for (const one of [this.#bar.run, this.#bar.judge]) one.disabled = on;
+        this.#bar.end.disabled = !on;
         this.toggleAttribute("data-working", on);
       }
     };

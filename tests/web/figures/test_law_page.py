@@ -60,6 +60,12 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
     numbers = [float(row.split("\t")[1].split()[0]) for row in pushes]
     assert numbers[1] == pytest.approx(4 * numbers[0], rel=0.02)
     expect(page.locator(".carts-law-shown figure svg:visible")).to_have_count(1)
+    caption = page.locator(".carts-law-shown figcaption")
+    expect(caption).to_have_text("Your law")
+    write(page, HEAVY + "\n")
+    expect(caption).to_have_text("Your law, before you changed it")
+    write(page, HEAVY)
+    expect(caption).to_have_text("Your law")
     press(page, "Judge")
     broken = page.locator(".carts-law-broken")
     assert "third-law" in broken.evaluate_all("all => all.map((one) => one.dataset.check)")

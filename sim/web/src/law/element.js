@@ -2,13 +2,13 @@
 
 import { tr } from "../../../view/language.js";
 import { fromWire } from "../../../view/trajectory.js";
-import { askingButton } from "../answers/parts.js";
 import { bakedOf } from "../scene/baked.js";
 import { html, need, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { ends } from "../worlds/ends.js";
 import { Pictures } from "../worlds/pictures.js";
 import { alongWith } from "./along-with.js";
+import { lawBar } from "./bar.js";
 import { Editor } from "./editor.js";
 import { lawKeeper } from "./keep.js";
 import { KeptLine } from "./kept-line.js";
@@ -19,6 +19,8 @@ import { verdicts } from "./verdicts.js";
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /** @typedef {import("./verdicts.js").Judged} Judged */
 /** @typedef {{id: string, hash: string, ask: string, file: string, start: string, baked: any}} Facts */
+
+const YOURS = tr("Your law");
 
 /** @param {string} base address of the folder `runtime/` */
 export function lawElement(base) {
@@ -31,6 +33,14 @@ export function lawElement(base) {
     #pictures = null;
     #python = new OwnPython(base);
     #turn = 0;
+    #drawn = ""; // the law whose run is drawn; empty: it is no run of the reader's
+    #bar = lawBar({
+      run: () => this.#do(() => this.#run()),
+      judge: () => this.#do(() => this.#judge()),
+      stop: () => this.#python.stop(),
+      save: () => this.#save(),
+      again: () => this.#again(),
+    });
     /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
     complete = Promise.resolve();
 
@@ -52,7 +62,7 @@ export function lawElement(base) {
       this.found = html("div", "carts-law-found");
       const live = need(this, ".carts-law-live");
       const told = [this.fault, this.unsaved.root, this.note, this.shown, this.found];
-      live.append(this.editor.root, this.#buttons(), ...told);
+      live.append(this.editor.root, this.#bar.root, ...told);
       live.hidden = false;
       this.classList.add("carts-law-ready");
       this.#first();
@@ -65,34 +75,6 @@ export function lawElement(base) {
       this.#python.stop();
     }
 
-    #buttons() {
-      const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
-        const made = /** @type {HTMLButtonElement} */ (html("button", "carts-button", text));
-        made.type = "button";
-        made.addEventListener("click", act);
-        return made;
-      };
-      const bar = html("div", "carts-law-bar");
-      this.run = button(tr("Run"), () => this.#do(() => this.#run()));
-      this.judge = button(tr("Judge"), () => this.#do(() => this.#judge()));
-      this.end = button(tr("Stop"), () => this.#python.stop());
-      this.end.disabled = true;
-      bar.append(
-        this.run,
-        this.judge,
-        this.end,
-        button(tr("Save as a file"), () => this.#save()),
-        askingButton(
-          tr("Begin again"),
-          tr("Back to the law that you began with? Yours stays in “My answers”."),
-          tr("Begin again"),
-          () => this.#again(),
-          "carts-law-again",
-        ),
-      );
-      return bar;
-    }
-
     async #restore() {
       this.#take((await this.keeper?.get()) || String(this.#facts?.start));
       this.#open(true);
@@ -103,7 +85,7 @@ export function lawElement(base) {
     #open(on) {
       if (this.editor) this.editor.box.readOnly = !on;
       for (const one of this.querySelectorAll(".carts-law-bar button"))
-        one.toggleAttribute("disabled", !on || one === this.end);
+        one.toggleAttribute("disabled", !on || one === this.#bar.end);
     }
 
     /** @param {string} text that was kept */
@@ -132,9 +114,13 @@ export function lawElement(base) {
       return this.unsaved?.hear(this.keeper?.put(text, tried));
     }
 
-    /** On paper stands what is in the box now. */
+    /** On paper stands what is in the box now, and over the picture whose it is. */
     #paper() {
-      say(need(this, ".carts-law-paper code"), this.editor?.text ?? "");
+      const text = this.editor?.text ?? "";
+      say(need(this, ".carts-law-paper code"), text);
+      const caption = this.shown?.querySelector("figcaption");
+      if (!caption || !this.#drawn) return;
+      say(caption, text === this.#drawn ? YOURS : tr("Your law, before you changed it"));
     }
 
     #again() {
@@ -171,9 +157,12 @@ export function lawElement(base) {
     async #run() {
       void this.#keep(this.editor?.text ?? "", true);
       say(/** @type {HTMLElement} */ (this.note), tr("Computing …"));
-      const { header, numbers } = await this.#python.ask({ do: "run", scene: this.#scene() });
+      const scene = this.#scene();
+      const { header, numbers } = await this.#python.ask({ do: "run", scene });
       const run = { header, trajectory: fromWire(header, numbers) };
-      this.#show(run, /** @type {Baked} */ (this.#baked), tr("Your law"));
+      this.#show(run, /** @type {Baked} */ (this.#baked), YOURS);
+      this.#drawn = scene.laws[/** @type {Facts} */ (this.#facts).file];
+      this.#paper(); // it may have changed while it was computed
       const unequal = /** @type {any} */ (header).unequal;
       const note = unequal ? tr("The two carts do not push each other equally hard.") : "";
       say(/** @type {HTMLElement} */ (this.note), note);
@@ -223,6 +212,7 @@ export function lawElement(base) {
     /** @param {Run} run @param {Baked} baked @param {string} caption */
     #picture(run, baked, caption) {
       this.#pictures?.leave();
+      this.#drawn = "";
       this.#pictures = new Pictures(baked, [{ run, caption }]);
       this.shown?.replaceChildren(this.#pictures.root);
     }
@@ -242,8 +232,8 @@ export function lawElement(base) {
 
     /** @param {boolean} on */
     #working(on) {
-      for (const one of [this.run, this.judge]) if (one) one.disabled = on;
-      if (this.end) this.end.disabled = !on;
+      for (const one of [this.#bar.run, this.#bar.judge]) one.disabled = on;
+      this.#bar.end.disabled = !on;
       this.toggleAttribute("data-working", on);
     }
   };

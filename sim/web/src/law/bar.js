@@ -1,0 +1,29 @@
+/** The buttons of a law: run it, have it judged, stop, save it, begin again. */
+
+import { tr } from "../../../view/language.js";
+import { askingButton } from "../answers/parts.js";
+import { html } from "../shared/dom.js";
+
+/** @param {Record<"run" | "judge" | "stop" | "save" | "again", () => void>} acts */
+export function lawBar(acts) {
+  const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
+    const made = /** @type {HTMLButtonElement} */ (html("button", "carts-button", text));
+    made.type = "button";
+    made.addEventListener("click", act);
+    return made;
+  };
+  const root = html("div", "carts-law-bar");
+  const run = button(tr("Run"), acts.run);
+  const judge = button(tr("Judge"), acts.judge);
+  const end = button(tr("Stop"), acts.stop);
+  end.disabled = true;
+  const again = askingButton(
+    tr("Begin again"),
+    tr("Back to the law that you began with? Yours stays in “My answers”."),
+    tr("Begin again"),
+    acts.again,
+    "carts-law-again",
+  );
+  root.append(run, judge, end, button(tr("Save as a file"), acts.save), again);
+  return { root, run, judge, end };
+}
