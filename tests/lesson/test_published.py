@@ -118,6 +118,6 @@ def test_a_question_made_of_the_examples_of_its_kind_is_accepted(name: str) -> N
 
 @pytest.mark.parametrize("key", [key for key in COMMON_KEYS if key.name != "type"])
 def test_an_example_of_a_key_of_every_question_is_accepted(key: Key) -> None:
-    table = {"id": "q", "type": "long", "ask": "Which?", "rubric": {1: "both", 0: "none"}}
-    table |= load(f"{key.name}: {key.example}").plain
-    assert read_question(table).KIND == "long"
+    long = {"id": "q", "type": "long", "ask": "Which?", "rubric": {1: "both", 0: "none"}}
+    given = load(f"{key.name}: {key.example}").plain
+    assert read_question({**long, **given}).KIND == "long"
