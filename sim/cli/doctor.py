@@ -97,7 +97,7 @@ def _runtime() -> Iterator[Line]:
         yield Line("ok", "Node.js, to pack Python for the page")
     else:
         yield Line(
-            "bad", "Node.js is missing", "make setup, or: pip install 'newtons-carts[runtime]'"
+            "bad", "Node.js is missing", 'make setup, or: pip install "newtons-carts[runtime]"'
         )
     if (carried.CHECKOUT / "node_modules" / "katex").is_dir():
         yield Line("ok", "fonts and formulas from npm")

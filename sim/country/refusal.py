@@ -9,7 +9,7 @@ class CountryError(ValueError):
     """This table cannot be used; the message is for people."""
 
 
-MISSING = template("this needs more packages: pip install 'newtons-carts[country]'")
+MISSING = template('this needs more packages: pip install "newtons-carts[country]"')
 """Where the extra `country` is not installed."""
 
 PACKAGES = frozenset({"ibis", "pyarrow", "duckdb", "pandas", "pyspark"})

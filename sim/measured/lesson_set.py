@@ -3,8 +3,8 @@
     python -m sim.measured.lesson_set FOLDER
 
 A film of two carts on a track with rolling friction, 60 frames per second, each place with a noise
-of 1 mm, as Tracker exports it; and the two force sensors of another run, 1000 readings per second,
-each with a noise of 0.05 N and a zero that is a little off. The truth is in TRUTH.
+of 1 mm, as Tracker exports it (TRUTH); and two force sensors, 1000 readings per second, each with a
+noise of 0.05 N and a zero that is a little off, in the bump that the lesson's scene shows (BUMP).
 """
 
 from __future__ import annotations
@@ -28,6 +28,15 @@ TRUTH: dict[str, Any] = {
     "effects": [{"friction": {"coefficient": "0.006"}}],
     "until": "1.6 s",
 }
+BUMP: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": "0.520 kg", "position": "0.30 m", "velocity": "0.70 m/s", "length": "0.30 m"},
+        "B": {"mass": "1.036 kg", "position": "0.95 m", "length": "0.30 m"},
+    },
+    "track": {"length": "1.6 m"},
+    "contact": {"restitution": "0.7", "stiffness": "260 N/m"},
+    "until": "1.5 s",
+}
 FILM, FORCES = "real-carts.txt", "real-carts-forces.csv"
 FRAMES, NOISE, CLOCK = 60.0, 1e-3, 2.35  # 1/s, m, and s on the film when the scene begins
 READINGS, FORCE_NOISE, ZEROS = 1000.0, 0.05, (0.06, -0.04)  # 1/s, N, N
@@ -42,7 +51,7 @@ def film() -> str:
 
 def forces() -> str:
     """The sensors' log: the force on each cart by the other, + to the right."""
-    finished, random = run(read_scene(TRUTH)), Random(2027)
+    finished, random = run(read_scene(BUMP)), Random(2027)
     samples = trajectory(finished, 64)
     pushed = zip(samples.columns[("t",)], samples.columns[("F", "A-B")], strict=True)
     begin = next(t for t, force in pushed if force > 0.0) - 0.12

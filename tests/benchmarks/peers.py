@@ -1,6 +1,6 @@
 """Other engines on the same scenes in one run: what they deliver, and what that takes.
 
-    pip install 'newtons-carts[peers]'
+    pip install "newtons-carts[peers]"
     make bench AREA=peers
 
 writes `peers.json` and the table of docs/accuracy/peers.md anew. The engines are development

@@ -86,6 +86,13 @@ def test_groups_are_globs_and_the_same_name_again_is_another_class(school: Path)
     assert both["lessons"][0]["gains"][0]["n"] == 24
 
 
+def test_quotes_that_a_windows_shell_hands_on_belong_to_no_group(school: Path) -> None:
+    plain = as_json(school, "--group", "new=7a/*", "--group", "usual=7b/*")
+    quoted = as_json(school, "--group", "new='7a/*'", "--group", "'usual=7b/*'")
+    assert quoted["groups"] == plain["groups"] == ["new", "usual"]
+    assert quoted["files"] == plain["files"]
+
+
 def test_a_file_in_no_group_is_named(school: Path) -> None:
     result = carts(school, "--group", "new=7a/*", "--json")
     assert result.exit_code == 1

@@ -49,6 +49,15 @@ def test_cells_of_a_table_are_told_with_units_and_tolerance(keys: Path) -> None:
     assert re.search(r": 0\.8 m/s ± 0\.02", page)
 
 
+def test_pairs_and_lines_stand_in_the_key_as_students_see_them(keys: Path) -> None:
+    page = (keys / "newtons-first-law.key.html").read_text(encoding="utf-8")
+    assert "a <em>v</em> line that rises – it gets faster" in page
+    for lesson in ASKING:
+        page = (keys / f"{lesson}.key.html").read_text(encoding="utf-8")
+        answers = re.findall(r'<p class="right">(.*)</p>', page)
+        assert [told for told in answers if "*" in told or "\\(" in told] == []
+
+
 @pytest.mark.parametrize("language", OTHERS)
 def test_a_translated_lesson_has_its_key_in_the_words_that_students_read(
     keys: Path, language: str

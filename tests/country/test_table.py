@@ -146,7 +146,7 @@ def test_without_the_extra_one_sentence_says_what_to_install(tmp_path: Path) -> 
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert run.returncode == 2
-    assert "pip install 'newtons-carts[country]'" in run.stderr
+    assert 'pip install "newtons-carts[country]"' in run.stderr
     assert "Traceback" not in run.stderr
 
 

@@ -15,13 +15,14 @@ from sim.lesson.bank import BANK_KEYS
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.form import DRAW_KEYS, FORM_KEYS
 from sim.lesson.key_file import KIND
+from sim.lesson.keys import Key
 from sim.lesson.kinds.arrange import PAIR_KEYS
 from sim.lesson.kinds.links import INVENTED_KEYS, MISSING_KEYS
 from sim.lesson.kinds.number import WRONG_KEYS
 from sim.lesson.kinds.options import OPTION_KEYS
 from sim.lesson.opening import RULES
 from sim.lesson.question import COMMON_KEYS
-from sim.lesson.read import KINDS
+from sim.lesson.read import KINDS, read_question
 from sim.pages.question.published import REFERENCE, published
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.yaml_source import load
@@ -106,3 +107,17 @@ TABLES = [COMMON_KEYS, FORM_KEYS, DRAW_KEYS, BANK_KEYS, OPTION_KEYS, WRONG_KEYS,
 )
 def test_an_example_of_the_reference_can_be_copied_into_a_row(line: str) -> None:
     assert len(load(line).plain) == 1
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_question_made_of_the_examples_of_its_kind_is_accepted(name: str) -> None:
+    lines = [f"{key.name}: {key.example}" for key in KINDS[name].KEYS]
+    text = "\n".join(["id: q", f"type: {name}", "ask: Which?", *lines])
+    assert isinstance(read_question(load(text).plain), KINDS[name])
+
+
+@pytest.mark.parametrize("key", [key for key in COMMON_KEYS if key.name != "type"])
+def test_an_example_of_a_key_of_every_question_is_accepted(key: Key) -> None:
+    long = {"id": "q", "type": "long", "ask": "Which?", "rubric": {1: "both", 0: "none"}}
+    given = load(f"{key.name}: {key.example}").plain
+    assert read_question({**long, **given}).KIND == "long"

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 
 from sim.bridge.protocol import answer
 from sim.measured import lesson_set
 from sim.measured.model.fit import fit
 from sim.measured.model.motion import Motion
 from sim.measured.overlay import by_hand, first_try, frequency, overlay
+from sim.scene import read_scene
 from tests.measured.force_sensors import sensors
 from tests.measured.makers import as_text, film, truth
 
@@ -127,6 +130,16 @@ def test_the_lesson_says_what_its_readings_say() -> None:
     assert abs(braked.parameters.e - truth_e) <= braked.factor * braked.sd("e")
     assert abs(plain.parameters.e - truth_e) > 5 * plain.factor * plain.sd("e")
     assert math.isclose(braked.parameters.friction[0], 0.058, abs_tol=0.001)
+
+
+def test_the_sensors_read_the_bump_that_the_lesson_shows() -> None:
+    """The lesson says “here is such a bump” and opens the readings when it was watched."""
+    text = (WORKSHEETS / "real-carts.md").read_text(encoding="utf-8")
+    shown = re.search(r"```scene\n(id: real-forces-bump\n.*?)```", text, re.S)
+    assert shown
+    drawn = {"id", "title", "show", "forces", "predict"}
+    scene = {key: value for key, value in yaml.safe_load(shown[1]).items() if key not in drawn}
+    assert read_scene(scene) == read_scene(lesson_set.BUMP)
 
 
 def test_readings_that_a_program_made_are_called_evidence_of_no_law() -> None:

@@ -87,10 +87,10 @@ def student(text: str) -> tuple[str, str]:
 
 
 def group(text: str) -> tuple[str, str]:
-    """A group and its pattern, of NAME=GLOB."""
-    name, equals, pattern = text.partition("=")
+    """A group and its pattern, of NAME=GLOB. Windows' cmd hands single quotes on as they are."""
+    name, equals, pattern = (part.strip("'") for part in text.strip("'").partition("="))
     if not (name.strip() and equals and pattern):
-        raise click.UsageError(f"--group {text}: write NAME=GLOB, for example new='class-7a/*'")
+        raise click.UsageError(f'--group {text}: write NAME=GLOB, for example "new=class-7a/*"')
     return name.strip(), pattern
 
 

@@ -21,8 +21,8 @@ from sim.scene.problem import Path, Problem
 from sim.scene.tables import unknown_keys
 
 PAIR_KEYS = (
-    Key("left", "what stands on the left", "force on A by B", PROSE, True),
-    Key("right", "what belongs to it", "force on B by A", PROSE, True),
+    Key("left", "what stands on the left", "on A", PROSE, True),
+    Key("right", "what belongs to it", "force on A by B", PROSE, True),
 )
 
 
@@ -114,7 +114,8 @@ class Matching(Question):
     KIND: ClassVar[str] = "matching"
     SAYS: ClassVar[str] = "find what belongs together"
     KEYS: ClassVar[tuple[Key, ...]] = (
-        Key("pairs", "what belongs together", "[{left: force on A by B, right: force on B by A}]",
+        Key("pairs", "what belongs together, two pairs or more",
+            "[{left: on A, right: force on A by B}, {left: on B, right: force on B by A}]",
             {"type": "array", "minItems": 2, "items": {"type": "object",
              "properties": {key.name: key.schema for key in PAIR_KEYS},
              "required": ["left", "right"], "additionalProperties": False}}, True),
@@ -129,7 +130,10 @@ class Matching(Question):
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
         """Two pairs or more; on the right all different."""
-        hint = "pairs:\n    - {left: force on A by B, right: force on B by A}"
+        hint = (
+            "pairs:\n    - {left: on A, right: force on A by B}"
+            "\n    - {left: on B, right: force on B by A}"
+        )
         listed = table.get("pairs")
         here = (*path, "pairs") if "pairs" in table else path
         if not isinstance(listed, (list, tuple)) or len(listed) < 2:

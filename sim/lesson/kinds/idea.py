@@ -26,7 +26,9 @@ class Idea(Question):
 
     KIND: ClassVar[str] = "idea"
     SAYS: ClassVar[str] = "say your first idea: it is kept, and never marked"
-    KEYS: ClassVar[tuple[Key, ...]] = (replace(OPTIONS, required=False),)
+    KEYS: ClassVar[tuple[Key, ...]] = (
+        replace(OPTIONS, example="[They are equal., A pushes harder.]", required=False),
+    )
     options: tuple[Option, ...] = ()
 
     @classmethod

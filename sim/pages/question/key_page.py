@@ -88,7 +88,7 @@ def _where_it_opens(item: Question, scenes: Mapping[str, Fence]) -> str:
 
 def answer_words(item: Question, key: dict[str, Any]) -> str:
     """The right answer of the kinds without options, in a line."""
-    texts = item.texts()
+    texts = {name: Markup(to_inline(text)) for name, text in item.texts().items()}
     if item.KIND == "number":
         unit = item.data(key=False)["unit"]
         return f"{key['answer']:g} ± {key['tolerance']:g} {unit}".strip()
@@ -98,7 +98,7 @@ def answer_words(item: Question, key: dict[str, Any]) -> str:
         near = f"{size:g} {'%' if key['relative'] else data['unit']}"
         return f"{data['quantity']} at {data['at']} in the student's own run, ± {near}"
     if item.KIND == "ordering":
-        return " → ".join(texts[f"line-{line}"] for line in key["order"])
+        return Markup(" → ").join(texts[f"line-{line}"] for line in key["order"])
     if item.KIND == "table":
         cells = key["cells"].items()
         asked = item.data(key=False)["cells"]
@@ -110,7 +110,8 @@ def answer_words(item: Question, key: dict[str, Any]) -> str:
         return "; ".join(f"{' – '.join(link['between'])} ({link['by']})" for link in key["links"])
     if item.KIND == "matching":
         pairs = key["pairs"].items()
-        return "; ".join(
-            f"{texts[f'left-{k}']} – {texts[f'right-{letter}']}" for k, letter in pairs
+        joined = Markup("{} – {}").format
+        return Markup("; ").join(
+            joined(texts[f"left-{k}"], texts[f"right-{letter}"]) for k, letter in pairs
         )
     return " / ".join(key.get("accept", []))
