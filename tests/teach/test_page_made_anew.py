@@ -156,18 +156,18 @@ def test_a_new_block_is_seen_when_its_mistake_is_mended(text: str) -> None:
     typed = text.replace(NEW, NEW.replace("mass: 1 kg", "mass: -1 kg"))
     seen = shown(typed, typed, text, TEXT, wrong=(typed,))["seen"]
     for wrong in seen[:2]:
-        assert wrong["html"].count("Seen after the build") == 1 and 'id="two"' not in wrong["html"]
+        assert wrong["html"].count("Seen when its mistake is mended") == 1 and 'id="two"' not in wrong["html"]
         assert "carts-teach-old" not in wrong["html"]
         assert len(wrong["rows"]) == 3  # there is nothing yet to change in the page
-    assert 'id="two"' in seen[2]["html"] and "Seen after the build" not in seen[2]["html"]
+    assert 'id="two"' in seen[2]["html"] and "Seen when" not in seen[2]["html"]
     assert len(seen[2]["rows"]) == 4
     assert all(one["same"] for one in seen)
 
 
 def test_a_new_block_is_seen_when_it_came_later() -> None:
     later, ready = shown(MORE, slow=MORE)["seen"]
-    assert 'id="two"' not in later["html"] and "Seen after the build" in later["html"]
-    assert 'id="two"' in ready["html"] and "Seen after the build" not in ready["html"]
+    assert 'id="two"' not in later["html"] and "It comes in a moment" in later["html"]
+    assert 'id="two"' in ready["html"] and "in a moment" not in ready["html"]
 
 
 def test_the_built_page_comes_back_when_a_cut_block_was_wrong_in_between() -> None:
@@ -175,7 +175,7 @@ def test_the_built_page_comes_back_when_a_cut_block_was_wrong_in_between() -> No
     cut, wrong = TEXT.replace(challenge, ""), TEXT.replace("goal: v.A", "goal: v.Z")
     made = shown(cut, wrong, TEXT, cut, wrong, cut, TEXT, wrong=(wrong,))
     html = [one["html"] for one in made["seen"]]
-    assert "carts-challenge" not in html[1] and "Seen after the build" in html[1]
+    assert "carts-challenge" not in html[1] and "Seen when its mistake is mended" in html[1]
     assert html[2] == html[6] == made["built"]
 
 

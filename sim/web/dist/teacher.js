@@ -3085,7 +3085,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       });
       look.blocks.forEach((block, k) => {
         const wrong = block.state === "wrong" || block.state === "needs";
-        blocks[k]?.classList.toggle("carts-teach-old", wrong && !isMissing(blocks[k]));
+        blocks[k] ??= html("p", MISSING);
+        const missing = isMissing(blocks[k]);
+        blocks[k]?.classList.toggle("carts-teach-old", wrong && !missing);
+        if (missing) say(
+          /** @type {HTMLElement} */
+          blocks[k],
+          notYet(block.state)
+        );
       });
       const same = look.frame === null || look.frame === this.#frame;
       if (same && as) {
@@ -3183,14 +3190,16 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
   function fill(root, blocks) {
     for (const place4 of root.querySelectorAll("carts-place")) {
-      const k = Number(
+      const element = blocks[Number(
         /** @type {HTMLElement} */
         place4.dataset.block
-      );
-      const element = blocks[k] ?? html("p", MISSING, "Seen after the build.");
-      blocks[k] = element;
-      place4.replaceWith(element);
+      )];
+      if (element) place4.replaceWith(element);
     }
+  }
+  function notYet(state) {
+    if (state === "wrong") return "Seen when its mistake is mended.";
+    return state === "later" ? "It comes in a moment." : "Seen after the build.";
   }
   var isMissing = (element) => element?.classList.contains(MISSING) === true;
   function textsOf(pieces) {

@@ -3,7 +3,7 @@
  * the same element, with its run and its settings.
  */
 
-import { html } from "../shared/dom.js";
+import { html, say } from "../shared/dom.js";
 import { drawBlock } from "./draw.js";
 import { drawFormulas } from "./formulas.js";
 
@@ -87,7 +87,10 @@ export class LessonPage {
     });
     look.blocks.forEach((block, k) => {
       const wrong = block.state === "wrong" || block.state === "needs";
-      blocks[k]?.classList.toggle("carts-teach-old", wrong && !isMissing(blocks[k]));
+      blocks[k] ??= html("p", MISSING);
+      const missing = isMissing(blocks[k]);
+      blocks[k]?.classList.toggle("carts-teach-old", wrong && !missing);
+      if (missing) say(/** @type {HTMLElement} */ (blocks[k]), notYet(block.state));
     });
     const same = look.frame === null || look.frame === this.#frame;
     if (same && as) {
@@ -196,19 +199,21 @@ function makePlace(element, k) {
   element?.replaceWith(place);
 }
 
-/**
- * The blocks go to their places. Of one that has no element yet (it is wrong, or comes later) a line is
- * the element: it is among the blocks, so that the next look finds what to put another in the place of.
- * @param {ParentNode} root
- * @param {(HTMLElement | null)[]} blocks
- */
+/** The blocks go to their places. @param {ParentNode} root @param {(HTMLElement | null)[]} blocks */
 function fill(root, blocks) {
   for (const place of root.querySelectorAll("carts-place")) {
-    const k = Number(/** @type {HTMLElement} */ (place).dataset.block);
-    const element = blocks[k] ?? html("p", MISSING, "Seen after the build.");
-    blocks[k] = element;
-    place.replaceWith(element);
+    const element = blocks[Number(/** @type {HTMLElement} */ (place).dataset.block)];
+    if (element) place.replaceWith(element);
   }
+}
+
+/**
+ * What stands where a block has no element yet. It is among the blocks, so that the next look finds what to
+ * put another in the place of. @param {import("./types.js").Shown["state"]} state
+ */
+function notYet(state) {
+  if (state === "wrong") return "Seen when its mistake is mended.";
+  return state === "later" ? "It comes in a moment." : "Seen after the build.";
 }
 
 /** @param {HTMLElement | null | undefined} element of a block */
