@@ -43,7 +43,7 @@ def judged(
         else:
             good.append(placed)
     counted, aside, flags = _once(good)
-    nameless = [row.place for row in counted if not row.student]
+    nameless = list(dict.fromkeys(row.place for row in counted if not row.student))
     if nameless:
         flags.append(Flag("no-code", rows_nameless(len(nameless)), tuple(nameless[:NAMED])))
     return counted, aside, flags, list(dict.fromkeys(refused))

@@ -59,8 +59,9 @@ def judge(
 
 
 def _notes(tables: Sequence[MarkTable], lesson: LessonSums, counted: Sequence[Taken]) -> list[str]:
-    notes = [say.left_out(table.left_out) for table in tables
-             if table.left_out and table.kind == "plain"]  # fmt: skip
+    notes = [note for table in tables for note in table.notes]
+    notes += [say.left_out(table.left_out) for table in tables
+              if table.left_out and table.kind == "plain"]  # fmt: skip
     told = {name for row in counted for name in row.most}
     guessed = [
         str(meta["id"])

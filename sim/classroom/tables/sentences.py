@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sim.classroom.tables.marks import shown
 from sim.scene.said import counted, said
 
 MOST_NAMED = 8
@@ -27,10 +28,9 @@ def rows_equal(who: str, count: int) -> str:
 def rows_nameless(count: int) -> str:
     """Rows that do not say whose they are."""
     return counted(
-        "1 row has no name: it counts as a person of its own, and is in no pair of before and "
-        "after.",
-        "{n} rows have no name: each counts as a person of its own, and is in no pair of before "
-        "and after.",
+        "1 row has no name: it counts as a person of its own, and is paired with no other row.",
+        "{n} rows have no name: each counts as a person of its own, and is paired with no other "
+        "row.",
         n=count,
     )
 
@@ -38,6 +38,18 @@ def rows_nameless(count: int) -> str:
 def left_out(columns: Sequence[str]) -> str:
     """Columns of a table that are no marks."""
     return said("Columns that are not counted as marks: {columns}.", columns=_named(columns))
+
+
+def no_student(row: str, name: str, kind: str) -> str:
+    """Why a row is not counted, by its kind: somebody may be called so after all."""
+    if kind == "key":
+        return said("{row}: “{name}” is taken for the row of right answers, not for a student.",
+                    row=row, name=shown(name))  # fmt: skip
+    if kind == "most":
+        return said("{row}: “{name}” is taken for the row of the most marks, not for a student.",
+                    row=row, name=shown(name))  # fmt: skip
+    return said("{row}: “{name}” is taken for a row of sums or means, not for a student.",
+                row=row, name=shown(name))  # fmt: skip
 
 
 def worth_seen(items: Sequence[str]) -> str:

@@ -70,7 +70,9 @@ class Taken:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MarkTable:
-    """A table as it was read. `keyed`: right answers by item, where a row KEY gives them."""
+    """A table as it was read. `keyed`: right answers by item, where a row KEY gives them. `notes`:
+    rows that are taken for no student.
+    """
 
     name: str
     kind: str
@@ -82,6 +84,7 @@ class MarkTable:
     letters: bool
     groups: bool
     classes: bool
+    notes: tuple[str, ...] = ()
 
     @property
     def of_items(self) -> bool:

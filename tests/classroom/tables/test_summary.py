@@ -70,6 +70,7 @@ def test_the_report_of_a_table_and_that_of_its_summaries_have_the_same_numbers()
     rows = [row for k in range(9) for row in school(k, dice, (6, 7))]
     table = reported(csv(HEAD, [MOST, *rows]))
     parts = [of_table([r for r in rows if str(r[0]).startswith(f"{k}-")]) for k in range(9)]
+    assert "“MAX”" in table["notes"].pop(0)  # by the line where it stands
     assert without(report_of(parts), WHO) == without(table, WHO)
     assert table["lessons"][0]["comparison"]["clustered"]["classes"] == 18
 
