@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from sim.classroom.report.flag import Flag
@@ -44,9 +44,10 @@ def judge(
     `elsewhere`: the group of a row where no table has a column of groups.
     """
     everything = [row for table in tables for row in table.taken]
-    within = any(table.groups for table in tables)
-    group_of = (lambda row: row.group) if within else elsewhere
-    counted, aside, flags, refused = judged(everything, group_of, most)
+    if not any(table.groups for table in tables):
+        named = ((row, elsewhere(row)) for row in everything)
+        everything = [replace(row, group=group, apart=group) for row, group in named]
+    counted, aside, flags, refused = judged(everything, most)
     groups = tuple(dict.fromkeys(row.group for row in counted))
     keys = {item: right for table in tables for item, right in table.keyed.items()}
     letters = any(table.letters for table in tables)

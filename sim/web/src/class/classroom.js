@@ -6,7 +6,7 @@ import { codeWord } from "../shared/code-word.js";
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean, named?: boolean}} Held `out`: left out by the teacher; `named`: its code word was typed here */
 /** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
-/** @typedef {{name: string, base64: string, form: string}} Table marks from elsewhere; form: pre, post, later or "" */
+/** @typedef {{name: string, base64: string, form: string, group: number}} Table marks from elsewhere; form: pre, post, later or "" */
 /** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
 
 export const WHOLE = "class";
@@ -26,7 +26,7 @@ export class Classroom {
   marks = new Map();
   /** @type {[string, string][]} */
   refused = [];
-  codes = "";
+  codes = ["", ""]; // as typed, of each group
   /** @type {Table[]} */
   tables = [];
   most = ""; // marks of the tests in them, as typed
@@ -41,7 +41,12 @@ export class Classroom {
 
   /** @returns {boolean} whether there is nothing here but tables */
   get noAnswers() {
-    return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
+    return !this.files.length && !this.keys.length && !this.refused.length && !this.typed;
+  }
+
+  /** @returns {boolean} whether a code was typed */
+  get typed() {
+    return this.codes.some(Boolean);
   }
 
   /** @returns {string[]} the names of the groups, each once */
@@ -102,9 +107,30 @@ export class Classroom {
     };
   }
 
-  /** The same of the tables of marks. @returns {Record<string, unknown>} */
+  /** The same of the tables of marks, those of the first group first. @returns {Record<string, unknown>} */
   toldOfTables() {
-    return { kind: "class", tables: this.tables, most: this.most };
+    const { groups } = this;
+    const tables = this.tables.map((table) => ({ ...table, group: this.two ? table.group : 0 }));
+    tables.sort((one, other) => one.group - other.group);
+    return {
+      kind: "class",
+      tables: tables.map((table) => ({ ...table, group: groups[table.group] })),
+      most: this.most,
+    };
+  }
+
+  /** Both reports, as far as there is something of each. @returns {Record<string, unknown>} */
+  toldOfAll() {
+    return {
+      ...(this.noAnswers ? {} : this.told()),
+      ...(this.tables.length ? this.toldOfTables() : {}),
+    };
+  }
+
+  /** One group, or two: codes that were typed for the second go to the first. @param {boolean} two */
+  divide(two) {
+    this.two = two;
+    if (!two) this.codes = [this.codes.filter(Boolean).join("\n"), ""];
   }
 
   /** @returns {string} the text of a file with the teacher's marks */
