@@ -72,11 +72,6 @@ def _notes(tables: Sequence[MarkTable], lesson: LessonSums, counted: Sequence[Ta
     ]
     if guessed:
         notes.append(say.worth_seen(list(dict.fromkeys(guessed))))
-    forms = lesson.forms
-    if {"pre", "post"} <= forms.keys() and not lesson.pairs:
-        before, after = forms["pre"].of, forms["post"].of
-        if before is not None and after is not None and before != after:
-            notes.append(say.tests_apart(float(before), float(after)))
     return notes
 
 

@@ -61,14 +61,6 @@ def worth_seen(items: Sequence[str]) -> str:
     )
 
 
-def tests_apart(before: float, after: float) -> str:
-    """Two tests that cannot be subtracted."""
-    return said(
-        "The test before has {before} marks and the test after {after}: no gain is computed.",
-        before=f"{before:g}", after=f"{after:g}",
-    )  # fmt: skip
-
-
 def _named(names: Sequence[str]) -> str:
     """The first names, and how many more there are."""
     named = ", ".join(f"“{name}”" for name in names[:MOST_NAMED])
