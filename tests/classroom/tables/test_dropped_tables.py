@@ -16,6 +16,7 @@ from sim.classroom.tables.distinct import distinct
 from sim.classroom.tables.dropped import dropped_report
 from sim.cli import main
 from tests.classroom.given.makers import bank, keys, random_class, sources
+from tests.web.scene.given.widget_site import in_node
 
 TOTALS = "student;group;pre;post\n" + "".join(
     f"S{k};{'new' if k % 2 else 'old'};{8 + k % 5};{12 + k % 7}\n" for k in range(16)
@@ -109,3 +110,23 @@ def test_a_save_holds_the_answers_and_the_tables() -> None:
 def test_two_tables_of_one_name_are_two_tables() -> None:
     assert distinct(["quiz.csv", "quiz.csv", "b.csv"]) == ["quiz.csv", "quiz.csv (2)", "b.csv"]
     assert distinct(["7a/quiz.csv", "7b/quiz.csv"]) == ["7a/quiz.csv", "7b/quiz.csv"]
+
+
+def test_a_page_tells_the_tables_of_the_first_field_first_each_with_its_group() -> None:
+    told = in_node(
+        """globalThis.document = { documentElement: { dataset: {}, lang: "en" },
+          getElementById: () => null };
+        const { Classroom } = await import(source + "/class/classroom.js");
+        const classroom = new Classroom();
+        classroom.tables = data.map((group) => ({ name: "a", form: "", group }));
+        classroom.names = ["new", "old"];
+        const one = classroom.toldOfTables().tables.map((table) => table.group);
+        classroom.divide(true);
+        classroom.codes = ["a", "b"];
+        const two = classroom.toldOfTables().tables.map((table) => table.group);
+        classroom.divide(false);
+        give([one, two, classroom.codes, Object.keys(classroom.toldOfAll())]);""",
+        [1, 0, 1],
+    )
+    assert told[:3] == [["class"] * 3, ["new", "old", "old"], ["a\nb", ""]]
+    assert {"records", "tables"} <= {*told[3]}

@@ -10,7 +10,7 @@ import { codeWord } from "../shared/code-word.js";
 /** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
 
 export const WHOLE = "class";
-const STUDENT = 4; // place of the code word in a row, see sim/classroom/files/records.py
+const [NAME, STUDENT, CREATED] = [0, 4, 6]; // places in a row, see sim/classroom/files/records.py
 
 /** @returns {string[]} see sim/pages/classroom/practice_keys.py */
 const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
@@ -58,10 +58,27 @@ export class Classroom {
 
   /** @param {Found} found @param {number} group */
   take(found, group) {
-    for (const row of found.records) this.files.push({ row, group, out: false });
+    for (const row of found.records) {
+      if (!row[STUDENT].trim()) row[NAME] = this.#distinct(row);
+      this.files.push({ row, group, out: false });
+    }
     for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
     for (const mark of found.marks) this.give(mark);
     this.refused.push(...found.refused);
+  }
+
+  /**
+   * The name of a file without a code word, with a number where another one has it; what was begun
+   * at the same moment is the same file again. So does sim/classroom/files/nameless.py.
+   * @param {Row} row @returns {string}
+   */
+  #distinct(row) {
+    const [, stem = "", ending = ""] = /^(.+?)(\.[^.]*)?$/s.exec(row[NAME]) ?? [];
+    for (let number = 1; ; number += 1) {
+      const name = number === 1 ? row[NAME] : `${stem} (${number})${ending}`;
+      const held = this.files.find((file) => file.row[NAME] === name);
+      if (!held || held.row[CREATED] === row[CREATED]) return name;
+    }
   }
 
   /** @param {GivenMark} mark */
@@ -87,7 +104,7 @@ export class Classroom {
 
   /** Whose marks they are: as `Marked.who` of sim/classroom/report/marked.py says it. @param {Held} file */
   #who({ row }) {
-    return codeWord(row[STUDENT] || `no code word (${row[0]})`);
+    return codeWord(row[STUDENT] || `no code word (${row[NAME]})`);
   }
 
   /** What Python is told with every question. @returns {Record<string, unknown>} */
