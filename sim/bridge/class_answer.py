@@ -5,8 +5,10 @@
     {"id": 10, "kind": "class", "do": "save", "what": "html", "language": "ms", …as for a report}
     {"id": 11, "kind": "class", "do": "paper", "what": "slips", "language": "ms", "words": {…}, …}
 
-A report or a save with `tables` [{"name", "base64", "form"}], and `most`, is about these tables of
-marks. `words`, of a report, a save and a paper: each English sentence in the language of the page.
+A report with `tables` [{"name", "base64", "form", "group"}], and `most`, is about these tables of
+marks; a save is about them and about `records`, as far as each is there. `codes`: what was typed,
+a text for each of `groups`. `words`, of a report, a save and a paper: each English sentence in the
+language of the page.
 
 Reading answers with what is in the files, as rows that the page keeps: this side forgets
 everything. A slice ends after SLICE seconds; `next` says where to go on, or is null.
@@ -14,7 +16,6 @@ everything. A slice ends after SLICE seconds; `next` says where to go on, or is 
 
 from __future__ import annotations
 
-import json
 import time
 from array import array
 from base64 import b64decode
@@ -97,8 +98,11 @@ def _given(
     keys = _keys(request.get("keys") or [])
     groups = tuple(map(str, request["groups"]))
     files = [(from_record(row), str(group)) for row, group in request["records"]]
-    typed, bad = read_codes(str(request.get("codes") or ""), keys)
-    files += [(read, groups[0]) for read in typed]
+    bad: list[Refused] = []
+    for group, text in zip(groups, request.get("codes") or [], strict=False):
+        typed, no_codes = read_codes(str(text), keys)
+        files += [(read, group) for read in typed]
+        bad += no_codes
     refused = [Refused(from_wire(name), from_wire(reason))
                for name, reason in request.get("refused") or []]  # fmt: skip
     asked = Asked(
@@ -168,13 +172,12 @@ def _to_read(
 
 
 def _save(request: Mapping[str, Any]) -> dict[str, Any]:
-    """The report as a file: html, csv, items or json."""
-    report = _tables(request) if request.get("tables") else _made(request)
+    """What is on the page as a file: html, csv or items."""
+    reports = [_made(request)] if "records" in request else []
+    if request.get("tables"):
+        reports.append(_tables(request))
     what, words = request.get("what"), request.get("words") or {}
     if what == "html":
-        return {"text": standalone(report, words, str(request.get("language") or "en"))}
-    if what == "csv":
-        return {"text": students_csv(report, words)}
-    if what == "items":
-        return {"text": items_csv(report, words)}
-    return {"text": json.dumps(report, ensure_ascii=False, allow_nan=False)}
+        return {"text": standalone(reports, words, str(request.get("language") or "en"))}
+    rows = {"lessons": [lesson for report in reports for lesson in report["lessons"]]}
+    return {"text": (items_csv if what == "items" else students_csv)(rows, words)}

@@ -14,7 +14,7 @@ from sim.classroom.summary.sums import LessonSums
 from sim.country.cells import Cell, Counts, counts_of
 from sim.country.refusal import CountryError
 from sim.country.said import belief_rows_of, prediction_rows_of
-from sim.country.sums import cells_of, groups_of, lessons_of
+from sim.country.sums import cells_of, groups_of, lessons_of, of_counted
 from sim.country.topics import topic_rows_of, topics_in
 from sim.lesson.csv_text import safe_text
 from sim.scene.said import counted, said
@@ -40,7 +40,7 @@ SAYS: Mapping[str, tuple[str, Callable[[int], str]]] = {
 def read_table(
     answers: Any, keys: Sequence[KeyedForm]
 ) -> tuple[dict[str, Any], list[LessonSums], tuple[str, ...]]:
-    """The report, the sums that it is made of, and the groups; raises `CountryError`."""
+    """The report, the sums that may be handed on, and the groups; raises `CountryError`."""
     try:
         return _read(answers, keys)
     except (CountryError, ModuleNotFoundError):
@@ -82,7 +82,7 @@ def _read(
             key = of_forms.get(place)
             form["beliefs"] = belief_rows_of(cells_of(counts.beliefs, place), key)
             form["predictions"] = prediction_rows_of(cells_of(counts.predictions, place))
-    return report, lessons, groups
+    return report, lessons_of(of_counted(counts), of_forms), groups
 
 
 def _flags(counts: Counts) -> list[Flag]:

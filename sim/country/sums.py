@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
@@ -27,6 +28,14 @@ def groups_of(counts: Counts) -> tuple[tuple[str, ...], dict[str, int]]:
         order[cell["group"]] = min(order.get(cell["group"], place), place)
         classes[cell["group"]] += 1
     return tuple(sorted(order, key=lambda group: (order[group], group))), dict(classes)
+
+
+def of_counted(counts: Counts) -> Counts:
+    """The counts without answers of files that have no total: what may be handed on of items.
+
+    Beside the sums of counted files, those of all files would tell the marks of a single student.
+    """
+    return replace(counts, cells=[cell for cell in counts.cells if not cell["sheet_foreign"]])
 
 
 def lessons_of(counts: Counts, keys: Keys) -> list[LessonSums]:
@@ -111,7 +120,7 @@ def _group(
             for meta in asked.items
         },
         parts={name: _part(by_item[name]) for name in counted}
-        if any(cell["foreign"] for cell in totals)
+        if any(cell["sheet_foreign"] for cell in cells)
         else None,
     )  # fmt: skip
 

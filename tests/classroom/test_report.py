@@ -104,6 +104,18 @@ def test_pairs_are_made_by_pseudonym_and_who_is_missing_is_listed() -> None:
     assert "FOX-3" not in gain["students"]
 
 
+def test_where_the_two_tests_have_other_marks_the_report_says_why_there_is_no_gain() -> None:
+    forms = {"pre": BANK, "post": bank(8)}
+    given = [Source(f"{name}.key", keys(of, [name]).encode()) for name, of in forms.items()]
+    files = [f for name, of in forms.items() for f in random_class(of, 8) if f["form"] == name]
+    reading = Reading.of([*given, *sources(files)])
+    report = class_report([(read, "class") for read in reading.files], reading.keys, [], Asked())
+    assert report["lessons"][0]["gains"] == []
+    note = "The test before has 10 marks and the test after 8: no gain is computed."
+    assert report["notes"][0] == note
+    assert note in report_html(report)
+
+
 def test_the_numbers_of_a_gain_are_those_of_scipy() -> None:
     gain = made(("class", random_class(BANK, 30)))["lessons"][0]["gains"][0]
     theirs = stats.ttest_rel(gain["after"], gain["before"])

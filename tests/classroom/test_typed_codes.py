@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sim.bridge.protocol import answer
 from sim.classroom.files.codes import read_codes
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
@@ -38,6 +39,17 @@ def test_two_codes_under_one_code_word_are_asked_about_and_not_counted() -> None
     report = class_report([(r, "class") for r in read], reading.keys, [], Asked())
     assert [flag["code"] for flag in report["flags"]] == ["doubled-id"]
     assert report["files"]["counted"] == 0
+
+
+def test_codes_are_of_the_group_in_whose_box_they_were_typed() -> None:
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    asked = {
+        "kind": "class", "do": "save", "what": "csv", "groups": ["new", "old"], "records": [],
+        "keys": [keys(BANK, ["pre"])], "codes": [f"FOX {code}", f"OWL {code}\nBEE {code}"],
+    }  # fmt: skip
+    lines = answer(asked)[0]["text"].replace('"', "").splitlines()
+    rows = [line.split(",")[2:4] for line in lines[1:]]
+    assert rows == [["new", "FOX"], ["old", "BEE"], ["old", "OWL"]]
 
 
 def test_a_code_tells_which_form_it_is_of() -> None:

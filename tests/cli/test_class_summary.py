@@ -93,6 +93,15 @@ def test_a_table_hands_on_sums_too(tmp_path: Path) -> None:
     assert (lesson["lesson"], lesson["gains"][0]["n"]) == ("force", 18)
 
 
+def test_the_name_of_a_table_is_not_handed_on(tmp_path: Path) -> None:
+    table, target = tmp_path / "7a-of-a-teacher.csv", tmp_path / "a.json"
+    table.write_text("student,Q1\n" + "".join(f"s{k},{k % 2}\n" for k in range(9)))
+    result = carts("--table", table, "--summary", target)
+    assert result.exit_code == 2
+    assert "--lesson NAME" in result.stderr
+    assert not target.exists()
+
+
 def test_what_is_no_summary_is_named_and_the_others_are_added(schools: Path) -> None:
     a, b, _ = summaries(schools)
     b.write_text("[]", encoding="utf-8")

@@ -7,7 +7,7 @@ named with the reason and the others are read on.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from sys import intern
 from typing import TypeGuard
 
@@ -15,6 +15,7 @@ from sim.classroom.files.archive import LARGEST, TOO_LARGE, entries, is_zip, sho
 from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
+from sim.classroom.files.nameless import Names
 from sim.lesson.answer_file import (
     NO_QUESTIONS,
     AnswerFile,
@@ -69,6 +70,7 @@ class Reading:
     keys: list[KeyedForm]
     refused: list[Refused]
     given: dict[tuple[str, str, str, str], int]
+    names: Names = field(default_factory=Names)
 
     @staticmethod
     def of(sources: Iterable[Source]) -> Reading:
@@ -81,13 +83,19 @@ class Reading:
     def add(self, outcome: Outcome) -> None:
         """Files the outcome of one file."""
         if isinstance(outcome, Read):
-            self.files.append(outcome)
+            self.files.append(self._distinct(outcome))
         elif isinstance(outcome, Refused):
             self.refused.append(outcome)
         elif isinstance(outcome, tuple):
             self.keys += outcome
         else:
             self.given |= outcome
+
+    def _distinct(self, read: Read) -> Read:
+        """The file; one without a code word has a name of its own."""
+        if read.answers.student.strip():
+            return read
+        return replace(read, name=self.names.of(read.name, read.answers.created))
 
     def name(self, students: Mapping[str, str]) -> None:
         """Gives files that have no code word one, by the name of the file or the end of it."""

@@ -28,6 +28,7 @@ from sim.classroom.report.marked import (
     mark_file,
     worth,
 )
+from sim.classroom.report.notes import notes_of
 from sim.classroom.report.own_runs import own_run_rows
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
@@ -222,16 +223,3 @@ def _later(by_form: Mapping[str, Sequence[Marked]], asked: Asked) -> list[dict[s
             groups = (asked.groups[0], asked.groups[1])
             tables.append(only_after_table(form, spreads, groups, classes=_classes(asked)))
     return tables
-
-
-def notes_of(tables: Sequence[Mapping[str, Any]]) -> list[str]:
-    """What is true of the whole page."""
-    notes = [say.ONE_ITEM] if any(form["items"] for t in tables for form in t["forms"]) else []
-    tests = sum(
-        bool(table.get(name))
-        for lesson in tables
-        for table in (*lesson["gains"], lesson["comparison"] or {}, *lesson["later"])
-        for name in ("change", "wilcoxon", "welch", "adjusted")
-    )
-    many = say.of_many(tests)
-    return [*notes, *([many] if many else [])]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,11 +25,16 @@ def style() -> str:
 
 
 def standalone(
-    report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH, language: str = "en"
+    reports: Sequence[Mapping[str, Any]],
+    words: Mapping[str, str] = ENGLISH,
+    language: str = "en",
 ) -> str:
-    """The whole file; `words`: each English sentence in the language."""
+    """The whole file, with one report after the other; `words`: each English sentence in the
+    language.
+    """
     title = in_words(TITLE, words)
-    opened = report_html(report, words).replace("<details>", "<details open>")  # texts are escaped
+    whole = "".join(report_html(report, words) for report in reports)
+    opened = whole.replace("<details>", "<details open>")  # texts are escaped
     return whole_file(f"<h1>{escape(title)}</h1>\n{opened}", title, language=language)
 
 

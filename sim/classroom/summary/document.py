@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.files.reading import MOST_NAMED
-from sim.classroom.report.report import FORMAT, KIND, notes_of
+from sim.classroom.report.notes import notes_of
+from sim.classroom.report.report import FORMAT, KIND
 from sim.classroom.summary.lesson_rows import NOBODYS, Who, lesson_row
 from sim.classroom.summary.sums import LessonSums
 

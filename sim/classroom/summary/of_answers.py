@@ -1,4 +1,8 @@
-"""Sums from marked answer files: per item and group, and nothing about a single student."""
+"""Sums from marked answer files: per item and group, and nothing about a single student.
+
+Who answered another wording of a question has no total, and is in no sum of an item either: with
+all sums of one item and those of counted students, the difference would be that student's marks.
+"""
 
 from __future__ import annotations
 
@@ -92,21 +96,17 @@ def meta_of(row: Mapping[str, Any]) -> dict[str, Any]:
 
 def _group(files: Sequence[Marked], key: KeyedForm | None, counted: Sequence[str]) -> GroupSums:
     good = [file for file in files if not file.foreign]
-    rows = item_rows(files, key, counted) if key else []
-    marks = {name: [file.answers[name].marks for file in good] for name in counted}
+    rows = item_rows(good, key, counted) if key else []
     return GroupSums(
         listed=len(files),
         totals=Counter[Exact](file.total(counted) for file in good),
-        items={row["id"]: _item(row, files, counted) for row in rows},
-        parts={name: (sum(ms), sum(m * m for m in ms)) for name, ms in marks.items()}
-        if len(good) < len(files)
-        else None,
+        items={row["id"]: _item(row, good, counted) for row in rows},
     )
 
 
 def _item(row: Mapping[str, Any], files: Sequence[Marked], counted: Sequence[str]) -> ItemSums:
     name = row["id"]
-    mine = [f for f in files if name in f.answers and not f.answers[name].foreign]
+    mine = [f for f in files if name in f.answers]
     sure = row["sure"] or {"right": 0, "wrong": 0}
     counts = {word: row[word] for word in COUNTS[:7]}
     found = item_sums(

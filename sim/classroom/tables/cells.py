@@ -6,14 +6,21 @@ Nothing is evaluated: a cell is text. A row that is broken is named by its line,
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 from sim.scene.said import said, template
 
 MOST_BYTES = 50_000_000
 MOST_ROWS = 200_000
 MOST_COLUMNS = 1_000
+
+MOST_LINES = 200
+"""Lines of one row: cells may hold lines of their own."""
+LOOKED_AT = 20
+"""Rows by which the sign between cells is found."""
 
 DELIMITERS = (",", ";", "\t")
 WORKBOOK = template(
@@ -42,37 +49,59 @@ class Broken:
     reason: str
 
 
+class _Lines:
+    """Lines for a reader of cells. From a row that is broken it goes on in the next line, however
+    far an open quotation mark has led; `start`: where the row begins.
+    """
+
+    def __init__(self, lines: list[str]) -> None:
+        self.lines, self.start, self.at = lines, 0, 0
+
+    def __iter__(self) -> _Lines:
+        return self
+
+    def __next__(self) -> str:
+        if self.at == len(self.lines):
+            raise StopIteration
+        if self.at - self.start == MOST_LINES:
+            raise csv.Error
+        self.at += 1
+        return self.lines[self.at - 1]
+
+
 def rows_of(content: bytes) -> Iterator[Row | Broken]:
     """Rows with anything in them, the header first; raises `TableError`."""
-    text = _text(content)
-    start = 1
-    if text[:4].lower() == "sep=":  # what Excel writes for itself
-        text = text.partition("\n")[2]
-        start = 2
-    lines = text.splitlines(keepends=True)
-    found = csv.reader(lines, delimiter=_delimiter(text), strict=True)
+    text = _text(content).replace("\r\n", "\n").replace("\r", "\n")
+    delimiter, first = _told(text), 1
+    if delimiter:  # the first line is no row
+        text, first = text.partition("\n")[2], 2
+    lines = _Lines([f"{line}\n" for line in text.split("\n")])
+    found = csv.reader(lines, delimiter=delimiter or _delimiter(lines.lines), strict=True)
     count = 0
-    while True:
-        line = found.line_num + start
+    while count <= MOST_ROWS:
+        lines.start = lines.at
+        line = lines.start + first
+        made: Row | Broken
         try:
             cells = next(found)
         except StopIteration:
             return
         except csv.Error:
-            yield Broken(line, template("a quotation mark opens and does not close as it should"))
-            continue
-        stripped = tuple(cell.replace("\u00a0", " ").strip() for cell in cells)
-        if not any(stripped):
-            continue
+            lines.at = lines.start + 1
+            reason = template("a quotation mark opens and does not close as it should")
+            made = Broken(line, reason)
+        else:
+            stripped = tuple(cell.replace("\u00a0", " ").strip() for cell in cells)
+            if not any(stripped):
+                continue
+            made = Row(line, stripped)
+            if len(stripped) > MOST_COLUMNS:
+                made = Broken(line, said("more than {most} columns", most=f"{MOST_COLUMNS:,}"))
         count += 1
         if count > MOST_ROWS:
-            yield Broken(line, said("more than {most} rows: the rest was not read",
-                                    most=f"{MOST_ROWS:,}"))  # fmt: skip
-            return
-        if len(stripped) > MOST_COLUMNS:
-            yield Broken(line, said("more than {most} columns", most=f"{MOST_COLUMNS:,}"))
-        else:
-            yield Row(line, stripped)
+            made = Broken(line, said("more than {most} rows: the rest was not read",
+                                     most=f"{MOST_ROWS:,}"))  # fmt: skip
+        yield made
 
 
 def _text(content: bytes) -> str:
@@ -91,14 +120,26 @@ def _text(content: bytes) -> str:
     raise TableError("this is no file of text, so it is no table")
 
 
-def _delimiter(text: str) -> str:
-    """The one that splits the header into most cells."""
-    head = text.lstrip("\r\n").partition("\n")[0]
+def _told(text: str) -> str:
+    """The sign after `sep=` in a first line that Excel writes for itself; empty: there is none."""
+    found = re.match(r"sep=([^\w\s\"]|\t)\n", text, re.IGNORECASE)
+    return found[1] if found else ""
 
-    def cells(delimiter: str) -> int:
+
+def _delimiter(lines: Sequence[str]) -> str:
+    """The one that splits the first rows as it splits the header; of several the one with most
+    cells. A question may hold more commas than there are columns.
+    """
+
+    def fits(delimiter: str) -> tuple[int, int]:
         try:
-            return len(next(csv.reader([head], delimiter=delimiter), []))
+            rows = list(islice(filter(None, csv.reader(lines[:MOST_LINES], delimiter=delimiter)),
+                               LOOKED_AT))  # fmt: skip
         except csv.Error:
-            return 0
+            return 0, 0
+        cells = [len(row) for row in rows]
+        if not cells or cells[0] < 2:
+            return 0, 0
+        return cells.count(cells[0]), cells[0]
 
-    return max(DELIMITERS, key=cells)
+    return max(DELIMITERS, key=fits)

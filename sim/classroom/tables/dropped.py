@@ -21,13 +21,14 @@ from sim.scene.said import reason_of, said
 def dropped_report(
     given: Sequence[Mapping[str, Any]], most: str, *, inference: bool
 ) -> dict[str, Any]:
-    """The report; `given`: name, base64 and form (pre, post, later or nothing) of each table.
+    """The report; `given`: name, base64, form (pre, post, later or nothing) and group of each.
 
     What is no table is named among the files that could not be read; a bad `most` among the notes.
     """
     tables: list[MarkTable] = []
     bad: list[dict[str, str]] = []
     names = distinct([str(one["name"]) for one in given])
+    groups = {name: str(one.get("group") or WHOLE) for name, one in zip(names, given, strict=True)}
     for name, one in zip(names, given, strict=True):
         form = form_of(str(one.get("form") or "")) or ""
         try:
@@ -44,7 +45,7 @@ def dropped_report(
             told = None
             notes.append(said("Most marks: {reason}.", reason=TOTALS_ONLY))
     lesson = PurePosixPath(tables[0].name).stem if tables else ""
-    found = judge(lesson, tables, lambda _: WHOLE, most=told)
+    found = judge(lesson, tables, lambda row: groups[row.table], most=told)
     report = table_report(found, inference=inference)
     report["files"]["refused"] = [*bad, *report["files"]["refused"]]
     report["notes"] = [*notes, *report["notes"]]

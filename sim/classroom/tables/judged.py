@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 
 from sim.classroom.report.flag import Flag
 from sim.classroom.statistics.spread import Exact
@@ -17,7 +16,7 @@ NAMED = 12
 
 
 def judged(
-    taken: Sequence[Taken], group_of: Callable[[Taken], str], most: Exact | None
+    taken: Sequence[Taken], most: Exact | None
 ) -> tuple[list[Taken], list[str], list[Flag], list[Refused]]:
     """Rows that count, places set aside, questions, and rows refused for their group, or for a
     total above the most marks that somebody told."""
@@ -32,18 +31,17 @@ def judged(
     for row in taken:
         if row.place in wrong:
             continue  # also its other tests
-        placed = replace(row, group=group_of(row))
-        if not placed.group:
+        if not row.group:
             refused.append((row.place, template("no group is given")))
             continue
-        first = groups.setdefault(row.person, placed)
-        if (first.group, first.klass) != (placed.group, placed.klass):
+        first = groups.setdefault(row.person, row)
+        if (first.group, first.klass) != (row.group, row.klass):
             refused.append((row.place, said("this student is in another group or class ({row})",
                                             row=first.place)))  # fmt: skip
         else:
-            good.append(placed)
+            good.append(row)
     counted, aside, flags = _once(good)
-    nameless = [row.place for row in counted if not row.student]
+    nameless = list(dict.fromkeys(row.place for row in counted if not row.student))
     if nameless:
         flags.append(Flag("no-code", rows_nameless(len(nameless)), tuple(nameless[:NAMED])))
     return counted, aside, flags, list(dict.fromkeys(refused))

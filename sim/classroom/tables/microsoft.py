@@ -31,7 +31,8 @@ def layout(heads: Sequence[str]) -> Layout | None:
     ):
         return None  # fmt: skip
     asked = place_of(heads, STUDENT - {"id", "name", "nama", "姓名"})
-    ways = [asked, place_of(heads, MAIL), place_of(heads, NAME), place_of(heads, ("id",))]
+    # Not ID: it counts the answers to this form, so number 3 of two quizzes is no one student.
+    ways = [asked, place_of(heads, MAIL), place_of(heads, NAME)]
     return Layout(
         kind="microsoft",
         student=tuple((k,) for k in ways if k is not None),

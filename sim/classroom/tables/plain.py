@@ -6,7 +6,8 @@
     student, time, total                     the same, totals
     student, item, mark                      one row for each answer
 
-A row KEY gives right answers (letters), a row MAX the most marks.
+A row KEY gives right answers (letters), a row MAX the most marks; those of sums and means are not
+counted (apart.py).
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from sim.classroom.tables.apart import Columns
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import (
     Column,
@@ -35,12 +37,20 @@ ENOUGH = 0.5
 """Share of filled cells that must be marks or letters, for a column to be a question."""
 
 
+def columns(heads: Sequence[str]) -> Columns:
+    """Who, group and class. A name is looked for before an `id`: that may count the answers only,
+    and number 3 of two tests is no one student."""
+    ways = (("student", "code word"), STUDENT - {"id"}, ("id",))
+    places = (place_of(heads, names) for names in ways)
+    student = next((place for place in places if place is not None), None)
+    return Columns(student, (place_of(heads, GROUP), place_of(heads, CLASS)))
+
+
 def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> Layout:
     """The columns of the table; raises `TableError` where it holds no marks."""
-    best = place_of(heads, ("student", "code word"))
-    person = place_of(heads, STUDENT) if best is None else best
-    group = place_of(heads, GROUP)
-    klass, time, item = place_of(heads, CLASS), place_of(heads, TIME), place_of(heads, ITEM)
+    where = columns(heads)
+    person, (group, klass) = where.student, where.beside
+    time, item = place_of(heads, TIME), place_of(heads, ITEM)
     used = {place for place in (person, group, klass, time, item) if place is not None}
     rest = [k for k, head in enumerate(heads) if k not in used and norm(head) not in OTHER_NAMES]
     if item is not None:

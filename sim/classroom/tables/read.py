@@ -7,13 +7,14 @@ from dataclasses import replace
 
 from sim.classroom.files.archive import shown as safe
 from sim.classroom.tables import google, microsoft, moodle, plain
+from sim.classroom.tables import sentences as say
+from sim.classroom.tables.apart import Columns, Parted, parted
 from sim.classroom.tables.cells import Broken, Row, TableError, rows_of
-from sim.classroom.tables.layout import Column, Layout, norm
-from sim.classroom.tables.long import pivoted
+from sim.classroom.tables.layout import Column, Layout
+from sim.classroom.tables.long import Bad, pivoted
 from sim.classroom.tables.marks import NOTHING, mark
 from sim.classroom.tables.row import RowReader
 from sim.classroom.tables.taken import MarkTable, Taken, place_of
-from sim.classroom.tables.words import KEY, MOST
 from sim.scene.said import reason_of, said
 
 EXPORTS: tuple[Callable[[Sequence[str]], Layout | None], ...] = (
@@ -34,41 +35,38 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
         raise TableError("there is no row in this file")
     heads, *rest = rows
     heads = Row(heads.line, tuple(safe(cell) for cell in heads.cells))
-    layout = next((made for one in EXPORTS if (made := one(heads.cells))), None)
-    keys = [row for row in rest if _is(row, heads, KEY)] if layout is None else []
-    most = [row for row in rest if _is(row, heads, MOST)] if layout is None else []
-    body = [row for row in rest if row not in keys and row not in most]
-    if layout is None:
-        layout = plain.layout(heads.cells, body, keys)
-    if layout.item is not None:
-        layout, heads, body, bad = pivoted(layout, heads, body)
-        refused += bad
-        keys, most = [r for r in body if _first(r) in KEY], [r for r in body if _first(r) in MOST]
-        body = [row for row in body if row not in keys and row not in most]
-    layout = _named(layout, most)
-    reader = RowReader(layout, heads, keys, _letters(layout, body, keys), form)
+    layout, heads, rows_, bad = _parted(heads, rest)
+    refused += bad
+    layout = _named(layout, rows_.most)
+    reader = RowReader(layout, heads, rows_.keys, _letters(layout, rows_), form)
     taken: list[Taken] = []
-    for row in body:
+    for row in rows_.students:
         try:
             taken += tuple(reader.taken(name, row))  # all its tests, or none of them
         except TableError as error:
             refused.append((row.line, reason_of(error)))
     return MarkTable(
-        name=name, kind=layout.kind, rows=len(body) + sum(isinstance(r, Broken) for r in found),
-        taken=tuple(taken),
+        name=name, kind=layout.kind, taken=tuple(taken),
+        rows=len(rows_.students) + sum(isinstance(row, Broken) for row in found),
         refused=tuple((place_of(name, line), reason) for line, reason in sorted(refused)),
         left_out=layout.left_out, keyed=reader.keys, letters=reader.letters,
         groups=layout.group is not None, classes=layout.klass is not None,
+        notes=tuple(say.no_student(place_of(name, row.line), word, kind)
+                    for row, word, kind in rows_.notes),
     )  # fmt: skip
 
 
-def _is(row: Row, heads: Row, words: frozenset[str]) -> bool:
-    """Whether a row names itself so: in its first cell, or under the heading of students."""
-    return any(norm(cell) in words for cell in row.cells[: len(heads.cells)][:3])
-
-
-def _first(row: Row) -> str:
-    return norm(row.cells[0]) if row.cells else ""
+def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[Bad]]:
+    """The columns, and which rows are students; a table with a row for each answer is wide now."""
+    layout = next((made for one in EXPORTS if (made := one(heads.cells))), None)
+    if layout is not None:
+        return layout, heads, Parted(list(rows)), []
+    found = parted(rows, plain.columns(heads.cells))
+    layout = plain.layout(heads.cells, found.students, found.keys)
+    if layout.item is None:
+        return layout, heads, found, []
+    layout, heads, wide, bad = pivoted(layout, heads, rows)
+    return layout, heads, parted(wide, Columns.of(layout)), bad
 
 
 def _named(layout: Layout, most: Sequence[Row]) -> Layout:
@@ -100,16 +98,18 @@ def _most(column: Column, rows: Sequence[Row]) -> Column:
     return column
 
 
-def _letters(layout: Layout, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
-    """Whether the cells are answers: a row KEY says so, or most columns hold letters."""
-    if keys:
+def _letters(layout: Layout, rows: Parted) -> bool:
+    """Whether the cells are answers: a row KEY says so, or most columns hold mostly letters."""
+    if rows.keys:
         return True
     if layout.kind != "plain":
         return False
-    columns = [c.place for c in layout.items]
-    lettered = sum(
-        any(k < len(row.cells) and len(row.cells[k]) == 1 and row.cells[k].isalpha()
-            for row in rows)
-        for k in columns
-    )  # fmt: skip
-    return lettered >= LETTERS and 2 * lettered > len(columns)
+    lettered = sum(_lettered(column, rows.students) for column in layout.items)
+    return lettered >= LETTERS and 2 * lettered > len(layout.items)
+
+
+def _lettered(column: Column, rows: Sequence[Row]) -> bool:
+    """Whether most filled cells are letters: one absent student's do not make marks answers."""
+    cells = [row.cells[column.place] for row in rows if column.place < len(row.cells)]
+    filled = [cell for cell in cells if cell.casefold() not in NOTHING]
+    return 2 * sum(len(cell) == 1 and cell.isalpha() for cell in filled) > len(filled)

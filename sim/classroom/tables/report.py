@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from sim.classroom.report.flag import Flag
@@ -44,9 +44,10 @@ def judge(
     `elsewhere`: the group of a row where no table has a column of groups.
     """
     everything = [row for table in tables for row in table.taken]
-    within = any(table.groups for table in tables)
-    group_of = (lambda row: row.group) if within else elsewhere
-    counted, aside, flags, refused = judged(everything, group_of, most)
+    if not any(table.groups for table in tables):
+        named = ((row, elsewhere(row)) for row in everything)
+        everything = [replace(row, group=group, apart=group) for row, group in named]
+    counted, aside, flags, refused = judged(everything, most)
     groups = tuple(dict.fromkeys(row.group for row in counted))
     keys = {item: right for table in tables for item, right in table.keyed.items()}
     letters = any(table.letters for table in tables)
@@ -59,8 +60,9 @@ def judge(
 
 
 def _notes(tables: Sequence[MarkTable], lesson: LessonSums, counted: Sequence[Taken]) -> list[str]:
-    notes = [say.left_out(table.left_out) for table in tables
-             if table.left_out and table.kind == "plain"]  # fmt: skip
+    notes = [note for table in tables for note in table.notes]
+    notes += [say.left_out(table.left_out) for table in tables
+              if table.left_out and table.kind == "plain"]  # fmt: skip
     told = {name for row in counted for name in row.most}
     guessed = [
         str(meta["id"])
@@ -70,11 +72,6 @@ def _notes(tables: Sequence[MarkTable], lesson: LessonSums, counted: Sequence[Ta
     ]
     if guessed:
         notes.append(say.worth_seen(list(dict.fromkeys(guessed))))
-    forms = lesson.forms
-    if {"pre", "post"} <= forms.keys() and not lesson.pairs:
-        before, after = forms["pre"].of, forms["post"].of
-        if before is not None and after is not None and before != after:
-            notes.append(say.tests_apart(float(before), float(after)))
     return notes
 
 

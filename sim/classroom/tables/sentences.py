@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sim.classroom.tables.marks import shown
 from sim.scene.said import counted, said
 
 MOST_NAMED = 8
@@ -27,10 +28,9 @@ def rows_equal(who: str, count: int) -> str:
 def rows_nameless(count: int) -> str:
     """Rows that do not say whose they are."""
     return counted(
-        "1 row has no name: it counts as a person of its own, and is in no pair of before and "
-        "after.",
-        "{n} rows have no name: each counts as a person of its own, and is in no pair of before "
-        "and after.",
+        "1 row has no name: it counts as a person of its own, and is paired with no other row.",
+        "{n} rows have no name: each counts as a person of its own, and is paired with no other "
+        "row.",
         n=count,
     )
 
@@ -40,6 +40,18 @@ def left_out(columns: Sequence[str]) -> str:
     return said("Columns that are not counted as marks: {columns}.", columns=_named(columns))
 
 
+def no_student(row: str, name: str, kind: str) -> str:
+    """Why a row is not counted, by its kind: somebody may be called so after all."""
+    if kind == "key":
+        return said("{row}: “{name}” is taken for the row of right answers, not for a student.",
+                    row=row, name=shown(name))  # fmt: skip
+    if kind == "most":
+        return said("{row}: “{name}” is taken for the row of the most marks, not for a student.",
+                    row=row, name=shown(name))  # fmt: skip
+    return said("{row}: “{name}” is taken for a row of sums or means, not for a student.",
+                row=row, name=shown(name))  # fmt: skip
+
+
 def worth_seen(items: Sequence[str]) -> str:
     """Where the most marks of a question are only guessed."""
     return said(
@@ -47,14 +59,6 @@ def worth_seen(items: Sequence[str]) -> str:
         "taken for it. A row MAX tells them.",
         items=_named(items),
     )
-
-
-def tests_apart(before: float, after: float) -> str:
-    """Two tests that cannot be subtracted."""
-    return said(
-        "The test before has {before} marks and the test after {after}: no gain is computed.",
-        before=f"{before:g}", after=f"{after:g}",
-    )  # fmt: skip
 
 
 def _named(names: Sequence[str]) -> str:

@@ -30,7 +30,8 @@ class Taken:
     """One student in one test. `items`: marks, None where a question was left open.
 
     `chosen`: options, where the table has letters. `total`: where it has no marks of questions.
-    `of`: the most marks, as the cell or the heading tells. Items have theirs in `most`.
+    `of`: the most marks, as the cell or the heading tells. Items have theirs in `most`. `apart`:
+    the group that the whole table is of; who has the same name in another group is another student.
     """
 
     place: str
@@ -44,6 +45,12 @@ class Taken:
     chosen: Mapping[str, str]
     total: Exact | None
     of: Exact | None
+    apart: str = ""
+
+    @property
+    def table(self) -> str:
+        """The name of the table."""
+        return self.place.rpartition(", line")[0]
 
     @property
     def who(self) -> str:
@@ -53,7 +60,7 @@ class Taken:
     @property
     def person(self) -> str:
         """The student as it is compared; a row without a name is a person of its own."""
-        return pseudonym(self.student) or f"\0{self.place}"
+        return f"{self.apart}\0{pseudonym(self.student) or self.place}"
 
     @property
     def marks(self) -> Exact:
@@ -70,7 +77,9 @@ class Taken:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MarkTable:
-    """A table as it was read. `keyed`: right answers by item, where a row KEY gives them."""
+    """A table as it was read. `keyed`: right answers by item, where a row KEY gives them. `notes`:
+    rows that are taken for no student.
+    """
 
     name: str
     kind: str
@@ -82,6 +91,7 @@ class MarkTable:
     letters: bool
     groups: bool
     classes: bool
+    notes: tuple[str, ...] = ()
 
     @property
     def of_items(self) -> bool:

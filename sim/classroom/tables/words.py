@@ -48,6 +48,15 @@ TIMES = {
 }
 KEY = words("key | answer key | schlüssel | lösung | kunci | 答案 | விடை")
 MOST = words("max | maximum | out of | höchstens | maksimum | 满分")
+NAMES_TOO = words("max | key")
+"""Of these two what may be the name of a student: such a row is known by its capitals."""
+SUMS = words("total | sum | grand total | gesamt | summe | jumlah | 总分 | 总计 | 合计 | மொத்தம்")
+"""How rows below a table call themselves that add up the others, and those with other figures."""
+FIGURES = words("""
+    mean | average | class average | avg | avg. | median | standard deviation | minimum | ø |
+    mittelwert | mittel | durchschnitt | standardabweichung | purata | sisihan piawai | 平均 |
+    平均分 | 平均值 | 标准差 | சராசரி
+""")
 UNFINISHED = words("""
     in progress | never submitted | overdue | in bearbeitung | nie abgegeben | überfällig |
     sedang dijalankan | 进行中 | 从未提交

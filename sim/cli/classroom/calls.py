@@ -43,6 +43,10 @@ def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[s
         raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
     if (given["most"] or given["lesson"]) and not tables:
         raise click.UsageError("--max and --lesson belong to --table")
+    if tables and given["summary"] and not given["lesson"]:
+        raise click.UsageError(
+            "--summary of a table needs --lesson NAME: the name of its file is not handed on"
+        )
     if (tables or merge) and (given["slips"] or given["sheet"]):
         raise click.UsageError("--slips and --sheet are made from answer files")
     if merge and (tables or of_answers):

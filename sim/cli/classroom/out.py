@@ -62,7 +62,7 @@ class Out:
     def _hand(self, report: dict[str, Any]) -> None:
         """Writes the files of a report, and prints it. JSON is for programs and stays English."""
         if self.html:
-            write_out(self.html, standalone(report, self.words, self.language), "--html FILE")
+            write_out(self.html, standalone([report], self.words, self.language), "--html FILE")
         if self.csv_file:
             write_out(self.csv_file, students_csv(report, self.words), "--csv FILE")
         if self.items_file:

@@ -51,7 +51,7 @@ def tables_of(
         click.echo(f"warning: --max {most} changes nothing: the table tells it", err=True)
 
     def group(row: Taken) -> str:
-        return group_of(names[row.place.rpartition(", line")[0]], groups) if groups else WHOLE
+        return group_of(names[row.table], groups) if groups else WHOLE
 
     return judge(lesson or "", tables, group, most=told), bad
 

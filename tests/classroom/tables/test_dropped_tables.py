@@ -10,18 +10,24 @@ from typing import Any
 from click.testing import CliRunner
 
 from sim.bridge.protocol import answer
+from sim.classroom.files.reading import Reading
+from sim.classroom.files.records import as_record
 from sim.classroom.tables.distinct import distinct
 from sim.classroom.tables.dropped import dropped_report
 from sim.cli import main
+from tests.classroom.given.makers import bank, keys, random_class, sources
+from tests.web.scene.given.widget_site import in_node
 
 TOTALS = "student;group;pre;post\n" + "".join(
     f"S{k};{'new' if k % 2 else 'old'};{8 + k % 5};{12 + k % 7}\n" for k in range(16)
 )
+BANK = bank(4)
 ITEMS = "student,q1,q2,q3\nA,1,0,1\nB,0,0,1\nC,1,1,1\n"
 
 
-def table(text: str, name: str = "marks.csv", form: str = "") -> dict[str, str]:
-    return {"name": name, "base64": b64encode(text.encode()).decode(), "form": form}
+def table(text: str, name: str = "marks.csv", form: str = "", group: str = "") -> dict[str, str]:
+    coded = b64encode(text.encode()).decode()
+    return {"name": name, "base64": coded, "form": form, "group": group}
 
 
 def report(*tables: dict[str, str], most: str = "") -> dict[str, Any]:
@@ -65,6 +71,62 @@ def test_the_wire_gives_html_and_saves_what_was_dropped() -> None:
     assert saved["text"].count("\n") > 16
 
 
+def class_of(step: int) -> str:
+    rows = "".join(f"{name},{k % 5},{k * step % 9}\n" for k, name in enumerate(FIRST_NAMES))
+    return f"name,pre (9),post (9)\n{rows}"
+
+
+FIRST_NAMES = ("Anna", "Ben", "Cara", "Dora", "Emil", "Fay")
+
+
+def test_tables_dropped_on_two_fields_are_two_groups_with_students_of_their_own() -> None:
+    found = report(table(class_of(2), "a.csv", group="new"), table(class_of(4), group="old"))
+    assert found["groups"] == ["new", "old"]
+    assert found["lessons"][0]["comparison"]["groups"] == ["new", "old"]
+    assert [gain["n"] for gain in found["lessons"][0]["gains"]] == [6, 6]
+    assert not found["flags"]
+    assert not found["files"]["refused"]
+
+
+def test_a_save_holds_the_answers_and_the_tables() -> None:
+    reading = Reading.of(sources(random_class(BANK, 6)))
+    both = {
+        "kind": "class", "do": "save", "groups": ["class"], "tables": [table(TOTALS)],
+        "records": [[as_record(read), "class"] for read in reading.files], "keys": [keys(BANK)],
+    }  # fmt: skip
+    of_tables, of_answers = ({k: v for k, v in both.items() if k != gone}
+                             for gone in ("records", "tables"))  # fmt: skip
+    for what in ("csv", "items", "html"):
+        whole, marks, files = (answer(asked | {"what": what})[0]["text"]
+                               for asked in (both, of_tables, of_answers))  # fmt: skip
+        rows = [text.count("\n") for text in (whole, marks, files)]
+        if what == "html":
+            assert "S15" not in files
+            assert all(whole.count(f"<h2>{title}</h2>") == 1 for title in ("Carts", "Marks"))
+        else:
+            assert rows[0] == rows[1] + rows[2] - 1
+
+
 def test_two_tables_of_one_name_are_two_tables() -> None:
     assert distinct(["quiz.csv", "quiz.csv", "b.csv"]) == ["quiz.csv", "quiz.csv (2)", "b.csv"]
     assert distinct(["7a/quiz.csv", "7b/quiz.csv"]) == ["7a/quiz.csv", "7b/quiz.csv"]
+
+
+def test_a_page_tells_the_tables_of_the_first_field_first_each_with_its_group() -> None:
+    told = in_node(
+        """globalThis.document = { documentElement: { dataset: {}, lang: "en" },
+          getElementById: () => null };
+        const { Classroom } = await import(source + "/class/classroom.js");
+        const classroom = new Classroom();
+        classroom.tables = data.map((group) => ({ name: "a", form: "", group }));
+        classroom.names = ["new", "old"];
+        const one = classroom.toldOfTables().tables.map((table) => table.group);
+        classroom.divide(true);
+        classroom.codes = ["a", "b"];
+        const two = classroom.toldOfTables().tables.map((table) => table.group);
+        classroom.divide(false);
+        give([one, two, classroom.codes, Object.keys(classroom.toldOfAll())]);""",
+        [1, 0, 1],
+    )
+    assert told[:3] == [["class"] * 3, ["new", "old", "old"], ["a\nb", ""]]
+    assert {"records", "tables"} <= {*told[3]}

@@ -70,6 +70,7 @@ def test_the_report_of_a_table_and_that_of_its_summaries_have_the_same_numbers()
     rows = [row for k in range(9) for row in school(k, dice, (6, 7))]
     table = reported(csv(HEAD, [MOST, *rows]))
     parts = [of_table([r for r in rows if str(r[0]).startswith(f"{k}-")]) for k in range(9)]
+    assert "“MAX”" in table["notes"].pop(0)  # by the line where it stands
     assert without(report_of(parts), WHO) == without(table, WHO)
     assert table["lessons"][0]["comparison"]["clustered"]["classes"] == 18
 
@@ -120,6 +121,24 @@ def test_a_file_of_another_wording_is_in_no_number_of_the_whole_test() -> None:
         assert other["alpha"] is not None
         for name in ("n", "of", "alpha", "delta", "groups"):
             assert one[name] == other[name], name
+
+
+def test_a_summary_does_not_tell_the_marks_of_who_answered_another_wording() -> None:
+    files = random_class(BANK, 7, seed=4)
+    for file in files[:2]:  # of one student
+        file["items"][0]["hash"] = "f" * 12
+    for file in files[2:6]:
+        file["items"][1]["hash"] = "f" * 12
+    _, summary, text = of_files([("class", [*files, *random_class(BANK, 9, prefix="OWL")])])
+    assert "parts" not in text
+    for form in summary.lessons[0].forms.values():
+        group = form.groups["class"]
+        assert (group.listed, group.n) == (16, 13)
+        totals = sum(total * n for total, n in group.totals.items())
+        for name in form.counted:
+            item = group.items[name]
+            assert (item.counts["n"], item.marks.n, item.marks.t) == (13, 13, totals)
+        assert sum(group.items[name].marks.m for name in form.counted) == totals
 
 
 def test_a_summary_holds_no_student_and_no_group_below_five() -> None:

@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from sim.classroom.report.report import notes_of
+from sim.classroom.report.notes import notes_of
 from sim.classroom.show.report_page import report_html
 from sim.classroom.tables.layout import form_of, split_form, with_most
 from sim.classroom.tables.marks import mark

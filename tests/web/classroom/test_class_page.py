@@ -171,6 +171,12 @@ def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     report = page.locator(".carts-class-report")
     expect(report).to_contain_text("1 of 1 files")
     expect(report).to_contain_text("typed: RED-OWL")
+    page.locator(".carts-class-two").check()
+    page.locator(".carts-class-codes textarea").nth(1).fill(f"GREY-ELK pre {code}")
+    expect(report).to_contain_text("2 of 2 files")
+    lines = saved(page, ".carts-class-save-csv").decode().replace('"', "").splitlines()
+    rows = [line.split(",")[2:4] for line in lines[1:]]
+    assert rows == [["experimental", "BLUE-FOX"], ["control", "GREY-ELK"]]
 
 
 @pytest.mark.one_browser

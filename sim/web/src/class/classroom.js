@@ -6,11 +6,11 @@ import { codeWord } from "../shared/code-word.js";
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean, named?: boolean}} Held `out`: left out by the teacher; `named`: its code word was typed here */
 /** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
-/** @typedef {{name: string, base64: string, form: string}} Table marks from elsewhere; form: pre, post, later or "" */
+/** @typedef {{name: string, base64: string, form: string, group: number}} Table marks from elsewhere; form: pre, post, later or "" */
 /** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
 
 export const WHOLE = "class";
-const STUDENT = 4; // place of the code word in a row, see sim/classroom/files/records.py
+const [NAME, STUDENT, CREATED] = [0, 4, 6]; // places in a row, see sim/classroom/files/records.py
 
 /** @returns {string[]} see sim/pages/classroom/practice_keys.py */
 const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
@@ -26,7 +26,7 @@ export class Classroom {
   marks = new Map();
   /** @type {[string, string][]} */
   refused = [];
-  codes = "";
+  codes = ["", ""]; // as typed, of each group
   /** @type {Table[]} */
   tables = [];
   most = ""; // marks of the tests in them, as typed
@@ -41,7 +41,12 @@ export class Classroom {
 
   /** @returns {boolean} whether there is nothing here but tables */
   get noAnswers() {
-    return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
+    return !this.files.length && !this.keys.length && !this.refused.length && !this.typed;
+  }
+
+  /** @returns {boolean} whether a code was typed */
+  get typed() {
+    return this.codes.some(Boolean);
   }
 
   /** @returns {string[]} the names of the groups, each once */
@@ -53,10 +58,27 @@ export class Classroom {
 
   /** @param {Found} found @param {number} group */
   take(found, group) {
-    for (const row of found.records) this.files.push({ row, group, out: false });
+    for (const row of found.records) {
+      if (!row[STUDENT].trim()) row[NAME] = this.#distinct(row);
+      this.files.push({ row, group, out: false });
+    }
     for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
     for (const mark of found.marks) this.give(mark);
     this.refused.push(...found.refused);
+  }
+
+  /**
+   * The name of a file without a code word, with a number where another one has it; what was begun
+   * at the same moment is the same file again. So does sim/classroom/files/nameless.py.
+   * @param {Row} row @returns {string}
+   */
+  #distinct(row) {
+    const [, stem = "", ending = ""] = /^(.+?)(\.[^.]*)?$/s.exec(row[NAME]) ?? [];
+    for (let number = 1; ; number += 1) {
+      const name = number === 1 ? row[NAME] : `${stem} (${number})${ending}`;
+      const held = this.files.find((file) => file.row[NAME] === name);
+      if (!held || held.row[CREATED] === row[CREATED]) return name;
+    }
   }
 
   /** @param {GivenMark} mark */
@@ -82,7 +104,7 @@ export class Classroom {
 
   /** Whose marks they are: as `Marked.who` of sim/classroom/report/marked.py says it. @param {Held} file */
   #who({ row }) {
-    return codeWord(row[STUDENT] || `no code word (${row[0]})`);
+    return codeWord(row[STUDENT] || `no code word (${row[NAME]})`);
   }
 
   /** What Python is told with every question. @returns {Record<string, unknown>} */
@@ -102,9 +124,30 @@ export class Classroom {
     };
   }
 
-  /** The same of the tables of marks. @returns {Record<string, unknown>} */
+  /** The same of the tables of marks, those of the first group first. @returns {Record<string, unknown>} */
   toldOfTables() {
-    return { kind: "class", tables: this.tables, most: this.most };
+    const { groups } = this;
+    const tables = this.tables.map((table) => ({ ...table, group: this.two ? table.group : 0 }));
+    tables.sort((one, other) => one.group - other.group);
+    return {
+      kind: "class",
+      tables: tables.map((table) => ({ ...table, group: groups[table.group] })),
+      most: this.most,
+    };
+  }
+
+  /** Both reports, as far as there is something of each. @returns {Record<string, unknown>} */
+  toldOfAll() {
+    return {
+      ...(this.noAnswers ? {} : this.told()),
+      ...(this.tables.length ? this.toldOfTables() : {}),
+    };
+  }
+
+  /** One group, or two: codes that were typed for the second go to the first. @param {boolean} two */
+  divide(two) {
+    this.two = two;
+    if (!two) this.codes = [this.codes.filter(Boolean).join("\n"), ""];
   }
 
   /** @returns {string} the text of a file with the teacher's marks */

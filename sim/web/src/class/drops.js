@@ -24,7 +24,7 @@ export function drops(classroom, take, changed) {
     fields.replaceChildren(...count.map((group) => field(classroom, group, take, changed)));
   };
   two.addEventListener("change", () => {
-    classroom.two = two.checked;
+    classroom.divide(two.checked);
     draw();
     changed();
   });

@@ -63,14 +63,14 @@ export function classElement(client) {
         report: this.#report,
         ask: (what) =>
           this.#ask({
-            ...(this.classroom.noAnswers ? this.classroom.toldOfTables() : this.classroom.told()),
+            ...this.classroom.toldOfAll(),
             ...{ do: "save", what, inference: this.inference, ...here },
           }),
         say: (text) => say(this.#status, text),
         clear: () => this.clear(),
       });
       const paper = papers({
-        noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+        noAnswers: () => !this.classroom.files.length && !this.classroom.typed,
         keys: () => this.classroom.keys,
         ask: (wanted) =>
           this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
@@ -107,7 +107,7 @@ export function classElement(client) {
     /** @param {File[]} files @param {number} group @param {number} lifetime in which they were dropped: what was deleted since does not come back */
     async #take(files, group, lifetime) {
       for (const file of files.filter(isTable)) {
-        const table = await asTable(file);
+        const table = await asTable(file, group);
         if (lifetime !== this.#lifetime) return;
         if (table) this.classroom.tables.push(table);
         else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);

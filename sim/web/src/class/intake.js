@@ -18,11 +18,12 @@ export const isTable = ({ name }) => /\.(csv|tsv|xlsx?|ods)$/i.test(name);
 
 /**
  * A table as Python is told of it; null: it cannot be read or is too large.
- * @param {File} file @returns {Promise<import("./classroom.js").Table | null>}
+ * @param {File} file @param {number} group on whose field it was dropped
+ * @returns {Promise<import("./classroom.js").Table | null>}
  */
-export async function asTable(file) {
+export async function asTable(file, group) {
   const base64 = file.size > MOST_TABLE ? null : await asBase64(file);
-  return base64 === null ? null : { name: file.name, base64, form: "" };
+  return base64 === null ? null : { name: file.name, base64, form: "", group };
 }
 
 /**

@@ -78,21 +78,37 @@ export function typedIn(box, act) {
   });
 }
 
-/** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
+/** Codes are typed for the class, or for each of two groups. @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function typedCodes(classroom, changed) {
   const root = html("details", "carts-class-codes");
   root.append(html("summary", "", tr("Typed codes")));
-  const label = html("label", "", tr("A line each: code word, form, code"));
+  const boxes = [0, 1].map((group) => codesOf(classroom, group, changed));
+  const draw = () => {
+    classroom.groups.forEach((_, group) => {
+      const box = boxes[group];
+      box?.draw();
+      if (box && box.root.parentNode !== root) root.append(box.root);
+    });
+    if (!classroom.two) boxes[1]?.root.remove();
+  };
+  return { root, draw };
+}
+
+/** @param {import("./classroom.js").Classroom} classroom @param {number} group @param {() => void} changed */
+function codesOf(classroom, group, changed) {
+  const root = html("label");
+  const whose = html("bdi");
   const box = /** @type {HTMLTextAreaElement} */ (html("textarea"));
   Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
   typedIn(box, () => {
-    classroom.codes = box.value;
+    classroom.codes[group] = box.value;
     changed();
   });
-  label.append(box);
-  root.append(label);
+  root.append(whose, tr("A line each: code word, form, code"), box);
   const draw = () => {
-    if (box.value !== classroom.codes) box.value = classroom.codes;
+    say(whose, classroom.two ? `${classroom.groups[group]} · ` : "");
+    const text = classroom.codes[group] ?? "";
+    if (box.value !== text) box.value = text;
   };
   return { root, draw };
 }

@@ -1,0 +1,106 @@
+"""Rows of a table that are no students: right answers, the most marks, and what sums others up.
+
+A student may be called Max, and a group too: only the column of students tells such a row, MAX and
+KEY are written in capitals, and no group or class stands beside them. Each is named in a note.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from sim.classroom.statistics.spread import Exact
+from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.layout import Layout, norm
+from sim.classroom.tables.marks import mark
+from sim.classroom.tables.words import FIGURES, KEY, MOST, NAMES_TOO, SUMS
+
+Kind = Literal["key", "most", "sums"]
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """Where such a row names itself, and which cells of it are empty then."""
+
+    student: int | None
+    beside: tuple[int | None, int | None]
+
+    @staticmethod
+    def of(layout: Layout) -> Columns:
+        """Those of a table that was made wide."""
+        student = layout.student[0][0] if layout.student else None
+        return Columns(student, (layout.group, layout.klass))
+
+    def named(self, row: Row) -> str:
+        """What stands in the column of students, or in the first one where nothing does."""
+        return _cell(row, self.student) or row.cells[0]
+
+
+@dataclass(slots=True)
+class Parted:
+    """The rows of a table, each kind in its order. `notes`: what is no student, as it is named."""
+
+    students: list[Row]
+    keys: list[Row] = field(default_factory=list)
+    most: list[Row] = field(default_factory=list)
+    notes: list[tuple[Row, str, Kind]] = field(default_factory=list)
+
+
+def parted(rows: Sequence[Row], columns: Columns) -> Parted:
+    """Students, and what is none."""
+    kinds = [_kind(row, columns) for row in rows]
+    students = (row for row, kind in zip(rows, kinds, strict=True) if kind is None)
+    highest = _highest(students) if "sums" in kinds else {}
+    found = Parted([])
+    for row, kind in zip(rows, kinds, strict=True):
+        name = columns.named(row)
+        if kind is None or (kind == "sums" and not _sums_up(row, name, highest)):
+            found.students.append(row)
+            continue
+        found.notes.append((row, name, kind))
+        if kind != "sums":
+            (found.keys if kind == "key" else found.most).append(row)
+    return found
+
+
+def _kind(row: Row, columns: Columns) -> Kind | None:
+    name = columns.named(row)
+    word = norm(name)
+    if any(_cell(row, place) for place in columns.beside):
+        return None
+    if word in SUMS | FIGURES:
+        return "sums"
+    if word in NAMES_TOO and name != name.upper():
+        return None
+    return "key" if word in KEY else "most" if word in MOST else None
+
+
+def _sums_up(row: Row, name: str, highest: dict[int, Exact]) -> bool:
+    """Whether they can be sums, at least the highest of each column: one may be called Sum."""
+    marks = dict(_marks(row))
+    if norm(name) in FIGURES:
+        return bool(marks)
+    return bool(marks) and all(value >= highest.get(place, 0) for place, value in marks.items())
+
+
+def _highest(rows: Iterable[Row]) -> dict[int, Exact]:
+    found: dict[int, Exact] = {}
+    for row in rows:
+        for place, value in _marks(row):
+            found[place] = max(value, found.get(place, value))
+    return found
+
+
+def _marks(row: Row) -> Iterator[tuple[int, Exact]]:
+    for place, cell in enumerate(row.cells):
+        try:
+            value, _ = mark(cell)
+        except TableError:
+            continue
+        if value is not None:
+            yield place, value
+
+
+def _cell(row: Row, place: int | None) -> str:
+    return row.cells[place] if place is not None and place < len(row.cells) else ""
