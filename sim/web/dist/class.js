@@ -53,7 +53,7 @@
 
   // src/class/classroom.js
   var WHOLE = "class";
-  var STUDENT = 4;
+  var [NAME, STUDENT, CREATED] = [0, 4, 6];
   var broughtAlong = () => (
     /** @type {any} */
     globalThis.__cartsKeys ?? []
@@ -64,7 +64,8 @@
     practice = broughtAlong();
     marks = /* @__PURE__ */ new Map();
     refused = [];
-    codes = "";
+    codes = ["", ""];
+    // as typed, of each group
     tables = [];
     most = "";
     // marks of the tests in them, as typed
@@ -74,7 +75,10 @@
       return this.noAnswers && !this.tables.length;
     }
     get noAnswers() {
-      return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
+      return !this.files.length && !this.keys.length && !this.refused.length && !this.typed;
+    }
+    get typed() {
+      return this.codes.some(Boolean);
     }
     get groups() {
       if (!this.two) return [WHOLE];
@@ -82,10 +86,21 @@
       return [one ?? "", one === other ? `${other} (2)` : other ?? ""];
     }
     take(found, group) {
-      for (const row2 of found.records) this.files.push({ row: row2, group, out: false });
+      for (const row2 of found.records) {
+        if (!row2[STUDENT].trim()) row2[NAME] = this.#distinct(row2);
+        this.files.push({ row: row2, group, out: false });
+      }
       for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
       for (const mark of found.marks) this.give(mark);
       this.refused.push(...found.refused);
+    }
+    #distinct(row2) {
+      const [, stem = "", ending = ""] = /^(.+?)(\.[^.]*)?$/s.exec(row2[NAME]) ?? [];
+      for (let number = 1; ; number += 1) {
+        const name = number === 1 ? row2[NAME] : `${stem} (${number})${ending}`;
+        const held = this.files.find((file) => file.row[NAME] === name);
+        if (!held || held.row[CREATED] === row2[CREATED]) return name;
+      }
     }
     give(mark) {
       const { lesson, form: form2, student, item } = mark;
@@ -105,7 +120,7 @@
       }
     }
     #who({ row: row2 }) {
-      return codeWord(row2[STUDENT] || `no code word (${row2[0]})`);
+      return codeWord(row2[STUDENT] || `no code word (${row2[NAME]})`);
     }
     told() {
       const { groups } = this;
@@ -122,7 +137,24 @@
       };
     }
     toldOfTables() {
-      return { kind: "class", tables: this.tables, most: this.most };
+      const { groups } = this;
+      const tables = this.tables.map((table) => ({ ...table, group: this.two ? table.group : 0 }));
+      tables.sort((one, other) => one.group - other.group);
+      return {
+        kind: "class",
+        tables: tables.map((table) => ({ ...table, group: groups[table.group] })),
+        most: this.most
+      };
+    }
+    toldOfAll() {
+      return {
+        ...this.noAnswers ? {} : this.told(),
+        ...this.tables.length ? this.toldOfTables() : {}
+      };
+    }
+    divide(two) {
+      this.two = two;
+      if (!two) this.codes = [this.codes.filter(Boolean).join("\n"), ""];
     }
     marksFile() {
       const rows = [...this.marks.values()].map((mark) => ({
@@ -243,20 +275,34 @@
   function typedCodes(classroom, changed) {
     const root = html("details", "carts-class-codes");
     root.append(html("summary", "", tr("Typed codes")));
-    const label = html("label", "", tr("A line each: code word, form, code"));
+    const boxes = [0, 1].map((group) => codesOf(classroom, group, changed));
+    const draw = () => {
+      classroom.groups.forEach((_, group) => {
+        const box = boxes[group];
+        box?.draw();
+        if (box && box.root.parentNode !== root) root.append(box.root);
+      });
+      if (!classroom.two) boxes[1]?.root.remove();
+    };
+    return { root, draw };
+  }
+  function codesOf(classroom, group, changed) {
+    const root = html("label");
+    const whose = html("bdi");
     const box = (
       /** @type {HTMLTextAreaElement} */
       html("textarea")
     );
     Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
     typedIn(box, () => {
-      classroom.codes = box.value;
+      classroom.codes[group] = box.value;
       changed();
     });
-    label.append(box);
-    root.append(label);
+    root.append(whose, tr("A line each: code word, form, code"), box);
     const draw = () => {
-      if (box.value !== classroom.codes) box.value = classroom.codes;
+      say(whose, classroom.two ? `${classroom.groups[group]} · ` : "");
+      const text = classroom.codes[group] ?? "";
+      if (box.value !== text) box.value = text;
     };
     return { root, draw };
   }
@@ -278,7 +324,7 @@
       fields.replaceChildren(...count.map((group) => field(classroom, group, take, changed)));
     };
     two.addEventListener("change", () => {
-      classroom.two = two.checked;
+      classroom.divide(two.checked);
       draw();
       changed();
     });
@@ -370,9 +416,9 @@
   var PARCEL_FILES = 25;
   var MOST_TABLE = 1e7;
   var isTable = ({ name }) => /\.(csv|tsv|xlsx?|ods)$/i.test(name);
-  async function asTable(file) {
+  async function asTable(file, group) {
     const base64 = file.size > MOST_TABLE ? null : await asBase64(file);
-    return base64 === null ? null : { name: file.name, base64, form: "" };
+    return base64 === null ? null : { name: file.name, base64, form: "", group };
   }
   async function readAll(files, ask, found) {
     let done = 0;
@@ -882,14 +928,14 @@
           element: this,
           report: this.#report,
           ask: (what) => this.#ask({
-            ...this.classroom.noAnswers ? this.classroom.toldOfTables() : this.classroom.told(),
+            ...this.classroom.toldOfAll(),
             ...{ do: "save", what, inference: this.inference, ...here }
           }),
           say: (text) => say(this.#status, text),
           clear: () => this.clear()
         });
         const paper = papers({
-          noAnswers: () => !this.classroom.files.length && !this.classroom.codes,
+          noAnswers: () => !this.classroom.files.length && !this.classroom.typed,
           keys: () => this.classroom.keys,
           ask: (wanted) => this.#ask({ ...this.classroom.told(), inference: this.inference, ...wanted }),
           say: (text) => say(this.#status, text)
@@ -921,7 +967,7 @@
       }
       async #take(files, group, lifetime) {
         for (const file of files.filter(isTable)) {
-          const table = await asTable(file);
+          const table = await asTable(file, group);
           if (lifetime !== this.#lifetime) return;
           if (table) this.classroom.tables.push(table);
           else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
