@@ -156,7 +156,8 @@ def test_a_new_block_is_seen_when_its_mistake_is_mended(text: str) -> None:
     typed = text.replace(NEW, NEW.replace("mass: 1 kg", "mass: -1 kg"))
     seen = shown(typed, typed, text, TEXT, wrong=(typed,))["seen"]
     for wrong in seen[:2]:
-        assert wrong["html"].count("Seen when its mistake is mended") == 1 and 'id="two"' not in wrong["html"]
+        assert wrong["html"].count("Seen when its mistake is mended") == 1
+        assert 'id="two"' not in wrong["html"]
         assert "carts-teach-old" not in wrong["html"]
         assert len(wrong["rows"]) == 3  # there is nothing yet to change in the page
     assert 'id="two"' in seen[2]["html"] and "Seen when" not in seen[2]["html"]

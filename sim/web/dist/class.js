@@ -265,9 +265,10 @@
     return box;
   }
   var PAUSE = 500;
-  function typedIn(box, act) {
+  function typedIn(box, take, act) {
     let timer = 0;
     box.addEventListener("input", () => {
+      take(box.value);
       clearTimeout(timer);
       timer = window.setTimeout(act, PAUSE);
     });
@@ -294,10 +295,10 @@
       html("textarea")
     );
     Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
-    typedIn(box, () => {
-      classroom.codes[group] = box.value;
-      changed();
-    });
+    const take = (text) => {
+      classroom.codes[group] = text;
+    };
+    typedIn(box, take, changed);
     root.append(whose, tr("A line each: code word, form, code"), box);
     const draw = () => {
       say(whose, classroom.two ? `${classroom.groups[group]} · ` : "");
@@ -401,10 +402,10 @@
       html("input")
     );
     Object.assign(box, { value: classroom.names[group], maxLength: 40 });
-    typedIn(box, () => {
-      classroom.names[group] = box.value;
-      changed();
-    });
+    const take = (text) => {
+      classroom.names[group] = text;
+    };
+    typedIn(box, take, changed);
     label.append(box);
     return label;
   }
@@ -853,10 +854,10 @@
       html("input")
     );
     Object.assign(most, { type: "text", size: 6, inputMode: "decimal", autocomplete: "off" });
-    typedIn(most, () => {
-      classroom.most = most.value;
-      changed();
-    });
+    const take = (text) => {
+      classroom.most = text;
+    };
+    typedIn(most, take, changed);
     label.append(most);
     root.append(html("p", "carts-class-tables-title", tr("Tables of marks")), rows, label);
     const draw = () => {

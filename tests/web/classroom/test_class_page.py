@@ -172,8 +172,12 @@ def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     expect(report).to_contain_text("1 of 1 files")
     expect(report).to_contain_text("typed: RED-OWL")
     page.locator(".carts-class-two").check()
-    page.locator(".carts-class-codes textarea").nth(1).fill(f"GREY-ELK pre {code}")
+    second = page.locator(".carts-class-codes textarea").nth(1)
+    second.fill(f"GREY-ELK pre {code}")
+    page.locator(".carts-class-name input").first.fill("new")  # what is drawn meanwhile
+    page.locator(".carts-class-name input").first.fill("experimental")
     expect(report).to_contain_text("2 of 2 files")
+    expect(second).to_have_value(f"GREY-ELK pre {code}")
     lines = saved(page, ".carts-class-save-csv").decode().replace('"', "").splitlines()
     rows = [line.split(",")[2:4] for line in lines[1:]]
     assert rows == [["experimental", "BLUE-FOX"], ["control", "GREY-ELK"]]

@@ -103,10 +103,10 @@ function nameBox(classroom, group, changed) {
   const label = html("label", "carts-class-name", `${tr("Group")} `);
   const box = /** @type {HTMLInputElement} */ (html("input"));
   Object.assign(box, { value: classroom.names[group], maxLength: 40 });
-  typedIn(box, () => {
-    classroom.names[group] = box.value;
-    changed();
-  });
+  const take = (/** @type {string} */ text) => {
+    classroom.names[group] = text;
+  };
+  typedIn(box, take, changed);
   label.append(box);
   return label;
 }

@@ -69,10 +69,14 @@ function codeFor(classroom, file, changed) {
 
 const PAUSE = 500; // ms without a key: then something was typed
 
-/** @param {HTMLInputElement | HTMLTextAreaElement} box @param {() => void} act */
-export function typedIn(box, act) {
+/**
+ * What is typed is taken at once: what is drawn before the pause is over would take it back.
+ * @param {HTMLInputElement | HTMLTextAreaElement} box @param {(text: string) => void} take @param {() => void} act
+ */
+export function typedIn(box, take, act) {
   let timer = 0;
   box.addEventListener("input", () => {
+    take(box.value);
     clearTimeout(timer);
     timer = window.setTimeout(act, PAUSE);
   });
@@ -100,10 +104,10 @@ function codesOf(classroom, group, changed) {
   const whose = html("bdi");
   const box = /** @type {HTMLTextAreaElement} */ (html("textarea"));
   Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
-  typedIn(box, () => {
-    classroom.codes[group] = box.value;
-    changed();
-  });
+  const take = (/** @type {string} */ text) => {
+    classroom.codes[group] = text;
+  };
+  typedIn(box, take, changed);
   root.append(whose, tr("A line each: code word, form, code"), box);
   const draw = () => {
     say(whose, classroom.two ? `${classroom.groups[group]} · ` : "");

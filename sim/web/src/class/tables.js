@@ -23,10 +23,10 @@ export function tableList(classroom, changed) {
   );
   const most = /** @type {HTMLInputElement} */ (html("input"));
   Object.assign(most, { type: "text", size: 6, inputMode: "decimal", autocomplete: "off" });
-  typedIn(most, () => {
-    classroom.most = most.value;
-    changed();
-  });
+  const take = (/** @type {string} */ text) => {
+    classroom.most = text;
+  };
+  typedIn(most, take, changed);
   label.append(most);
   root.append(html("p", "carts-class-tables-title", tr("Tables of marks")), rows, label);
   const draw = () => {
