@@ -5,6 +5,8 @@ Exit codes: 0 fine, 1 findings, 2 usage.
 
 from __future__ import annotations
 
+import io
+import sys
 from importlib import import_module
 from typing import Any
 
@@ -34,6 +36,16 @@ COMMANDS = {
 
 class LazyGroup(click.Group):
     """A group whose subcommands are imported when they are called, not before."""
+
+    def main(self, *args: Any, **more: Any) -> Any:
+        """What goes to a file or to another program is UTF-8, on Windows too."""
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, io.TextIOWrapper):
+                if stream.isatty():
+                    stream.reconfigure(errors="replace")
+                else:
+                    stream.reconfigure(encoding="utf-8")
+        return super().main(*args, **more)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names in the order of the overview."""

@@ -99,7 +99,7 @@ def command(
     if not taken:
         nothing = ["there is no question in it that a platform could take", *left, *refused]
         raise click.ClickException("\n".join(nothing))
-    name = f"{path.stem}.{language}" if language else path.stem
+    name = ".".join(filter(None, (path.stem, form, language)))
     out = out or Path("build/export") / f"{name}{ENDINGS[target]}"
     write_out(out, WRITERS[target](asked.title, taken), "--out FILE")
     click.echo(f"{out}: {len(taken)} {'question' if len(taken) == 1 else 'questions'}")

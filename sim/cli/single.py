@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -64,7 +65,7 @@ def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
     if path.suffix != ".md":
         name = re.sub(r"[^a-z0-9]+", "-", path.stem.lower()).strip("-") or "scene"
         lines = ["```scene", f"id: {name if name[0].isalpha() else f'scene-{name}'}"]
-        lines += [f"file: {path.name}", "```"]
+        lines += [f"file: {json.dumps(path.name, ensure_ascii=False)}", "```"]
     else:
         lines = lines_of(author_text(path, shown))
     # In a lesson a scene is watched first; so it is where it stands alone.

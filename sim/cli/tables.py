@@ -135,12 +135,15 @@ def _events(run: Run) -> str:
     return f"{text}\n… and {more} more (--json lists them all)" if more > 0 else text
 
 
-def columns_as_csv(samples: Trajectory) -> str:
-    """The sampled motion, one column each, unit in the header; lines end as RFC 4180 says."""
+def columns_as_csv(samples: Trajectory) -> bytes:
+    """The sampled motion, one column each, unit in the header; lines end as RFC 4180 says.
+
+    Bytes: Windows would write each end of a line twice.
+    """
     columns = {name: values for name, values in samples.columns.items() if name[0] in UNITS}
     header = ",".join(f"{' '.join(name)} ({UNITS[name[0]]})" for name in columns)
     lines = (",".join(repr(value) for value in row) for row in zip(*columns.values(), strict=True))
-    return "\r\n".join([header, *lines, ""])
+    return "\r\n".join([header, *lines, ""]).encode()
 
 
 def certificate_as_text(found: dict[str, Any]) -> str:

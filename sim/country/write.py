@@ -101,9 +101,9 @@ def new_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
-            raise CountryError("this folder is not empty: name a new one")
+            raise CountryError(f"the folder {folder} is not empty: name a new one")
     except OSError as error:
-        raise CountryError(str(error.strerror)) from None
+        raise CountryError(f"{folder}: {error.strerror}") from None
 
 
 def write_keys(folder: Path, keys: Sequence[KeyedForm]) -> None:

@@ -194,6 +194,8 @@ def test_the_map_counts_beliefs_by_question_and_leaves_out_what_nobody_chose() -
     [
         (r"From \(m_A\,\Delta v_A = -m_B\,\Delta v_B\)", "From m_A Δv_A = −m_B Δv_B"),
         (r"\(\dfrac{\Delta v}{a+b}\)", "Δv/(a+b)"),
+        (r"What is $\frac{1}{2} m v_A$ and $$\Delta v$$?", "What is 1/2 m v_A and Δv?"),
+        ("It costs $5 or $6", "It costs $5 or $6"),
         ("a *b* **c** and 2 * 3 * 4", "a b c and 2 * 3 * 4"),
         ("v_A and v_B", "v_A and v_B"),
         ("See [the rule](x.md) and `code`", "See the rule and code"),

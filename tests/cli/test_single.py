@@ -41,8 +41,9 @@ def test_a_folder_above_the_site_says_nothing_of_its_pages(tmp_path: Path) -> No
     assert _scene(site / "worksheets" / "a.md", None, tmp_path / "else").fence.watch == "first"
 
 
-def test_a_scene_file_is_shown_at_once(tmp_path: Path) -> None:
-    path = tmp_path / "worksheets" / "scenes" / "one.yml"
+@pytest.mark.parametrize("name", ["one.yml", "crash #2.yml", "[a].yml", "a: b.yml"])
+def test_a_scene_file_is_shown_at_once(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "worksheets" / "scenes" / name
     path.parent.mkdir(parents=True)
     path.write_text(SCENE, encoding="utf-8")
     assert _scene(path, None, tmp_path).fence.watch == ""

@@ -6,7 +6,10 @@ import re
 
 _EMPHASIS = re.compile(r"(?<![\w*])(\*{1,3}|_{1,3})(?=\S)(.+?)(?<=\S)\1(?![\w*])")
 _LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")
-_FORMULA = re.compile(r"\\\((.+?)\\\)|\\\[(.+?)\\\]", re.DOTALL)
+_FORMULA = re.compile(
+    r"\\\((.+?)\\\)|\\\[(.+?)\\\]|\$\$(.+?)\$\$|(?<![\\\w$])\$(?=\S)([^$\n]+?)(?<=\S)\$(?![\w$])",
+    re.DOTALL,
+)
 _FRACTION = re.compile(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}")
 _WORDS = re.compile(r"\\(?:text|mathrm|operatorname|vec|overline)\{([^{}]*)\}")
 _COMMAND = re.compile(r"\\([A-Za-z]+) ?|\\[,;:! ]")
@@ -19,7 +22,7 @@ _SIGNS = {
 
 def prose(markdown: str) -> str:
     """The words in one line, formulas as one would type them: m_A Δv_A = −m_B Δv_B."""
-    text = _FORMULA.sub(lambda found: _typed(found[1] or found[2]), markdown)
+    text = _FORMULA.sub(lambda found: _typed(found[found.lastindex or 0]), markdown)
     text = _LINK.sub(r"\1", text).replace("`", "")
     return " ".join(_EMPHASIS.sub(r"\2", _EMPHASIS.sub(r"\2", text)).split())
 

@@ -13,7 +13,7 @@ import click
 
 from sim.classroom.files.reading import Read, Reading, Refused
 from sim.classroom.report.report import WHOLE, Asked
-from sim.cli.classroom.files import group_of
+from sim.cli.classroom.files import group_of, with_slashes
 from sim.scene.said import template
 
 OF_ANSWERS = ("keys", "students", "marks", "codes")
@@ -87,7 +87,7 @@ def student(text: str) -> tuple[str, str]:
     name, equals, code = text.rpartition("=")
     if not (name.strip() and equals and code.strip()):
         raise click.UsageError(f"--student {text}: write FILE=CODE, for example a.json=BLUE-FOX-27")
-    return name.strip(), code.strip()
+    return with_slashes(name.strip()), code.strip()
 
 
 def group(text: str) -> tuple[str, str]:
@@ -95,7 +95,7 @@ def group(text: str) -> tuple[str, str]:
     name, equals, pattern = (part.strip("'") for part in text.strip("'").partition("="))
     if not (name.strip() and equals and pattern):
         raise click.UsageError(f'--group {text}: write NAME=GLOB, for example "new=class-7a/*"')
-    return name.strip(), pattern
+    return name.strip(), with_slashes(pattern)
 
 
 def known(students: Mapping[str, str], files: Sequence[Read]) -> None:

@@ -47,12 +47,19 @@ def _source(path: Path) -> Source:
         return Source(f"{path.as_posix()} ({error.strerror})", b"")
 
 
+def with_slashes(text: str, windows: bool = os.name == "nt") -> str:
+    """A path as it is named here; Windows' Tab key writes 7a\\ann.json."""
+    return text.replace("\\", "/") if windows else text
+
+
 def group_of(name: str, groups: Sequence[tuple[str, str]]) -> str:
-    """The first group whose pattern fits the name, its end, or its file name; empty: none."""
+    """The first group whose pattern fits the name, its end, or its file name; empty: none. A folder
+    that is called so comes before what its name would fit as a pattern: [7a]."""
     path = PurePosixPath(name)
     ends = ["/".join(path.parts[k:]) for k in range(len(path.parts))]
     for group, pattern in groups:
         wanted = pattern.removeprefix("./").rstrip("/")
-        if any(fnmatchcase(end, wanted) or fnmatchcase(end, f"{wanted}/*") for end in ends):
+        named = any(f"{end}/".startswith(f"{wanted}/") for end in ends)
+        if named or any(fnmatchcase(end, one) for end in ends for one in (wanted, f"{wanted}/*")):
             return group
     return ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import logging
+import os
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -38,6 +39,8 @@ def own_names(port: int) -> set[str]:
 
 class PageServer(LiveReloadServer):
     """Serves the folder `site` on this computer alone; bound to its port from the start."""
+
+    allow_reuse_address = os.name != "nt"  # Windows would let two servers have one port
 
     def __init__(
         self, builder: Callable[[], None], trouble: Callable[[], str], site: Path, port: int

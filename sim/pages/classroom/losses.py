@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
+from sim.pages.classroom.moodle import plain_text
 from sim.pages.classroom.portable import Portable
 
 Target = Literal["moodle", "gift", "qti"]
@@ -31,6 +32,10 @@ def fitting(questions: Iterable[Portable], target: Target) -> tuple[list[Portabl
         right = sum(percent > 0 for _, percent, _ in q.answers)
         if q.shape == "choices" and target != "qti" and right > MOST_RIGHT:
             refused.append(f"{q.id}: {right} right answers; Moodle refuses more than {MOST_RIGHT}")
+        elif q.shape == "pairs" and not all(plain_text(right).strip() for _, right in q.pairs):
+            refused.append(f"{q.id}: a picture without words cannot be chosen from a list there")
+        elif target == "gift" and q.shape == "short" and any("->" in a[0] for a in q.answers):
+            refused.append(f"{q.id}: GIFT takes the arrow in an accepted answer for a pair")
         else:
             fine.append(q)
     return fine, refused
@@ -48,7 +53,9 @@ def _of(q: Portable, target: Target) -> Iterator[str]:
         yield "its links lead to pages of this site; change them on the platform"
     if q.sure:
         yield "how sure a student is, is not asked there"
-    if q.start and target != "moodle":
+    if q.words:
+        yield "the words to use are not shown there"
+    if q.start and (target != "moodle" or q.shape != "essay"):
         yield "the beginning of the answer is not given there"
     if target == "gift":
         said = sum(bool(feedback) for _, _, feedback in q.wrong_numbers)

@@ -15,6 +15,7 @@ KINDS = {
 }  # fmt: skip
 
 _MARK = re.compile("<[^>]*>")
+_PICTURE = re.compile(r'<img\b[^>]*?\balt="([^"]*)"[^>]*>')
 _FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")  # no XML may hold these
 
 
@@ -116,8 +117,8 @@ def _pair(left: str, right: str) -> str:
 
 
 def plain_text(html: str) -> str:
-    """What a list to choose from can show: it holds no marks of HTML."""
-    return unescape(_MARK.sub("", html))
+    """What a list to choose from can show: it holds no marks of HTML, of a picture its words."""
+    return unescape(_MARK.sub("", _PICTURE.sub(r"\1", html)))
 
 
 def _html(name: str, content: str) -> str:

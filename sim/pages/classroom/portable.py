@@ -46,6 +46,7 @@ class Portable:
     sure: bool = False
     scene: str = ""
     idea: bool = False
+    words: bool = False  # there are words to use
 
 
 def portable(
@@ -72,7 +73,9 @@ def _made(question: Question, scene: str) -> Portable | None:
     def part(shape: Shape, **more: object) -> Portable:
         facts = {"id": question.id, "shape": shape, "ask": ask, "marks": common.marks,
                  "explain": explain, "topics": common.topics, "sure": common.sure,
-                 "scene": scene, "idea": bool(common.idea)}  # fmt: skip
+                 "scene": scene, "idea": bool(common.idea),
+                 "words": bool(getattr(question, "words", ())),
+                 "start": getattr(question, "start", "")}  # fmt: skip
         return Portable(**{**facts, **more})  # type: ignore[arg-type]
 
     if isinstance(question, Single):
@@ -100,7 +103,7 @@ def _made(question: Question, scene: str) -> Portable | None:
         right_ones = tuple((text, 100.0, "") for text in question.accept)
         return part("short", answers=(*right_ones, *known))
     if isinstance(question, Long):
-        return part("essay", rubric=question.rubric, marks=question.worth, start=question.start)
+        return part("essay", rubric=question.rubric, marks=question.worth)
     if isinstance(question, Ordering):
         lines = tuple(map(to_inline, question.order))
         pairs = tuple((f"{k}.", line) for k, line in enumerate(lines, start=1))

@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from sim.cli import main
 from sim.lesson.bank import Bank
 from sim.pages.classroom.gift import gift
-from sim.pages.classroom.moodle import moodle_xml
+from sim.pages.classroom.moodle import moodle_xml, plain_text
 from sim.pages.classroom.portable import Portable, portable
 from sim.pages.question.key_page import lesson_key
 from sim.pages.question.quiz import read_bank_text
@@ -134,6 +134,30 @@ def test_a_question_that_leads_elsewhere_says_so(tmp_path: Path) -> None:
     assert "<text><![CDATA[It is]]></text>" in one_question(tmp_path, f"{LONG}\nask: Why?")[0]
 
 
+def test_an_arrow_in_an_accepted_answer_is_not_written_as_a_pair(tmp_path: Path) -> None:
+    question = "type: short\nask: Which?\naccept: ['A -> B']"
+    made, said = one_question(tmp_path, question, "--to", "gift")
+    assert not made
+    assert "takes the arrow" in said
+    assert "A -> B" in one_question(tmp_path, question)[0]
+
+
+@pytest.mark.parametrize("target", ["moodle", "gift"])
+def test_words_to_use_and_the_beginning_of_a_few_words_are_named_as_lost(
+    tmp_path: Path, target: str
+) -> None:
+    question = (
+        "type: short\nask: Which?\naccept: [equal]\nwords: [equal, opposite]\nstart: They are"
+    )
+    _, said = one_question(tmp_path, question, "--to", target)
+    assert "one: the words to use are not shown there" in said
+    assert "one: the beginning of the answer is not given there" in said
+
+
+def test_of_a_picture_in_a_list_its_words_stay() -> None:
+    assert plain_text('<img alt="two carts" src="a.png"> meet') == "two carts meet"
+
+
 def test_texts_stand_as_they_are_for_moodle_drops_blanks_between_escaped_signs() -> None:
     """Its reader (lib/xmlize.php) leaves pieces of text out that are blank, and gets a new piece at
     every escaped sign: `a &lt; &amp; b` comes in as `a <& b`."""
@@ -174,10 +198,16 @@ def test_the_marks_of_the_right_answers_add_up_to_the_whole() -> None:
                 assert sum(p for _, p, _ in q.answers if p > 0) == pytest.approx(100)
 
 
-def test_the_command_writes_a_form_of_a_bank(tmp_path: Path) -> None:
+def test_the_command_writes_a_form_of_a_bank(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     target = tmp_path / "x.gift"
     words = ["export", str(OWN), "--to", "gift", "--form", "later-2", "--out", str(target)]
     result = CliRunner().invoke(main, words)
     assert result.exit_code == 0, result.output
     assert target.read_text(encoding="utf-8").count("::[html]") == 2
+    monkeypatch.chdir(tmp_path)  # no form takes the place of another's file
+    assert CliRunner().invoke(main, words[:-2]).exit_code == 0
+    made = [one.name for one in Path("build/export").iterdir()]
+    assert made == ["forces-and-motion.later-2.gift.txt"]
     assert CliRunner().invoke(main, ["export", str(OWN), "--form", "nothing"]).exit_code == 2
