@@ -18,8 +18,9 @@ from dataclasses import dataclass
 
 from sim.measured.cells import Row
 from sim.measured.heads import quantity_of
+from sim.measured.prefixes import parted, run_alone
 from sim.measured.refusal import refuse
-from sim.measured.units import head, run_of
+from sim.measured.units import head
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,17 +46,19 @@ def heads_of(above: Sequence[Row], multi: bool) -> tuple[list[Head], int]:
     heads_row = rows.pop()
     if len(heads_row.cells) < 2:
         return [], heads_row.line
-    pairs = [head(cell) for cell in heads_row.cells]
+    parts = parted(heads_row.cells)
+    pairs = [head(text) for _, text in parts]
     names = [name for name, _ in pairs]
     units = [
         unit or (own_units[k] if k < len(own_units) else "") for k, (_, unit) in enumerate(pairs)
     ]
-    runs = [run_of(cell) for cell in heads_row.cells]
+    runs = [run for run, _ in parts]
     named = rows[-1].cells if rows else ()
-    if any(map(run_of, named)):  # what stands there are runs, and no tracks
-        above_runs = _until_the_next([run_of(cell) for cell in named], len(names))
-        runs = [own or over for own, over in zip(runs, above_runs, strict=True)]
-        named = ()
+    over = [run_alone(cell) for cell in named]
+    if not multi and over and all(run for run, cell in zip(over, named, strict=True) if cell):
+        above_runs = _until_the_next(over, len(names))
+        runs = [own or other for own, other in zip(runs, above_runs, strict=True)]
+        named = ()  # what stands there are runs, and no tracks
     tracks = _tracks(named if multi or not _told_apart(names) else (), len(names), multi)
     found = zip(names, units, tracks, runs, strict=True)
     return [Head(*one) for one in found], heads_row.line

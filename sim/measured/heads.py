@@ -1,7 +1,7 @@
 """What a column holds, by its unit and by what it is called in schools of many languages.
 
 A unit says it surely (m/s is a velocity, whatever stands before it), a word where no unit is.
-Whose column it is stands behind or before: “Position 1”, “v_A”, “位置B”, “Position, Ch 2”, “B: x”.
+Whose column it is stands behind or before: “Position 1”, “v_A”, “位置B”, “Cart B: velocity”.
 """
 
 from __future__ import annotations
@@ -30,33 +30,32 @@ SPEED_UNITS = r"(?:[cm]?m/s|km/h)"
 _SPEED_HEAD = re.compile(
     rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:[\t;,|\"]|$|Run)", re.I
 )
-_OF = r"(?:of\s+|ch\s*)?"
-_BEHIND = rf"[\s_.,:-]+{_OF}(?P<who>[A-Za-z0-9]{{1,12}})"
-_NO_SYMBOL = r"(?!(?-i:[vafp])[\s_.:-])"  # v_x is no place of a cart v
-_SHORT = r"[A-Za-z]?\d{1,2}|[A-Za-z]"  # xA, x1, xb
-_LONG = r"(?-i:[A-Z])?\d{1,2}|(?-i:[A-Z])"  # PositionA, Position1: “positions” names no cart s
+_GLUED = "[A-Za-z0-9]{1,12}"  # behind a word; behind a letter: xA, x1, xb
+_SEPARATED = r"[\s_.,-]+(?:of\s+|ch\s*)?(?:(?:cart|wagen)\s+)?(?P<who>[A-Za-z0-9]{1,12})"
 
 
-def _alternatives(words: str, *, letters: bool) -> str:
-    """The longest first; single letters, or the words."""
+def longest_first(words: str, *, letters: bool = False) -> str:
+    """Of what `|` parts the words, or the single `letters`; “pos” comes behind “position”."""
     chosen = [one for one in words.split("|") if (len(one) == 1 and one.isascii()) == letters]
-    return "|".join(sorted(chosen, key=len, reverse=True)) or "(?!)"
+    return "|".join(sorted(chosen, key=len, reverse=True))
 
 
-def named(words: str) -> tuple[re.Pattern[str], ...]:
-    """Patterns of heads with one of these words, which `|` parts; for `owner`."""
-    letter, word = (_alternatives(words, letters=one) for one in (True, False))
+def _named(words: str) -> tuple[re.Pattern[str], ...]:
+    """A word or a letter, and whose it is behind it; a word behind whose it is."""
+    word, letter = (longest_first(words, letters=one) for one in (False, True))
     return (
-        re.compile(rf"\W*(?:{word})(?:{_BEHIND}|{_OF}(?P<glued>{_LONG}))?\W*", re.I),
+        re.compile(rf"\W*(?:{word})(?:{_SEPARATED}|(?:of\s+)?(?P<glued>{_GLUED}))?\W*", re.I),
+        re.compile(rf"\W*(?:{letter})(?:{_SEPARATED}|(?P<glued>[A-Za-z]?\d{{1,2}}|[A-Za-z]))?\W*",
+                   re.I),
         re.compile(rf"\W*(?P<who>.{{1,24}}?)[\s_.,:-]+(?:{word})\W*", re.I),
-        re.compile(rf"\W*(?:{letter})(?:{_BEHIND}|(?P<glued>{_SHORT}))?\W*", re.I),
-        re.compile(rf"\W*(?P<who>{_NO_SYMBOL}.{{1,24}}?)[\s_.:-]+(?:{letter})\W*", re.I),
-    )
+    )  # fmt: skip
 
 
-_NAMED = {kind: named(words) for kind, words in WORDS.items()}
-_GENERIC = re.compile(r"\b(?:cart|wagen|glider|trolley|troli|kereta|chariot|carro|sensor)\b", re.I)
-_ALONG, SIDEWAYS = {"x", "horizontal"}, {"y", "z", "vertical"}
+_NAMED = {kind: _named(words) for kind, words in WORDS.items()}
+_ANY = re.compile("|".join(WORDS.values()) + "|force|kraft", re.I)
+_GENERIC = re.compile(r"\b(?:smart|cart|wagen|glider|trolley|troli|kereta|chariot|carro|sensor)\b",
+                      re.I)  # fmt: skip
+SIDEWAYS = ("y", "z", "vertical")
 _TIME = re.compile(rf"\W*(?:{WORDS['time']})(?:[\s_.-]+[A-Za-z0-9]{{1,8}}|\d{{0,2}})\W*", re.I)
 _WHO = re.compile(r".+?(?:[\s_.,-]+(?P<after>[A-Za-z0-9]{1,12})|(?P<digits>\d{1,2}))\W*")
 
@@ -69,29 +68,24 @@ def is_time(name: str) -> bool:
 def quantity_of(name: str, unit: str) -> tuple[Quantity | None, str]:
     """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s or “Cart B: velocity”."""
     kind = _by_unit(unit)
-    for one in WORDS:
-        if (
-            one != "time"
-            and kind in (None, one)
-            and (whose := owner(name, _NAMED[one])) is not None
-        ):
-            if whose.lower() in SIDEWAYS:
-                return None, ""
-            return one, "" if whose.lower() in _ALONG else whose
+    for one, (word, letter, behind) in _NAMED.items():
+        if one == "time" or kind not in (None, one):
+            continue
+        if match := word.fullmatch(name) or letter.fullmatch(name):
+            return one, match["who"] or match["glued"] or ""
+        if (match := behind.fullmatch(name)) and (whose := owner(match["who"])) is not None:
+            return (None, "") if whose.lower() in SIDEWAYS else (one, whose)
     if kind is None or kind == "time":
         return kind, ""
     match = _WHO.fullmatch(name)
     return kind, (match["after"] or match["digits"]) if match else ""
 
 
-def owner(name: str, patterns: tuple[re.Pattern[str], ...]) -> str | None:
-    """Whose column a head with one of these words is; "" where it does not say, None for others."""
-    for pattern in patterns:
-        if match := pattern.fullmatch(name):
-            groups = match.groupdict()
-            found = groups["who"] or groups.get("glued") or ""
-            return _GENERIC.sub("", found).strip(" _.,:-") or found
-    return None
+def owner(text: str) -> str | None:
+    """The cart that stands before a quantity; None where a quantity stands there too."""
+    if _ANY.fullmatch(text.strip()):
+        return None if len(text.strip()) > 1 or text.strip() in "vV" else text.strip()
+    return " ".join(_GENERIC.sub(" ", text).split()).strip("_.,:- ") or text.strip()
 
 
 def _by_unit(unit: str) -> Quantity | None:

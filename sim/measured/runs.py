@@ -11,7 +11,8 @@ from sim.measured.table import Table
 
 def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
     """The columns of one of the runs that stand side by side, the names of all, and a note; raises
-    ReadingError. A column without a label is of the run to its left; before all, it is for each.
+    ReadingError where there are several and another was asked for. A column without a label is of
+    the run to its left; before all, it is for each.
     """
     labels, current = [], ""
     for column in table.columns:
@@ -19,8 +20,8 @@ def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[s
         labels.append(current)
     runs = tuple(dict.fromkeys(filter(None, labels)))
     if len(runs) < 2:
-        return table, (), []
-    read = runs[place_of(asked, runs)]
+        return table, runs, []
+    read = runs[run_place(asked, runs)]
     pairs = zip(table.columns, labels, strict=True)
     kept = tuple(column for column, label in pairs if label in ("", read))
     left = ", ".join(run for run in runs if run != read)
@@ -28,12 +29,13 @@ def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[s
     return replace(table, columns=kept), runs, [note]
 
 
-def place_of(asked: str, runs: Sequence[str]) -> int:
+def run_place(asked: str, runs: Sequence[str]) -> int:
     """Where a run stands among these: by its name, else its place from 1; raises ReadingError."""
     if not asked:
         return 0
-    if asked in runs:
-        return runs.index(asked)
+    names = [run.casefold() for run in runs]
+    if asked.casefold() in names:
+        return names.index(asked.casefold())
     if asked.isdecimal() and 1 <= int(asked) <= len(runs):
         return int(asked) - 1
     its = ", ".join(runs[:8])

@@ -24,8 +24,8 @@ QUIET = 0.1
 SURE = 6.0
 """Standard deviations that none of some thousand readings lies beyond by chance."""
 
-SCALE = 0.05
-"""Share of the greatest force by which scales and bumps of two sensors differ, law or no law."""
+SHAPE = 0.1
+"""Share of the greatest force by which two sensors differ on a steep slope, law or no law."""
 
 MIDDLE = 0.6745  # median of |x| with noise 1
 STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
@@ -47,7 +47,8 @@ class Pair:
     ratio: float  # |F_B| : |F_A|
     ratio_half: float  # half of its 95 % interval
     worst: tuple[float, float]  # t and sum where the sum is farthest from zero
-    explained: float  # N, the largest sum that noise, clocks and scales make without another push
+    apart: tuple[float, float]  # t and how far F_B is from −ratio F_A, clocks set, where it is most
+    explained: float  # N, how far noise and the shapes of two sensors bring them apart
     lag: float  # s, how much later B's readings are
     set: float | None = None  # s, by which B's clock was set by the contact
 
@@ -89,11 +90,8 @@ def third_law(measured: Measured) -> Pair:
     worst = max(range(len(t)), key=lambda k: abs(sums[k]))
     widths = _widths(t)
     lag = _lag(t, a, b)
-    steepest = max(
-        abs(y - x) / (later - time)
-        for (x, y), (time, later) in zip(itertools.pairwise(a), itertools.pairwise(t), strict=True)
-    )
-    explained = SURE * math.hypot(*noise) + abs(lag) * steepest + SCALE * max(peaks)
+    spread = SURE * math.hypot(ratio * noise[0], noise[1])
+    apart = _apart(t, a, b, ratio, lag)
     return Pair(
         t=t,
         forces=(tuple(a), tuple(b)),
@@ -106,10 +104,24 @@ def third_law(measured: Measured) -> Pair:
         ratio=ratio,
         ratio_half=half,
         worst=(t[worst], sums[worst]),
-        explained=explained,
+        apart=apart,
+        explained=spread + SHAPE * peaks[1],
         lag=lag,
         set=moved,
     )
+
+
+def _apart(
+    t: Sequence[float], a: Sequence[float], b: Sequence[float], ratio: float, lag: float
+) -> tuple[float, float]:
+    """Where B, as late as its clock is and as large as its scale, leaves A the most: t and N."""
+    moved = _at(Track("", tuple(t), tuple(b), ()), [time + lag for time in t])
+    pairs = [
+        (time, y + ratio * x)
+        for time, x, y in zip(t, a, moved, strict=True)
+        if t[0] <= time + lag <= t[-1]
+    ]
+    return max(pairs, key=lambda pair: abs(pair[1]), default=(t[0], 0.0))
 
 
 def _at(track: Track, t: Sequence[float]) -> list[float]:

@@ -30,14 +30,8 @@ _WRITTEN = {
 
 _WIDE = str.maketrans("（）［］／：　", "()[]/: ")
 
-_RUN = re.compile(
-    r"(?<![^\W\d_])(?:(?:run|data\s?set|lauf|durchgang|essai|ensayo|larian)\W{0,3}(\d{1,4})|(latest)\b)",
-    re.I,
-)
-"""What a logger says of the run, before the name of a column or behind it."""
-
 _HEAD = (
-    re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,10})[)\]]\s*(?:run\W*\d*)?\s*", re.I),
+    re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,10})[)\]]\s*"),
     re.compile(r"(?P<name>[^/]+?)\s*/\s*(?P<unit>[^\W\d_]{1,4}(?:/s|/h|\s*s-1)?)\s*"),
     re.compile(r"(?P<name>.+?)\s+in\s+(?P<unit>[^\W\d_]{1,4}(?:/s|/h)?)\s*"),
 )
@@ -58,28 +52,18 @@ class Units:
         return str(getattr(self, kind))
 
 
-def head(text: str) -> tuple[str, str]:
-    """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there.
+def narrow(text: str) -> str:
+    """The text with brackets and signs of Chinese keyboards as those of others."""
+    return text.translate(_WIDE)
 
-    What a logger says of the run (“Run 1: Force (N)”, “Force (N) Run #1”) is left out.
-    """
-    text = text.translate(_WIDE)
-    if run := _RUN.search(text):
-        before, after = text[: run.start()].strip(" \"'#"), text[run.end() :].lstrip()
-        if not before and after.startswith(":"):
-            text = after[1:]
-        elif before and not after:
-            text = before
+
+def head(text: str) -> tuple[str, str]:
+    """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there."""
+    text = narrow(text)
     for pattern in _HEAD:
         if match := pattern.fullmatch(text.strip()):
             return match["name"].strip(), match["unit"].strip()
     return text.strip(), ""
-
-
-def run_of(text: str) -> str:
-    """The run that a column's head names: "2" for “Run 2: Force (N)”; empty: it names none."""
-    match = _RUN.search(text)
-    return (match[1] or match[2].lower()) if match else ""
 
 
 def plain_unit(unit: str) -> str:

@@ -27,7 +27,7 @@ def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> l
         f"Size of the force on {b} ÷ size of the force on {a}: "
         f"{with_half(pair.ratio, pair.ratio_half, '')}.",
     ]
-    time, most = pair.worst
+    time, most = pair.apart
     if pair.ratio_half > SCATTERED:
         said.append(
             "These readings scatter too much to compare the two forces. Push with both sensors "
@@ -35,10 +35,9 @@ def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> l
         )
     elif abs(most) > pair.explained:
         said.append(
-            f"At {number(time, 3)} s the two sensors do not agree: noise and clocks explain a sum "
-            f"of {number(pair.explained, 2)} N, not {number(abs(most), 2)} N. Something else "
-            "pushed one of them then, or it was not at rest on its cart. Leave that time out, or "
-            "repeat."
+            f"At {number(time, 3)} s the two sensors are {number(abs(most), 2)} N apart; noise, "
+            f"clocks and scales explain {number(pair.explained, 2)} N. Something else pushed one "
+            "of them then, or it was not at rest on its cart. Leave that time out, or repeat."
         )
     elif abs(pair.ratio - 1.0) <= pair.ratio_half:
         percent = max(0.1, 100.0 * (abs(pair.ratio - 1.0) + pair.ratio_half))

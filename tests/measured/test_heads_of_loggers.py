@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import zipfile
 
 import pytest
@@ -28,19 +29,95 @@ def places(text: str, run: str = "") -> dict[str, float]:
     return {one.name: one.value[0] for one in read_measured([text], Units(run=run)).tracks}
 
 
-OWNERS = {
-    "before a colon": "Time (s),B: x (m),A: x (m)",
-    "a word and a letter": "Time (s),Cart B: Position (m),Cart A: Position (m)",
-    "without a colon": "Time (s),Cart B Position (m),Cart A Position (m)",
-    "glued": "t,PositionB,PositionA",
-    "a word behind": "Time (s),Position of B (m),Position of A (m)",
-    "another language": "Masa (s),Kedudukan B (m),Kedudukan A (m)",
+PLACES = """\
+Time (s)|B: x (m)|A: x (m)
+Time (s)|Cart B: Position (m)|Cart A: Position (m)
+Time (s)|Cart B Position (m)|Cart A Position (m)
+Time (s)|Cart B: Position|Cart A: Position
+t|PositionB|PositionA
+t|x of B|x of A
+t|position of cart B|position of cart A
+Time (s)|Position of B (m)|Position of A (m)
+Masa (s)|Kedudukan B (m)|Kedudukan A (m)
+t|B.x|A.x
+t|x_B_run1|x_A_run1
+t|B|A
+B: Time (s)|B: x (m)|A: Time (s)|A: x (m)
+Group 3: t|Group 3: x_B|Group 3: x_A
+Time (s)|B Position (m)|A Position (m)|A y (m)
+t|x_B|x_A|v_x
+t|x_B|x_A|acceleration x"""
+NAMES = {
+    "t|Cart A|Cart B": "Cart A, Cart B",
+    "t|小车 A|小车 B": "小车 A, 小车 B",
+    "t|a1|a2": "a1, a2",
+    "t|a_x|b_x": "a, b",
+    "t|xLeft|xRight": "Left, Right",
+    "t|Position|Position 2": "1, 2",
+    "t (s)|Smart Cart Red 12-34 Position (m)|Smart Cart Blue 7 Position (m)": "Red 12-34, Blue 7",
+    "Latest: Time (s)|Latest: Position (m)|Latest: Position 2 (m)": "1, 2",
+}
+FORCES = {
+    "t|Dual Range Force 1|Dual Range Force 2": "1, 2",
+    "t|Dual Range Force|Dual Range Force 2": "1, 2",
+    "t|Force on A|Force on B": "A, B",
+    "t|Kraft auf A|Kraft auf B": "A, B",
+    "Collision:Time(s)|Collision:Force 1(N)|Collision:Force 2(N)": "1, 2",
+    "Versuch 1: t|Versuch 1: F_A|Versuch 1: F_B": "A, B",
+    "Time (s)|Force (N), Run #1|Force 2 (N), Run #1": "1, 2",
+    "Time (s)|Left (N)|Right (N)": "Left, Right",
 }
 
 
-@pytest.mark.parametrize("how", OWNERS)
-def test_a_column_is_of_the_cart_that_its_head_names(how: str) -> None:
-    assert places(table(OWNERS[how], TIMES, B, A)) == {"A": A[0], "B": B[0]}
+CLOCK = re.compile(r"(?:.*:\s*)?(?:t|Time ?\(s\)|Masa \(s\)|t \(s\))")
+
+
+def written(heads: str) -> str:
+    """A table below these heads: B's places, then A's, where they are places."""
+    cells, others = heads.split("|"), iter((B, A, SLOW))
+    timed = [CLOCK.fullmatch(cell) is not None for cell in cells]
+    return table(",".join(f'"{cell}"' for cell in cells),
+                 *(TIMES if time else next(others) for time in timed))  # fmt: skip
+
+
+@pytest.mark.parametrize("heads", PLACES.splitlines())
+def test_a_column_is_of_the_cart_that_its_head_names(heads: str) -> None:
+    assert places(written(heads)) == {"A": A[0], "B": B[0]}
+
+
+@pytest.mark.parametrize("heads", NAMES)
+def test_carts_are_called_as_the_heads_tell_them_apart(heads: str) -> None:
+    found = read_measured([written(heads)])
+    assert found.kind == "length"
+    assert sorted(found.names) == sorted(NAMES[heads].split(", "))
+
+
+@pytest.mark.parametrize("heads", FORCES)
+def test_a_force_is_no_place_whatever_stands_around_it(heads: str) -> None:
+    found = read_measured([written(heads)])
+    assert (found.kind, ", ".join(found.names)) == ("force", FORCES[heads])
+
+
+@pytest.mark.parametrize("label", ["Datensatz {}", "Trial {}", "Essai n° {}", "Anna {}"])
+def test_datasets_with_a_time_of_their_own_are_runs_whatever_they_are_called(label: str) -> None:
+    heads = [f"{label.format(k)}: {h}" for k in (1, 2) for h in ("t", "x_A", "x_B")]
+    text = table(",".join(heads), TIMES, A, B, TIMES, SLOW, B)
+    found = read_measured([text])
+    assert len(found.runs) == 2
+    assert found.names == ("A", "B")
+    asked = read_measured([text], Units(run="2"))
+    assert asked.tracks[0].value[-1] == pytest.approx(SLOW[-1])
+
+
+def test_the_only_run_of_a_file_may_be_asked_for_as_it_is_called() -> None:
+    text = table("Run 3: t,Run 3: x_A,Run 3: x_B", TIMES, A, B)
+    assert read_measured([text], Units(run="3")).tracks == read_measured([text]).tracks
+
+
+def test_tracks_that_are_called_like_runs_stay_tracks() -> None:
+    heads = "#multi:\n,B run 1,,A run 1,\nt,x,y,x,y"
+    names = read_measured([table(heads, TIMES, B, SLOW, A, SLOW)]).names
+    assert sorted(names) == ["A run 1", "B run 1"]
 
 
 def test_positions_beside_velocities_are_of_the_cart_before_the_colon() -> None:

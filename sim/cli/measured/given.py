@@ -9,7 +9,7 @@ import click
 
 from sim.cli.named_file import bytes_of
 from sim.measured.refusal import ReadingError
-from sim.measured.runs import place_of
+from sim.measured.runs import run_place
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import MOST_ZIPPED, texts_of
@@ -29,7 +29,7 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
         _refuse(files[error.source], error)
     if units.run and not measured.runs:  # where there are several, their reader refuses it itself
         try:
-            place_of(units.run, ["1"])
+            run_place(units.run, ["1"])
         except ReadingError as error:
             _refuse(files[0], error)
     return measured

@@ -12,17 +12,15 @@ import itertools
 import re
 from collections.abc import Sequence
 
-from sim.measured.heads import SIDEWAYS, is_time, named, owner, quantity_of
+from sim.measured.heads import is_time, quantity_of
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
-from sim.measured.runs import of_one_run
+from sim.measured.runs import of_one_run, run_place
 from sim.measured.table import MOST_FAULTS, Column, Table, read_table
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
+from sim.measured.whose import cart_names, force_on, is_velocity, place_of
 
-_FORCE = named("f|force|kraft|fuerza|forza|daya")
-_POSITION = named("x|pos|position|place|ort")
 _COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
-_NOT_POSITION = re.compile(r"xx|x\W?(speed|vel)", re.I)
 
 
 def claims(text: str) -> bool:
@@ -34,6 +32,8 @@ def read(text: str, units: Units) -> Reading:
     """The tracks of a table; raises ReadingError."""
     table, runs, said = of_one_run(read_table(text), units.run)
     kind, tracks, notes = _of_table(table, units)
+    if len(runs) == 1:
+        run_place(units.run, runs)
     what: Content = "force" if kind == "force" else "length"
     return Reading(what, tuple(tracks), (*said, *notes), runs=runs)
 
@@ -52,7 +52,7 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
     time_factors, time_note = _unit(table, clocks, "time", units)
     value_factors, value_note = _unit(table, wanted, kind, units)
     factors = zip(time_factors, value_factors, strict=True)
-    columns = zip(_names(wanted), clocks, wanted, factors, strict=True)
+    columns = zip(cart_names(wanted), clocks, wanted, factors, strict=True)
     tracks = [_track(table, *one) for one in columns]
     said = [f"{table.separator} between the columns, decimal {table.decimal}"]
     return kind, tracks, [time_note, value_note, *said]
@@ -104,21 +104,23 @@ def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
 
 
 def _is_force(column: Column) -> bool:
-    return owner(column.name, _FORCE) is not None or kind_of_unit(column.unit) == "force"
+    return force_on(column.name) is not None or kind_of_unit(column.unit) == "force"
 
 
 def _is_place(column: Column) -> bool:
-    whose = owner(column.name, _POSITION)
-    other = whose is None or whose.lower() in SIDEWAYS or _NOT_POSITION.match(column.name)
-    return not other and kind_of_unit(column.unit or "m") == "length"
+    fits = kind_of_unit(column.unit or "m") == "length"
+    return fits and place_of(column.name) is not None
 
 
 def _no_velocities(table: Table, columns: Sequence[Column]) -> None:
     """Two columns without a unit are places, whatever they are called, but not by these words."""
-    for column in columns:
-        if not column.unit and quantity_of(column.name, "")[0] in ("vel", "acc"):
-            reason = f"“{shown(column.name)}” has no unit and is no place"
-            raise refuse(table.heads_line, reason, f"write its unit: {shown(column.name)} (m/s)")
+    if all(not column.unit and is_velocity(column.name) for column in columns):
+        name = shown(columns[0].name)
+        raise refuse(
+            table.heads_line,
+            f"“{name}” has no unit and is no place",
+            f"write its unit: {name} (m/s)",
+        )
 
 
 def _not_three(table: Table, columns: list[Column], what: str) -> list[Column]:
@@ -128,21 +130,6 @@ def _not_three(table: Table, columns: list[Column], what: str) -> list[Column]:
             table.heads_line, f"{len(columns)} {what}: {names}", "leave two of them in the file"
         )
     return columns
-
-
-def _names(columns: Sequence[Column]) -> list[str]:
-    """What the carts are called: by their track, by their column, or A and B."""
-    found = []
-    for k, column in enumerate(columns):
-        whose = owner(column.name, _POSITION)
-        whose = owner(column.name, _FORCE) if whose is None else whose
-        if whose is None:
-            what, whose = quantity_of(column.name, "")
-            whose = whose if what == "pos" else column.name
-        found.append((column.track or whose).strip() or "AB"[k])
-    if len(found) == 2 and found[0] == found[1]:
-        found = [f"{name} {k}" for k, name in enumerate(found, 1)]
-    return found
 
 
 def _unit(

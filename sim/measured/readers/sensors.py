@@ -16,12 +16,13 @@ import re
 from dataclasses import replace
 
 from sim.measured.heads import Quantity, has_speeds, is_time, quantity_of
+from sim.measured.prefixes import parted
 from sim.measured.readers import plain
 from sim.measured.refusal import refuse, shown
-from sim.measured.runs import of_one_run, place_of
+from sim.measured.runs import of_one_run, run_place
 from sim.measured.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor, plain_unit, run_of
+from sim.measured.units import Units, factor, plain_unit
 from sim.scene.quantity import SPEED
 
 _HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
@@ -35,10 +36,8 @@ def claims(text: str) -> bool:
     head = next((line for line in lines if _TIMES.search(line)), "")
     if _FORCES.search(head):
         return False
-    return (
-        bool(_HEAD.search(head))
-        or len(set(filter(None, map(run_of, re.split(r"[\t;,]", head))))) > 1
-    )
+    runs = {run for run, _ in parted(re.split(r"[\t;,]", head))} - {""}
+    return bool(_HEAD.search(head)) or len(runs) > 1
 
 
 _TIMES = re.compile(r"\btime\b", re.I)
@@ -51,11 +50,12 @@ def read(text: str, units: Units) -> Reading:
     """Both carts of one run, or one; raises ReadingError."""
     table, runs, notes = of_one_run(read_table(text), units.run)
     below: list[str] = []
-    tracks = _tracks(table, replace(units, run="") if runs else units, notes, below)
+    found = len(runs) > 1 or units.run.casefold() in map(str.casefold, runs)
+    tracks = _tracks(table, replace(units, run="") if found else units, notes, below)
     if not tracks:
         return plain.read(text, units)
     notes.append(f"{table.separator} between the columns, decimal {table.decimal}")
-    every = runs or tuple(below)
+    every = runs if len(runs) > 1 else tuple(below) or runs
     return Reading("length", tuple(tracks), tuple(notes), own=len(tracks) == 2, runs=every)
 
 
@@ -84,7 +84,8 @@ def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> l
         raise refuse(table.heads_line, f"{len(places)} carts: {names}", "leave two of them")
     tracks = []
     for k, (who, (clock, column)) in enumerate(places.items()):
-        name = who or ("AB"[k] if len(places) > 1 else "cart")
+        alone = "1" if "2" in places else "AB"[k]  # “Position” beside “Position 2”
+        name = who or (alone if len(places) > 1 else "cart")
         tracks.append(_track(table, name, (clock, column), units, notes, below, by_speed))
     if by_speed and tracks:
         notes.append("positions are the velocities summed up")
@@ -150,7 +151,7 @@ def _one_run(rows: Rows, name: str, asked: str, notes: list[str], below: list[st
         else:
             runs[-1].append(row)
     long = [run for run in runs if len(run) >= FEWEST]
-    place = place_of(asked, [str(k) for k in range(1, len(long) + 1)])
+    place = run_place(asked, [str(k) for k in range(1, len(long) + 1)])
     kept = long[place] if long else max(runs, key=len)
     if len(long) > max(1, len(below)):
         below[:] = [str(k) for k in range(1, len(long) + 1)]

@@ -1,0 +1,85 @@
+"""What loggers write around the head of a column: the run, the dataset, or whose column it is.
+
+    Run 1: Time (s)     Position (m) Run #1     Data Set 2:Force(N)     Group 3: Time (s)
+
+What stands before a colon in every head, that of the time too, is no cart: it is one dataset, or
+each that has a time of its own is a run. What stands there in some heads is a cart (“A: x (m)”).
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+
+from sim.measured.heads import is_time
+from sim.measured.units import head, kind_of_unit, narrow
+
+_NUMBER = r"[\W_]{0,3}(?:(?:nr|no|n°|nº)\.?\s*)?(?P<number>\d{1,4})"
+_WORDS = (
+    "run|data\\s?set|trial|lauf|durchlauf|durchgang|datensatz|messreihe|versuch|essai|"
+    "jeu de données|ensayo|prueba|conjunto de datos|larian|数据集|运行|实验"
+)
+_RUN = rf"(?:(?:{_WORDS}){_NUMBER}|(?P<latest>latest))"
+_ALONE = re.compile(rf"[\W_]*{_RUN}[\W_]*", re.I)
+_BEHIND = re.compile(rf"(?P<rest>.*?)[\s_,;-]*(?<![^\W_]){_RUN}\W*", re.I)
+_BEFORE = re.compile(rf"\W*{_RUN}[\s_]+(?P<rest>.+)", re.I)
+_COLON = re.compile(r"[\"'\s]*(?P<prefix>[^:()\[\]]{1,24}?)\s*:\s*(?P<rest>.+)")
+
+
+WHOLE = 3
+"""Columns of a run: the time and two sensors. A time and one column may be a cart's own."""
+
+
+def run_alone(text: str) -> str:
+    """The run that a text names and nothing else: "2" for “Run #2”; empty: it names none."""
+    match = _ALONE.fullmatch(narrow(text))
+    return _run(match) if match else ""
+
+
+def _run(match: re.Match[str]) -> str:
+    return match["number"] or match["latest"]
+
+
+def parted(cells: Sequence[str]) -> list[tuple[str, str]]:
+    """Of each head the run, which may be empty, and what is left of it."""
+    texts = [narrow(cell).strip() for cell in cells]
+    found = [_COLON.fullmatch(text) for text in texts]
+    datasets = _datasets([match for match, text in zip(found, texts, strict=True) if text])
+    parts = []
+    for text, match in zip(texts, found, strict=True):
+        run = run_alone(match["prefix"]) if match else ""
+        if match and (run or match["prefix"] in datasets):
+            parts.append((run or datasets[match["prefix"]], match["rest"]))
+        elif match and _is_time(match["rest"]):  # “A: Time (s)”: the sensor of this cart
+            parts.append(("", match["rest"]))
+        else:
+            parts.append(_around(text))
+    return parts
+
+
+def _datasets(heads: Sequence[re.Match[str] | None]) -> dict[str, str]:
+    """The prefixes that name no cart, each with the run that it is; one alone is no run."""
+    told = [match for match in heads if match]
+    prefixes = Counter(match["prefix"] for match in told)
+    if not told or len(told) < len(heads):
+        return {}
+    if len(prefixes) == 1:
+        return dict.fromkeys(prefixes, "")
+    timed = {match["prefix"] for match in told if _is_time(match["rest"])}
+    whole = timed == set(prefixes) and min(prefixes.values()) >= WHOLE
+    return {prefix: prefix for prefix in prefixes} if whole else {}
+
+
+def _is_time(text: str) -> bool:
+    name, unit = head(text)
+    return is_time(name) or kind_of_unit(unit) == "time"
+
+
+def _around(text: str) -> tuple[str, str]:
+    """A run that stands behind the head, or before it without a colon."""
+    for pattern in (_BEHIND, _BEFORE):
+        match = pattern.fullmatch(text)
+        if match and match["rest"].strip():
+            return _run(match), match["rest"]
+    return "", text
