@@ -115,6 +115,23 @@ def test_every_mistake_has_a_path_and_a_code(plain, where, code):
     assert (where, code) in problems(plain)
 
 
+PUSH = {"push": {"cart": "A", "force": "1 N", "from": 0, "to": "1 s"}}
+
+
+@pytest.mark.parametrize("carts", [{"小车": {"mass": 1, "position": 0}}, {}, None, ["A"]])
+@pytest.mark.parametrize(
+    "effect",
+    [PUSH, {"friction": {"coefficient": 0.02}}, {"spring": {"between": ["A", "B"]}}],
+)
+def test_an_effect_beside_carts_that_cannot_be_used_hides_not_what_is_wrong_with_them(
+    carts, effect
+):
+    found = problems({"carts": carts, "effects": [effect, {"frictoin": {}}]})
+    assert {where for where, _ in found if where.startswith("carts")}
+    assert ("effects.1.frictoin", "unknown-effect") in found
+    assert "unknown-body" not in {code for _, code in found}
+
+
 def test_all_mistakes_are_reported_at_once():
     plain = {"carts": {"A": {"mass": -1, "positon": 0}}, "until": "soon", "contact": {"law": "x"}}
     found = {where for where, _ in problems(plain)}
