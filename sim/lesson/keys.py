@@ -50,6 +50,8 @@ def text(
         return str(value)
     if isinstance(value, str) and value.strip():
         return value.strip()
+    if isinstance(value, bool):
+        hint = f'put the word in quotes: {name}: "{str(value).lower()}"'
     problems.append(Problem((*path, name), "not-text", f"{name} must be a text", hint))
     return None
 

@@ -210,6 +210,7 @@ def test_a_fence_knows_how_it_is_shown():
         ({"predict": {"curve": "a.A"}}, "predict.curve"),
         ({"predict": {"arrows": ["A-B"], "scale": "pounds"}}, "predict.scale"),
         ({"predict": {"choice": ["one"]}}, "predict.choice"),
+        ({"predict": {"choice": ["one", "two", " one "]}}, "predict.choice.2"),
         ({"predict": {}}, "predict"),
         ({"predict": {"text": "why?", "talk": "perhaps"}}, "predict.talk"),
         ({"with": ["lense"]}, "with"),
@@ -231,6 +232,26 @@ def test_a_control_counts_in_the_unit_that_its_limits_are_written_in():
     slow, mixed = read_fence({**FENCE, "controls": controls}).controls
     assert (slow.unit, slow.shown(slow.high), slow.high) == ("mm/s", 1500.0, 1.5)
     assert (mixed.unit, mixed.per) == ("kg", 1.0)
+
+
+@pytest.mark.parametrize(
+    ("limits", "bare"),
+    [
+        (("10 cm", 90, "5 cm"), "to"),
+        ((".1", "90 cm", "5 cm"), "from"),
+        (("0", "90 cm", "1e0"), "step"),
+    ],
+)
+def test_a_limit_without_a_unit_beside_one_in_cm_is_refused(limits, bare):
+    entry = {"set": "A.position", **dict(zip(("from", "to", "step"), limits, strict=True))}
+    found = problems({**FENCE, "controls": [entry]}, read_fence)
+    assert found == {(f"controls.0.{bare}", "wrong-unit")}
+
+
+@pytest.mark.parametrize("limits", [(0, "0.5 m", "0.1"), ("0", "50 cm", "1 mm"), (0, 1, 0.1)])
+def test_limits_in_si_and_nought_need_no_unit(limits):
+    entry = {"set": "A.position", **dict(zip(("from", "to", "step"), limits, strict=True))}
+    assert read_fence({**FENCE, "controls": [entry]}).controls
 
 
 def test_a_misspelt_key_is_told_once():

@@ -35,7 +35,7 @@ def read_accept(table: Mapping[str, Any], path: Path, problems: list[Problem]) -
         message = "this is one answer, commas and all: several stand in brackets"
         hint = f'several: accept: [{parts}]; one: accept: ["{accept[0]}"]'
         problems.append(Problem(here, "not-a-list", message, hint))
-    _say_something(accept, here, problems)
+    _say_something(table.get("accept"), here, problems)
     return accept
 
 
@@ -47,17 +47,20 @@ def read_wrong(
     found = []
     for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
         texts = keys.texts(row, "text", here, problems, hint)
-        _say_something(texts, (*here, "text"), problems)
+        _say_something(row.get("text"), (*here, "text"), problems)
         given = keys.text(row, "feedback", here, problems) or ""
         found.append((texts, read_belief(row, here, problems), given))
     return tuple(found)
 
 
-def _say_something(texts: Iterable[str], path: Path, problems: list[Problem]) -> None:
-    for text in texts:
-        if not plain(text):
+def _say_something(given: object, path: Path, problems: list[Problem]) -> None:
+    """One text or a list: none may be nothing but what does not count."""
+    listed = given if isinstance(given, (list, tuple)) else [given]
+    for k, text in enumerate(listed):
+        if isinstance(text, str) and text.strip() and not plain(text):
             message = f"“{text[:40]}” is nothing but punctuation, which does not count"
-            problems.append(Problem(path, "not-text", message, "write words, numbers or signs"))
+            here = path if listed is not given else (*path, k)
+            problems.append(Problem(here, "not-text", message, "write words, numbers or signs"))
 
 
 def of_key(texts: Iterable[str]) -> tuple[str, ...]:
