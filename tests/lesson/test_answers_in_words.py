@@ -112,6 +112,12 @@ def test_the_right_answer_is_told_as_its_author_wrote_it() -> None:
     assert answer_words(question, row["key"]) == "1.5 N / Newton's law F = m·a"
 
 
+def test_true_and_false_are_accepted_as_they_were_written() -> None:
+    question = read_question({**SHORT, "accept": True})
+    assert question.key()["accept"] == ["true"]
+    assert question.mark("True.").verdict == "right"
+
+
 def test_a_key_file_of_an_earlier_version_marks_as_before() -> None:
     row = item_key(
         read_question({**SHORT, "accept": ["1.5 N", "zero"], "wrong": [{"text": "2,5"}]})

@@ -86,7 +86,7 @@ def test_a_text_that_needs_quotes_is_named_where_it_begins(
 
 FORMULAS = r"""
 \frac{1}{2} \vec F \nabla \theta \times \tau \rho \beta \bar x \alpha \nu \epsilon \Lambda \Phi \Pi
-\_ \0 \xi \upsilon \Upsilon \neq \ne \not \ni \mu
+\_ \0 \xi \upsilon \Upsilon \neq \ne \not \mu
 """
 
 

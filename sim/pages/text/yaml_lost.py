@@ -20,7 +20,7 @@ _NEVER_MEANT = "0abtvfreNLP_"
 
 _OF_A_NEW_LINE = frozenset({
     "nabla", "natural", "ncong", "ne", "nearrow", "neg", "neq", "newline", "nexists", "ngeq",
-    "ni", "nleq", "nless", "nmid", "nolimits", "nonumber", "normalsize", "not", "notag",
+    "nleq", "nless", "nmid", "nolimits", "nonumber", "normalsize", "not", "notag",
     "notin", "nparallel", "nprec", "nrightarrow", "nsim", "nsubseteq", "nsucc", "nu",
     "nwarrow",
 })  # fmt: skip
