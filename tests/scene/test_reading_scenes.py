@@ -115,23 +115,6 @@ def test_every_mistake_has_a_path_and_a_code(plain, where, code):
     assert (where, code) in problems(plain)
 
 
-PUSH = {"push": {"cart": "A", "force": "1 N", "from": 0, "to": "1 s"}}
-
-
-@pytest.mark.parametrize("carts", [{"小车": {"mass": 1, "position": 0}}, {}, None, ["A"]])
-@pytest.mark.parametrize(
-    "effect",
-    [PUSH, {"friction": {"coefficient": 0.02}}, {"spring": {"between": ["A", "B"]}}],
-)
-def test_an_effect_beside_carts_that_cannot_be_used_hides_not_what_is_wrong_with_them(
-    carts, effect
-):
-    found = problems({"carts": carts, "effects": [effect, {"frictoin": {}}]})
-    assert {where for where, _ in found if where.startswith("carts")}
-    assert ("effects.1.frictoin", "unknown-effect") in found
-    assert "unknown-body" not in {code for _, code in found}
-
-
 def test_all_mistakes_are_reported_at_once():
     plain = {"carts": {"A": {"mass": -1, "positon": 0}}, "until": "soon", "contact": {"law": "x"}}
     found = {where for where, _ in problems(plain)}
@@ -232,26 +215,6 @@ def test_a_control_counts_in_the_unit_that_its_limits_are_written_in():
     slow, mixed = read_fence({**FENCE, "controls": controls}).controls
     assert (slow.unit, slow.shown(slow.high), slow.high) == ("mm/s", 1500.0, 1.5)
     assert (mixed.unit, mixed.per) == ("kg", 1.0)
-
-
-@pytest.mark.parametrize(
-    ("limits", "bare"),
-    [
-        (("10 cm", 90, "5 cm"), "to"),
-        ((".1", "90 cm", "5 cm"), "from"),
-        (("0", "90 cm", "1e0"), "step"),
-    ],
-)
-def test_a_limit_without_a_unit_beside_one_in_cm_is_refused(limits, bare):
-    entry = {"set": "A.position", **dict(zip(("from", "to", "step"), limits, strict=True))}
-    found = problems({**FENCE, "controls": [entry]}, read_fence)
-    assert found == {(f"controls.0.{bare}", "wrong-unit")}
-
-
-@pytest.mark.parametrize("limits", [(0, "0.5 m", "0.1"), ("0", "50 cm", "1 mm"), (0, 1, 0.1)])
-def test_limits_in_si_and_nought_need_no_unit(limits):
-    entry = {"set": "A.position", **dict(zip(("from", "to", "step"), limits, strict=True))}
-    assert read_fence({**FENCE, "controls": [entry]}).controls
 
 
 def test_a_misspelt_key_is_told_once():
