@@ -50,6 +50,8 @@ def text(
         return str(value)
     if isinstance(value, str) and value.strip():
         return value.strip()
+    if isinstance(value, bool):
+        hint = f'put the word in quotes: {name}: "{str(value).lower()}"'
     problems.append(Problem((*path, name), "not-text", f"{name} must be a text", hint))
     return None
 
@@ -93,7 +95,11 @@ def texts(
     if value is None and name not in table:
         return ()
     listed = value if isinstance(value, (list, tuple)) else [value]
-    found = [str(item).strip() for item in listed if isinstance(item, (str, int, float))]
+    found = [
+        str(item).lower() if isinstance(item, bool) else str(item).strip()  # as it was written
+        for item in listed
+        if isinstance(item, (str, int, float))
+    ]
     if len(found) != len(listed) or not all(found):
         problems.append(Problem((*path, name), "not-text", f"{name} lists texts", hint))
         return ()

@@ -36,6 +36,7 @@ from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
 HIDDEN_SUFFIX = ".md.txt"  # an editor adds it, a file manager hides it
+NEAR_SUFFIXES = (".md", ".markdown", ".mdown", ".mdwn", ".mkd", ".mkdn")  # .MD too: as no lesson
 SCENE_SUFFIXES = (".yml", ".yaml")
 USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 
@@ -146,7 +147,7 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
     for path in paths:
         for file in _files(path):
             name = shown(file, root)
-            if file.name.endswith(HIDDEN_SUFFIX):
+            if _nearly_lesson(file):
                 findings.append(_not_seen(name))
                 continue
             try:
@@ -189,12 +190,26 @@ def _files(path: Path) -> Iterator[Path]:
         # A YAML file counts only in a folder of scenes or of banks: others are settings.
         for file in sorted(path.rglob("*")):
             ours = file.suffix in SCENE_SUFFIXES and file.parent.name in ("scenes", BANK_FOLDER)
-            hidden = file.name.endswith(HIDDEN_SUFFIX)
-            if file.is_file() and (file.suffix in LESSON_SUFFIXES or ours or hidden):
+            lesson = file.suffix in LESSON_SUFFIXES or _nearly_lesson(file)
+            if file.is_file() and (lesson or ours):
                 yield file
 
 
+def _nearly_lesson(file: Path) -> bool:
+    """Markdown by its name, of which no lesson is made."""
+    if file.name.lower().endswith(HIDDEN_SUFFIX):
+        return True
+    near = file.suffix.lower() in NEAR_SUFFIXES and file.suffix not in LESSON_SUFFIXES
+    return near and file.stem.lower() != "readme"
+
+
 def _not_seen(file: str) -> Finding:
-    right = file.removesuffix(".txt").rpartition("/")[2]
-    message = "this is no lesson: its name ends in .txt, and many computers hide that"
+    name = file.rpartition("/")[2]
+    if name.lower().endswith(HIDDEN_SUFFIX):
+        right = f"{name[: -len(HIDDEN_SUFFIX)]}.md"
+        message = "this is no lesson: its name ends in .txt, and many computers hide that"
+    else:
+        stem, _, ending = name.rpartition(".")
+        right = f"{stem}.md"
+        message = f"this is no lesson: its name ends in .{ending}, that of a lesson in .md"
     return Finding(file, 1, 1, "hidden-ending", message, f"rename it to {right}")

@@ -115,6 +115,8 @@ def _limits(
             numbers[key] = read_quantity(table[key], field.dimension)
         except QuantityError as error:
             return Problem((*path, key), error.code, error.message, error.hint)
+    if bare := _bare(table, path, field):
+        return bare
     if numbers["from"] >= numbers["to"] or numbers["step"] <= 0:
         told = "a control goes from a smaller to a larger number in positive steps"
         hint = f"{{set: {target}, from: 1, to: 5, step: 0.5}}"
@@ -124,6 +126,19 @@ def _limits(
         if isinstance(bound, Problem):
             return bound
     return float(numbers["from"]), float(numbers["to"]), float(numbers["step"])
+
+
+def _bare(table: Mapping[str, Any], path: Path, field: Field) -> Problem | None:
+    """A limit without a unit beside one in cm: 90 would be 90 m, unseen. 0 is the same in both."""
+    units = {key: unit_of(str(table[key])) for key in ("from", "to", "step")}
+    unit = next(
+        (unit for unit in units.values() if field.dimension.factor(unit) not in (None, 1)), ""
+    )
+    for key in units if unit else ():
+        if not units[key] and read_quantity(table[key], field.dimension) != 0:
+            told = f"{key} has no unit, and other numbers here are in {unit}"
+            return Problem((*path, key), "wrong-unit", told, f"{key}: {table[key]} {unit}")
+    return None
 
 
 def _hint(owner: str, effects: Sequence[Effect]) -> str:

@@ -18,6 +18,7 @@ from sim.scene.controls import Control, read_controls
 from sim.scene.model import Scene
 from sim.scene.presentation import ID
 from sim.scene.problem import Path, Problem, SceneError
+from sim.scene.quantity import unit_of
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.tables import mapping, unknown_keys
 from sim.scene.track import wall_or_name
@@ -134,7 +135,7 @@ def _over(value: object, scene: Scene, problems: list[Problem]) -> tuple[Control
             continue
         unknown_keys(table, ("set", "from", "to"), (*path, k), problems)
         found: list[Problem] = []
-        axes += read_controls([{**_plain_axis(table), "step": "1"}], scene, found)
+        axes += read_controls([_as_control(table)], scene, found)
         problems += [_of_axis(problem, (*path, k)) for problem in found]
     if len(axes) == 2 and axes[0].set == axes[1].set:
         message = f"{axes[0].set} stands here twice"
@@ -142,8 +143,11 @@ def _over(value: object, scene: Scene, problems: list[Problem]) -> tuple[Control
     return tuple(axes)
 
 
-def _plain_axis(table: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: table[key] for key in ("set", "from", "to") if key in table}
+def _as_control(table: Mapping[str, Any]) -> dict[str, Any]:
+    """With any step, in the unit of the axis."""
+    given = {key: table[key] for key in ("set", "from", "to") if key in table}
+    units = [unit_of(str(given[key])) for key in ("from", "to") if key in given]
+    return {**given, "step": f"1 {next(filter(None, units), '')}".strip()}
 
 
 def _of_axis(problem: Problem, path: Path) -> Problem:

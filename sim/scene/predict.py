@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -108,11 +108,20 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
                 Problem((*path, kind), "not-a-list", "choice lists two or more texts", HINT)
             )
             return None
+        _no_twins(body, (*path, kind), problems)
         return Predict(kind="choice", ask=ask or said("What will happen?"), options=tuple(body))
     if not isinstance(body, str) or not body.strip():
         problems.append(Problem((*path, kind), "not-text", "text is the question to answer", HINT))
         return None
     return Predict(kind="text", ask=body)
+
+
+def _no_twins(options: Sequence[str], path: Path, problems: list[Problem]) -> None:
+    """Two buttons with one text cannot be told apart, nor can what was predicted."""
+    plain = [" ".join(option.split()) for option in options]
+    for k, option in enumerate(plain):
+        if option in plain[:k]:
+            problems.append(Problem((*path, k), "twice", "this answer stands there twice", HINT))
 
 
 def _arrows(

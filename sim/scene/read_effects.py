@@ -107,7 +107,7 @@ def _entry(
                 (*path, "active"), "not-a-choice", "active must be true or false", "active: false"
             )
         )
-    if len(problems) > before:
+    if len(problems) > before or not names:
         return None
     return Effect(
         kind=kind.name,
@@ -147,6 +147,8 @@ Acting = tuple[tuple[str, ...], tuple[str, str] | None]
 def _bodies(
     kind: EffectKind, table: Mapping[str, Any], path: Path, names: list[str], track: Track
 ) -> Acting | Problem:
+    if not names:  # no cart can be used, and that is told where the carts stand
+        return (), None
     if kind.needs == "between":
         return _between(kind, table.get("between"), (*path, "between"), names, track)
     if kind.needs == "cart":

@@ -1,7 +1,8 @@
 """Masses and lengths with a tolerance: what is measured is never one number.
 
     0.50(1) kg           the digits in brackets count in the last digits of the number: ± 0.01 kg
-    0.5 kg ± 0.01 kg     in its own unit; “0.5 ± 0.01 kg” has one unit for both, +- is ± as well
+    0.5 kg ± 0.01 kg     in its own unit; +- is ± as well
+    0.5 ± 0.01 kg        one unit is for both, also in 50 cm ± 1: nobody means ± 1 m by that
 
 A run takes the middle. The half width is for a certificate, which shows what the inputs allow.
 """
@@ -43,14 +44,20 @@ def read_tolerant(value: str, dimension: Dimension) -> tuple[Fraction, Fraction]
         if mark is None:
             raise _refusal(dimension)
         first, second = (part.strip() for part in value.split(mark, 1))
-        unit = _UNIT.fullmatch(second)
-        if unit is not None and _is_bare(first):
-            first = f"{first} {unit[1]}"
+        if _is_bare(first):
+            first = f"{first} {_unit(second)}"
+        elif _is_bare(second):
+            second = f"{second} {_unit(first)}"
         texts = first, second
     middle, half_width = (read_quantity(text, dimension) for text in texts)
     if half_width < 0:
         raise _refusal(dimension)
     return middle, half_width
+
+
+def _unit(text: str) -> str:
+    found = _UNIT.fullmatch(text)
+    return found[1] if found else ""
 
 
 def _is_bare(text: str) -> bool:

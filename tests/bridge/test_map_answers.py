@@ -91,6 +91,13 @@ def test_a_map_left_to_itself_has_about_200_points_with_a_round_step() -> None:
         assert (len(values), values[0], values[-1]) == (int(points), 0.1, 1.0)
 
 
+def test_an_axis_without_a_unit_beside_one_in_grams_is_refused() -> None:
+    with pytest.raises(SceneError) as caught:
+        read_map({**MAP, "over": [{"set": "A.mass", "from": "100 g", "to": 900}]})
+    (problem,) = caught.value.problems
+    assert (problem.where, problem.code) == ("over.0.to", "wrong-unit")
+
+
 def test_every_mistake_of_a_map_is_told_at_once() -> None:
     twice = [{"set": "A.mass", "from": 0.1, "to": 2}] * 2
     wrong = {**MAP, "over": twice, "show": "p", "points": 1}

@@ -36,7 +36,9 @@ def test_a_tolerance_shows_what_the_inputs_allow() -> None:
         assert low <= v <= high
 
 
-@pytest.mark.parametrize("text", ["1.00(5) kg", "1 kg ± 0.05 kg", "1.00 ± 0.05 kg", "1000(50) g"])
+@pytest.mark.parametrize(
+    "text", ["1.00(5) kg", "1 kg ± 0.05 kg", "1.00 ± 0.05 kg", "1000(50) g", "1000 g ± 50"]
+)
 def test_a_run_takes_the_middle_and_all_ways_to_write_it_are_one(text: str) -> None:
     scene = read_scene(pair(text))
     assert scene.carts[0].mass == 1.0

@@ -65,5 +65,43 @@ def test_a_tolerance_without_a_unit_beside_an_answer_in_cm_per_second_is_refused
     assert read_question({**plain, "answer": "50 m/s"}).data(key=True)["key"]["tolerance"] == 1
 
 
+SPEED: dict[str, Any] = {"id": "q", "type": "number", "ask": "How fast?", "answer": "70 cm/s"}
+
+
+@pytest.mark.parametrize("tolerance", [".5", "1e-1", "+5", "5.", 0.5])
+def test_a_tolerance_without_a_unit_is_refused_however_its_number_is_written(
+    tolerance: object,
+) -> None:
+    with pytest.raises(LessonError) as caught:
+        read_question({**SPEED, "tolerance": tolerance})
+    (problem,) = caught.value.problems
+    assert (problem.path[-1], problem.code) == ("tolerance", "wrong-unit")
+    assert problem.hint == f"tolerance: {tolerance} cm/s"
+
+
+@pytest.mark.parametrize("value", [60, "0.6", "+60", ".6"])
+def test_a_wrong_answer_without_a_unit_beside_an_answer_in_cm_per_second_is_refused(
+    value: object,
+) -> None:
+    question = {**SPEED, "tolerance": "1 cm/s", "wrong": [{"value": value}]}
+    with pytest.raises(LessonError) as caught:
+        read_question(question)
+    (problem,) = caught.value.problems
+    assert (problem.path[-3:], problem.code) == (("wrong", 0, "value"), "wrong-unit")
+    assert problem.hint == f"value: {value} cm/s"
+    assert read_question({**question, "wrong": [{"value": 0}]}).KIND == "number"
+
+
+@pytest.mark.parametrize(("answer", "hint"), [("0 m/s", "0.01 m/s"), ("0", "0.01")])
+def test_percent_of_nought_is_no_tolerance(answer: str, hint: str) -> None:
+    with pytest.raises(LessonError) as caught:
+        read_question({**SPEED, "answer": answer, "tolerance": "5 %"})
+    (problem,) = caught.value.problems
+    assert problem.path[-1] == "tolerance"
+    assert problem.message == "5 % of 0 is 0: no other number would be right"
+    assert problem.hint == f"give it as a number: tolerance: {hint}"
+    assert read_question({**SPEED, "answer": answer, "tolerance": "0 %"}).KIND == "number"
+
+
 def test_percent_of_an_answer_is_no_unit_of_its_own() -> None:
     assert read_question({**FORCE, "answer": "2 N", "tolerance": "1 %"}).KIND == "number"

@@ -102,6 +102,15 @@ def test_a_lesson_whose_ending_the_computer_hides_is_named(tmp_path: Path) -> No
     assert finding.hint == "rename it to forces.md"
 
 
+@pytest.mark.parametrize("name", ["a.MD", "a.Md", "a.markdown", "a.mkd", "a.MD.TXT"])
+def test_a_lesson_with_another_ending_of_markdown_is_named(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text("# Forces\n", encoding="utf-8")
+    for asked in (tmp_path, tmp_path / name):
+        (finding,) = check_paths([asked], tmp_path)
+        assert str(finding).startswith(f"{name}:1:1: error: this is no lesson")
+        assert finding.hint == "rename it to a.md"
+
+
 def test_our_own_lessons_and_scenes_have_no_findings() -> None:
     root = Path(__file__).parents[2]
     assert not check_paths([root / "worksheets", root / "docs", root / "tests" / "scenes"], root)

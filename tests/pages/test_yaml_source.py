@@ -83,6 +83,12 @@ def test_a_text_that_needs_quotes_is_named_where_it_begins(
     assert caught.value.message == said
 
 
+def test_a_ratio_is_told_to_go_in_quotes() -> None:
+    with pytest.raises(YamlError) as caught:
+        load("text: 2:1")
+    assert 'in quotes: "2:1"' in caught.value.hint
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -92,6 +98,9 @@ def test_a_text_that_needs_quotes_is_named_where_it_begins(
         "ask: 10\u00a0000 km away",
         "title: No blank before it#1",
         "# title: a whole line of remark # 2",
+        "carts: #all of them\n  A: 1 kg # heavy\n  #B: 2 kg\n  C: 3 kg\n  #end",
+        "a: 'Cart #2'\nb: |\n  Cart #2\nc: [\"Cart #2\"]",
+        "a: x ###### y",
     ],
 )
 def test_the_same_signs_in_prose_and_remarks_are_fine(text: str) -> None:

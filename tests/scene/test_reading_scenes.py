@@ -193,6 +193,7 @@ def test_a_fence_knows_how_it_is_shown():
         ({"predict": {"curve": "a.A"}}, "predict.curve"),
         ({"predict": {"arrows": ["A-B"], "scale": "pounds"}}, "predict.scale"),
         ({"predict": {"choice": ["one"]}}, "predict.choice"),
+        ({"predict": {"choice": ["one", "two", " one "]}}, "predict.choice.2"),
         ({"predict": {}}, "predict"),
         ({"predict": {"text": "why?", "talk": "perhaps"}}, "predict.talk"),
         ({"with": ["lense"]}, "with"),

@@ -153,3 +153,17 @@ def test_the_page_knows_what_stands_in_the_place_of_a_teachers_text() -> None:
     """By it the page sees after every step, Undo too, whether notes are missing."""
     source = (ROOT / "sim" / "web" / "src" / "teach" / "source.js").read_text("utf-8")
     assert f'KEPT_OUT = "{WORDS}"' in source
+
+
+@pytest.mark.parametrize(
+    "wanted",
+    ["one\nu two", "one\ne due", "a\tb\n\tc", r"$\frac12 \nu$", 'so "it" is $\\vec F$', "cart #1"],
+)
+@pytest.mark.parametrize("old", ['"a"', "'a'", "a", "|\n  a"])
+def test_lines_that_look_like_formulas_and_formulas_themselves_can_be_typed(
+    wanted: str, old: str
+) -> None:
+    text = f"```question\nid: q\ntype: long\nask: {old}\n```\n"
+    made = with_value(text, 0, ("ask",), wanted)
+    (block,) = blocks(made)
+    assert load(block.body).plain["ask"].rstrip("\n") == wanted

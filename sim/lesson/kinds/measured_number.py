@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
@@ -12,7 +11,6 @@ from sim.lesson.keys import NUMBER_OR_TEXT, Key
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
 
-_PLAIN = re.compile(r"\d+(\.\d+)?")
 FIGURES = 3  # what pages show and students type
 TOLERANCE = Key(
     "tolerance",
@@ -76,6 +74,11 @@ def read_tolerance(
     relative = str(table.get("tolerance", "")).strip().endswith("%") and unit != "%"
     kind = units.RATIO if relative else dimension
     found = read_number(table, "tolerance", kind, path, problems)
+    if relative and found and not exact:
+        shown = str(table["tolerance"]).strip()
+        message = f"{shown} of 0 is 0: no other number would be right"
+        hint = f"give it as a number: tolerance: 0.01 {unit}".rstrip()
+        problems.append(Problem((*path, "tolerance"), "unreachable-tolerance", message, hint))
     if found < 0:
         message = "a tolerance is not negative"
         problems.append(Problem((*path, "tolerance"), "out-of-range", message, "tolerance: 1 %"))
@@ -87,16 +90,25 @@ def lacks_unit(
     measured: tuple[str, Dimension],
     path: Path,
     problems: list[Problem],
+    name: str = "tolerance",
 ) -> bool:
-    """Whether the tolerance is a plain number beside one in cm/s: 1 would be 1 m/s, unseen."""
+    """Whether the number under `name` is plain beside one in cm/s: 1 would be 1 m/s, unseen."""
     unit, dimension = measured
-    value = str(table.get("tolerance", "")).strip()
-    if units.size_of(unit, dimension) == 1 or not _PLAIN.fullmatch(value) or not float(value):
+    value = str(table.get(name, "")).strip()
+    if units.size_of(unit, dimension) == 1 or not _plain(value):
         return False
-    message = f"the tolerance has no unit, and the answer is in {unit}"
-    hint = f"tolerance: {value} {unit}"
-    problems.append(Problem((*path, "tolerance"), "wrong-unit", message, hint))
+    what = {"tolerance": "the tolerance has", "value": "this number has"}[name]
+    message = f"{what} no unit, and the answer is in {unit}"
+    problems.append(Problem((*path, name), "wrong-unit", message, f"{name}: {value} {unit}"))
     return True
+
+
+def _plain(value: str) -> bool:
+    """A number without a unit, and not 0, which is the same in all of them."""
+    try:
+        return not unit_of(value) and read_quantity(value, units.RATIO) != 0
+    except QuantityError:
+        return False
 
 
 def reachable(exact: Fraction, tolerance: Fraction, unit: Fraction) -> bool:

@@ -14,6 +14,7 @@ from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
     FIGURES,
     TOLERANCE,
+    lacks_unit,
     reachable,
     read_number,
     read_tolerance,
@@ -190,6 +191,7 @@ def _wrong(
     for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
         before = len(problems)
         value = read_number(row, "value", dimension, here, problems)
+        lacks_unit(row, measured, here, problems, "value")
         tolerance = (
             read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[0]
         )

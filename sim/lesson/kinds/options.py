@@ -89,7 +89,7 @@ def read_options(
             message = f"two options have the id “{option.id}”"
             problems.append(Problem((*here, k), "id-taken", message, "each needs its own"))
         same = " ".join(option.text.split())
-        if any(same == " ".join(other.text.split()) for other in options):
+        if same and any(same == " ".join(other.text.split()) for other in options):
             problems.append(Problem((*here, k), "twice", "this answer stands there twice", _HINT))
         options.append(option)
     return tuple(options)

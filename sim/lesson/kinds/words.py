@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
-from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import PROSE, PROSES, Key
-from sim.lesson.kinds.options import read_belief
+from sim.lesson.kinds.known_words import WRONG_KEYS, KnownWrong, of_key, read_accept, read_wrong
+from sim.lesson.kinds.plain_words import plain
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -28,15 +27,8 @@ START = Key(
     "start", "the beginning of a sentence, given to the student", "The force on B by A …", PROSE
 )
 WORDS = Key("words", "a bank of words to use", "[equal, opposite, pair]", PROSES)
-_WRONG_KEYS = (
-    Key("text", "a wrong answer that is often given", "A pushes harder", PROSES, True),
-    Key("belief", "tag of the belief behind it", "mover-pushes-more", {"enum": sorted(BELIEFS)}),
-    Key("feedback", "shown to who gave it", "Look at both arrows.", PROSE),
-)
 MOST_MARKS = 9
 """Of one answer in words: one press of a key gives them."""
-
-_PUNCTUATION = re.compile(r"[\s.,;:!?“”„\"'’`()。，、！？；：（）「」『』«»‹›‘…¿¡]+")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,45 +96,45 @@ class Short(Long):
     KIND: ClassVar[str] = "short"
     SAYS: ClassVar[str] = "write a few words"
     KEYS: ClassVar[tuple[Key, ...]] = (
-        Key("accept", "right answers; capitals, spaces and punctuation do not count",
-            "[zero, 0, 0 N]", PROSES),
+        Key("accept", "right answers; capitals, spaces and punctuation do not count, but for the "
+            "point of a number", "[zero, 0, 0 N]", PROSES),
         Key("wrong", "wrong answers with feedback of their own",
             "[{text: A pushes harder, belief: mover-pushes-more}]",
             {"type": "array", "items": {"type": "object", "required": ["text"],
-             "properties": {key.name: key.schema for key in _WRONG_KEYS},
+             "properties": {key.name: key.schema for key in WRONG_KEYS},
              "additionalProperties": False}}),
         RUBRIC,
         START,
         WORDS,
     )  # fmt: skip
     accept: tuple[str, ...] = ()
-    wrong: tuple[tuple[tuple[str, ...], str, str], ...] = ()  # texts, belief, feedback
+    wrong: tuple[KnownWrong, ...] = ()
 
     @classmethod
     def read(
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
         """Either what is accepted, or a rubric."""
-        accept = keys.texts(table, "accept", path, problems, "accept: [zero, 0 N]")
+        accept = read_accept(table, path, problems)
         return cls(
             common=common,
             rubric=_rubric(table, path, problems, required=not accept),
             start=keys.text(table, "start", path, problems) or "",
             words=keys.texts(table, "words", path, problems, "words: [equal, pair]"),
             accept=accept,
-            wrong=_wrong(table, path, problems),
+            wrong=read_wrong(table, path, problems),
         )
 
     @classmethod
     def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
-        """What is accepted and what is known to be wrong, in plain forms, beside the rubric."""
+        """What is accepted and what is known to be wrong, beside the rubric."""
         key, said = row["key"], row.get("feedback", {})
         return cls(
             common=common,
             rubric=_rubric_of_key(row, common),
-            accept=tuple(key["accept"]),
+            accept=of_key(key["accept"]),
             wrong=tuple(
-                (tuple(w["texts"]), str(w["belief"]), str(said.get(f"wrong-{k}", "")))
+                (of_key(w["texts"]), str(w["belief"]), str(said.get(f"wrong-{k}", "")))
                 for k, w in enumerate(key["wrong"])
             ),
         )
@@ -153,13 +145,10 @@ class Short(Long):
         return not self.accept
 
     def key(self) -> dict[str, Any]:
-        """Plain forms of what is right and of what is known to be wrong."""
+        """What is right and what is known to be wrong, as written: people read it too."""
         return {
-            "accept": [plain(text) for text in self.accept],
-            "wrong": [
-                {"texts": [plain(text) for text in texts], "belief": belief}
-                for texts, belief, _ in self.wrong
-            ],
+            "accept": list(self.accept),
+            "wrong": [{"texts": list(texts), "belief": belief} for texts, belief, _ in self.wrong],
             "feedback": sorted(self.feedback()),
         }
 
@@ -182,11 +171,6 @@ class Short(Long):
                     beliefs = (belief,) if belief else ()
                     break
         return all_or_nothing(right, False, self.worth, shown=shown, beliefs=beliefs)
-
-
-def plain(text: str) -> str:
-    """A text as it is compared: small letters, one minus, no punctuation, single spaces."""
-    return _PUNCTUATION.sub(" ", text.lower().replace("−", "-").replace("–", "-")).strip()
 
 
 def _rubric_of_key(row: Mapping[str, Any], common: Common) -> Mapping[int, str]:
@@ -217,16 +201,8 @@ def _rubric(
     elif max(found) > MOST_MARKS:
         message = f"a rubric gives at most {MOST_MARKS} marks: a teacher gives them with one key"
         problems.append(Problem((*path, "rubric"), "out-of-range", message, hint))
+    elif isinstance(marks := table.get("marks"), int) and marks != max(found):
+        message = f"marks is {marks}, and the rubric gives up to {max(found)}"
+        told = "leave marks out: the largest number of the rubric is what the question is worth"
+        problems.append(Problem((*path, "marks"), "out-of-range", message, told))
     return dict(sorted(found.items()))
-
-
-def _wrong(
-    table: Mapping[str, Any], path: Path, problems: list[Problem]
-) -> tuple[tuple[tuple[str, ...], str, str], ...]:
-    hint = "wrong:\n    - {text: A pushes harder, belief: mover-pushes-more}"
-    found = []
-    for here, row in keys.tables(table, "wrong", _WRONG_KEYS, path, problems, hint):
-        texts = keys.texts(row, "text", here, problems, hint)
-        given = keys.text(row, "feedback", here, problems) or ""
-        found.append((texts, read_belief(row, here, problems), given))
-    return tuple(found)

@@ -57,11 +57,13 @@ def _of(q: Portable, target: Target) -> Iterator[str]:
         yield "the words to use are not shown there"
     if q.start and (target != "moodle" or q.shape != "essay"):
         yield "the beginning of the answer is not given there"
+    if q.rubric and q.shape == "short" and target != "qti":
+        yield "its rubric is not there: the platform marks it by the accepted answers alone"
     if target == "gift":
         said = sum(bool(feedback) for _, _, feedback in q.wrong_numbers)
         if said:
             yield f"feedback on {said} known wrong numbers is not in this format"
         if q.marks != 1:
             yield f"it is worth {q.marks} marks here and 1 there: GIFT knows no marks"
-        if q.rubric:
+        if q.rubric and q.shape == "essay":
             yield "its rubric is not in this format"

@@ -101,7 +101,8 @@ def _made(question: Question, scene: str) -> Portable | None:
             (text, 0.0, to_inline(said)) for texts, _, said in question.wrong for text in texts
         )
         right_ones = tuple((text, 100.0, "") for text in question.accept)
-        return part("short", answers=(*right_ones, *known))
+        return part("short", answers=(*right_ones, *known), rubric=question.rubric,
+                    marks=question.worth)  # fmt: skip
     if isinstance(question, Long):
         return part("essay", rubric=question.rubric, marks=question.worth)
     if isinstance(question, Ordering):

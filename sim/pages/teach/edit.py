@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
@@ -93,6 +94,18 @@ def _ways(old: Value, wanted: str, line_end: str) -> Iterator[str]:
     if len(lines) == 1 and wanted == wanted.strip():
         yield wanted
     yield from quoted.values()
+    yield _spelt_out(wanted)
+
+
+def _spelt_out(text: str) -> str:
+    r"""In double quotes, where \n in front of a u would be refused: it looks like TeX's \nu."""
+    parts = (
+        f"\\u{ord(part):04x}"
+        if part in ("\n", "\t")
+        else json.dumps(part, ensure_ascii=False)[1:-1]
+        for part in re.split(r"([\n\t])", text)
+    )
+    return f'"{"".join(parts)}"'
 
 
 def _same(new: Any, old: Any, path: KeyPath, wanted: str) -> bool:

@@ -26,6 +26,10 @@ class YamlError(ValueError):
 # What PyYAML notices only on a later line; the line where it began is the one to mend.
 FOUND_TOO_LATE = ("could not find expected ':'", "expected ',' or '}'", "expected ',' or ']'")
 
+BACKSLASH = (
+    "a backslash means something else in double quotes",
+    r"a formula goes in single quotes: 'How large is \(v\)?'",
+)
 NOT_CLOSED = "the closing quote is missing", "begin and end a text with the same quote"
 _VALUE = re.compile(r"\s*(?:- +)?[\w.-]+: +(?P<text>(?P<first>[*&>!%@`|\"'\[-]).*)")
 """A line `key: text` whose text begins with a sign that means something in YAML."""
@@ -45,9 +49,8 @@ def unclosed(lines: Sequence[str], last: int) -> tuple[int, int, str, str] | Non
 def of_first_sign(line: str, problem: str) -> tuple[int, str, str] | None:
     """Column (from 0), message and hint, if the text of `key: text` begins with a sign that cannot
     begin a text, or goes on after the quote or bracket with which it began."""
-    if "unknown escape character" in problem:
-        hint = r"a formula goes in single quotes: 'How large is \(v\)?'"
-        return line.index("\\"), "a backslash means something else in double quotes", hint
+    if "unknown escape character" in problem or "expected escape sequence" in problem:
+        return line.index("\\"), *BACKSLASH
     found = _VALUE.match(line)
     if not found:
         return None

@@ -19,6 +19,8 @@ import yaml
 
 from sim.pages.text.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError, of_first_sign, unclosed
 from sim.pages.text.yaml_loader import RefusedError, composed
+from sim.pages.text.yaml_lost import cut_above, lost
+from sim.pages.text.yaml_numbers import WHOLE, misread
 from sim.pages.text.yaml_typos import typos
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
@@ -30,9 +32,7 @@ KeyPath = tuple[str | int, ...]
 Plain = dict[str, "Plain"] | list["Plain"] | str | int | bool | None
 Place = tuple[int, int]  # line and column, both counted from 1
 
-_WHOLE = re.compile(r"[+-]?(0|[1-9][0-9]*)")
 _AFTER_COMMA = re.compile(r"\d+\s*[^\W\d]|\d+ ?%")  # with a unit: [1,2] may be two numbers
-_OTHER_BASE = re.compile(r"[+-]?0[xXoObB0-9][0-9a-fA-F]*")
 _HINT_TRUTH = "write true or false, or put the word in quotes"
 
 
@@ -93,6 +93,7 @@ class _Reader:
         values: dict[KeyPath, Place] = {(): (self.first_line, self.first_col)}
         keys: dict[KeyPath, Place] = {}
         root = self._compose(text)
+        self.found += [self.error(*one) for one in lost(root, text)]
         if root is None:
             return Source({}, values, keys)
         if not isinstance(root, yaml.MappingNode):
@@ -136,8 +137,9 @@ class _Reader:
         here = lines[line] if line < len(lines) else ""
         if "\t" in here[col : col + 1]:
             return self.error(line, col, "a tab character", "use spaces")
-        if open_quote := unclosed(lines, error.problem_mark.line if error.problem_mark else 0):
-            return self.error(*open_quote)
+        last = error.problem_mark.line if error.problem_mark else 0
+        if told := unclosed(lines, last) or cut_above(lines, line):
+            return self.error(*told)
         if found := of_first_sign(here, problem):
             col, message, hint = found
             return self.error(line, col, message, hint)
@@ -203,7 +205,7 @@ class _Reader:
         """[0,5 N] is a list of 0 and of “5 N”: whoever wrote it means one number."""
         for one, two in pairwise(node.value) if node.flow_style else ():
             close = one.end_mark.index + 1 == two.start_mark.index
-            if close and _WHOLE.fullmatch(str(one.value)) and _AFTER_COMMA.match(str(two.value)):
+            if close and WHOLE.fullmatch(str(one.value)) and _AFTER_COMMA.match(str(two.value)):
                 message = f"“{one.value},{two.value}”: a comma begins the next value here"
                 hint = f"write decimals with a point: {one.value}.{two.value}"
                 self.found.append(self._at(one, message, hint))
@@ -224,19 +226,10 @@ class _Reader:
     def _number(self, node: yaml.Node, text: str) -> str | int:
         if len(text) > MAX_DIGITS:
             raise self._at(node, f"a number of {len(text)} characters", "shorten it")
-        told = None
-        if ":" in text:
-            told = f"YAML reads {text} as a number to base 60", "write the seconds: 90 s"
-        elif "_" in text:
-            told = f"{text} has an underscore in it", f"write {text.replace('_', '')}"
-        elif _WHOLE.fullmatch(text):
-            return int(text)
-        elif _OTHER_BASE.fullmatch(text):
-            hint = "write it with the digits 0 to 9, without a zero in front"
-            told = f"YAML does not read {text} as an ordinary number", hint
-        if told:
+        if told := misread(text):
             self.found.append(self._at(node, *told))
-        return text
+            return text
+        return int(text) if WHOLE.fullmatch(text) else text
 
     def _place(self, node: yaml.Node) -> Place:
         return self.first_line + node.start_mark.line, self.first_col + node.start_mark.column

@@ -12,7 +12,10 @@ INVISIBLE = "\u00a0\u00ad\u200b\u200c\u200d\u2007\u202f\u2060\ufeff"
 """Blanks that do not count as blanks, and characters that nobody sees."""
 
 TEXTS = ("ask", "text", "title", "feedback", "explain", "start", "note", "says")
-"""Keys whose values are prose, in which a # is meant as it stands."""
+"""Keys whose values are prose, in which a # is meant as it stands, with a blank after it too."""
+
+CUT = "what comes after # is left out"
+HINT_CUT = 'put the text in quotes: "Point #3"; a remark has a blank after its #'
 
 _LEAD = re.compile(r"\s*(?:- +)*")
 _KEY = re.compile(rf"\s*(?:- +)*[\w.-]*[{INVISIBLE}]|[^:#\"']*:[{INVISIBLE}]")
@@ -63,8 +66,7 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
         hint = "a list begins with a hyphen and a space: - "
         yield number, found.end() - 2, "a long dash begins this line", hint
     elif found := _CUT.match(line):
-        hint = 'put the text in quotes: ask: "Point # 3"'
-        yield number, found.start(1), "what comes after # is left out", hint
+        yield number, found.start(1), CUT, HINT_CUT
 
 
 def _unseen(character: str) -> tuple[str, str]:

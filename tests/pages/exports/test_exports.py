@@ -16,6 +16,7 @@ from click.testing import CliRunner
 from sim.cli import main
 from sim.lesson.bank import Bank
 from sim.pages.classroom.gift import gift
+from sim.pages.classroom.losses import losses
 from sim.pages.classroom.moodle import moodle_xml, plain_text
 from sim.pages.classroom.portable import Portable, portable
 from sim.pages.question.key_page import lesson_key
@@ -118,6 +119,22 @@ def test_a_star_in_a_short_answer_is_a_star_and_not_anything(tmp_path: Path, tar
     made, _ = one_question(tmp_path, "type: short\nask: Which?\naccept: ['m*a']", "--to", target)
     assert r"m\*a" in made
     assert r"m\\*a" not in made
+
+
+def test_accepted_words_beside_a_rubric_keep_its_marks_and_name_where_it_stays(
+    tmp_path: Path,
+) -> None:
+    short = "type: short\nask: Which?\naccept: [both]\nrubric: {2: Both., 1: One., 0: Else.}"
+    made, said = one_question(tmp_path, short)
+    assert "<defaultgrade>2</defaultgrade>" in made
+    assert "one: its rubric is not there" in said
+    _, said = one_question(tmp_path, short, "--to", "gift")
+    assert "it is worth 2 marks here and 1 there" in said
+    bank = f"title: One\nitems:\n  - id: one\n    {short.replace(chr(10), chr(10) + '    ')}\n"
+    found, _ = read_bank_text(bank, "one.yml")
+    assert found is not None
+    taken, _ = portable(found.items.values())
+    assert (taken[0].marks, list(losses(taken, "qti"))) == (2, [])
 
 
 def test_more_right_answers_than_moodle_knows_shares_of_are_named(tmp_path: Path) -> None:

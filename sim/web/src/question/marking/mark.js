@@ -54,8 +54,9 @@ const RULES = {
   short({ key, marks }, value) {
     if (typeof value !== "string" || !key.accept.length) return written(value, marks);
     const said = plain(value);
-    if (key.accept.includes(said)) return whole(true, false, marks);
-    const k = key.wrong.findIndex((/** @type {any} */ known) => known.texts.includes(said));
+    const named = (/** @type {string[]} */ texts) => texts.some((text) => plain(text) === said);
+    if (named(key.accept)) return whole(true, false, marks);
+    const k = key.wrong.findIndex((/** @type {any} */ known) => named(known.texts));
     return known(key, k, marks);
   },
 
