@@ -1298,20 +1298,20 @@
     return all && options.reduce((size, count) => size * BigInt(count + 1), 1n) <= 1n << ANSWER_BITS;
   }
   function encode(options, chosen2, form2) {
-    let number2 = 0n;
+    let number3 = 0n;
     options.forEach((count, k) => {
-      number2 = number2 * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
+      number3 = number3 * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
     });
-    const whole2 = number2 << CHECK_BITS | BigInt(check(number2, form2));
+    const whole2 = number3 << CHECK_BITS | BigInt(check(number3, form2));
     const letters = Array.from(
       { length: 12 },
       (_, k) => ALPHABET[Number(whole2 >> BigInt(55 - 5 * k) & 31n)]
     );
     return [0, 4, 8].map((k) => letters.slice(k, k + 4).join("")).join("-");
   }
-  function check(number2, form2) {
+  function check(number3, form2) {
     const bytes = [...new TextEncoder().encode(form2)];
-    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number2 >> 8n * k & 255n));
+    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number3 >> 8n * k & 255n));
     let crc = 65535;
     for (const byte of bytes) {
       crc ^= byte << 8;
@@ -1848,8 +1848,15 @@
   }
 
   // src/question/marking/plain.js
+  var POINT = "";
   function plain(text) {
-    return text.toLowerCase().replace(/[−–]/g, "-").replace(/[\s.,;:!?“”„"'’`()。，、！？；：（）「」『』«»‹›‘…¿¡]+/g, " ").trim();
+    return text.replace(/´/g, "'").replace(/[⁺⁻⁰¹²³⁴-⁹]+/g, "^$&").normalize("NFKC").toLowerCase().replace(/[−–‐]/g, "-").replaceAll(POINT, "").replace(/[.,]*[0-9]+(?:[.,]+[0-9]+)*/g, number).replace(/[\s.,;:!?“”„"'’`()。、«»‹›‘…¿¡「」『』]+/g, " ").replace(/^ | $/g, "").replace(/ ?([=+\-*/·×÷<>≤≥≈±^%°|&]) ?/g, "$1").replace(/([0-9]) ([^0-9 ])/g, "$1$2").replace(/([^0-9 ]) ([0-9])/g, "$1$2").replaceAll(POINT, ".");
+  }
+  function number(found2, at2, whole2) {
+    const one = /^([0-9]*)[.,]([0-9]+)$/.exec(found2);
+    const glued = one && !one[1] && new RegExp("\\p{L}$", "u").test(whole2.slice(Math.max(0, at2 - 2), at2));
+    if (!one || glued) return found2.replace(/[.,]/g, " ");
+    return `${one[1] || 0}${POINT}${one[2]}`;
   }
 
   // src/question/marking/mark.js
@@ -1885,8 +1892,9 @@
     short({ key, marks }, value) {
       if (typeof value !== "string" || !key.accept.length) return written(value, marks);
       const said = plain(value);
-      if (key.accept.includes(said)) return whole(true, false, marks);
-      const k = key.wrong.findIndex((known2) => known2.texts.includes(said));
+      const named = (texts) => texts.some((text) => plain(text) === said);
+      if (named(key.accept)) return whole(true, false, marks);
+      const k = key.wrong.findIndex((known2) => named(known2.texts));
       return known(key, k, marks);
     },
     ordering({ key, marks }, value) {
@@ -2576,7 +2584,7 @@
   var LONGEST2 = 30;
   var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
   var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
-  function number(power) {
+  function number2(power) {
     const [above, below] = power.split("/").map(Number);
     return Number(above) / (below ?? 1);
   }
@@ -2588,7 +2596,7 @@
       FACTOR.lastIndex = at2;
       const found2 = FACTOR.exec(text);
       if (!found2 || at2 === 0 && found2[1]) return null;
-      const power = number(lowered(found2[3] ?? "") || found2[4] || found2[5] || "1");
+      const power = number2(lowered(found2[3] ?? "") || found2[4] || found2[5] || "1");
       const symbol = String(found2[2]);
       powers.set(symbol, (powers.get(symbol) ?? 0) + (found2[1] === "/" ? -power : power));
     }
@@ -2643,7 +2651,7 @@
     const found2 = NUMBER.exec(text);
     if (!found2 || /^[.,]/.test(found2[2] ?? ""))
       return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number2 = String(found2[1]);
+    const number3 = String(found2[1]);
     const unit = found2[2] ?? "";
     const known2 = Object.keys(units).filter(Boolean);
     const own = unit ? known2.find((one) => sameUnit(one, unit)) : "";
@@ -2652,7 +2660,7 @@
       const text2 = { unit, units: known2.join(", ") };
       return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
     }
-    const value = Number((Number(number2.replace(",", ".")) * factor).toPrecision(15));
+    const value = Number((Number(number3.replace(",", ".")) * factor).toPrecision(15));
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
 
@@ -2836,15 +2844,15 @@
       { ...given, ...value }
     );
     const [x, y] = plot2 ?? [1, 2];
-    const points = rows2.map((_, r) => [known2[`${r + 1}-${x}`], known2[`${r + 1}-${y}`]]).filter((pair) => pair.every((number2) => typeof number2 === "number"));
+    const points = rows2.map((_, r) => [known2[`${r + 1}-${x}`], known2[`${r + 1}-${y}`]]).filter((pair) => pair.every((number3) => typeof number3 === "number"));
     const columns = [0, 1].map((k) => (
       /** @type {number[]} */
       points.map((point) => point[k])
     ));
     const [across, up] = columns.map((all) => axis(Math.min(0, ...all), Math.max(0, ...all), COUNT));
     if (!across || !up) return;
-    const at2 = (number2) => px(LEFT + (number2 - across.low) / (across.high - across.low) * (RIGHT - LEFT));
-    const high = (number2) => px(BOTTOM - (number2 - up.low) / (up.high - up.low) * (BOTTOM - TOP));
+    const at2 = (number3) => px(LEFT + (number3 - across.low) / (across.high - across.low) * (RIGHT - LEFT));
+    const high = (number3) => px(BOTTOM - (number3 - up.low) / (up.high - up.low) * (BOTTOM - TOP));
     const numbers = (one) => ticks(one).map((tick) => ({ tick, text: fixed(tick, axisDecimals(one)) }));
     const grid = (
       /** @type {Element} */
