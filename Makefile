@@ -13,7 +13,7 @@ help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
 
 .venv/ready: requirements.lock pyproject.toml
-	@if [ -L .venv ]; then echo ".venv is a link to another copy's: set that one up"; exit 1; fi
+	@if [ -L .venv ]; then echo ".venv is a link: make setup there, and touch .venv/ready"; exit 1; fi
 	@python=$$(.ci/find-python) && echo "Setting up .venv with $$python" && "$$python" -m venv --clear .venv
 	@.venv/bin/pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements.lock
 	@.venv/bin/pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .

@@ -1,11 +1,13 @@
 """Rows of a table that are no students: right answers, the most marks, and what sums others up.
 
 A student may be called Max, and a group too: only the column of students tells such a row, MAX and
-KEY are written in capitals, and no group or class stands beside them. Each is named in a note.
+KEY are written in capitals, and no group or class stands beside them. Each is named in a note, and
+so is who is called so and is taken for a student.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
@@ -13,10 +15,13 @@ from typing import Literal
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import Layout, norm
-from sim.classroom.tables.marks import mark
+from sim.classroom.tables.marks import NOTHING, mark
 from sim.classroom.tables.words import FIGURES, KEY, MOST, NAMES_TOO, SUMS
 
-Kind = Literal["key", "most", "sums"]
+_WITH_COUNT = re.compile(r"\s*(?:\(.*\)|%|n\s*=\s*\d+)$")
+"""What stands behind the word of such a row: Mean (n = 24), Total %."""
+
+Kind = Literal["key", "most", "sums", "student"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +44,7 @@ class Columns:
 
 @dataclass(slots=True)
 class Parted:
-    """The rows of a table, each kind in its order. `notes`: what is no student, as it is named."""
+    """The rows of a table, each kind in its order. `notes`: what their names might also mean."""
 
     students: list[Row]
     keys: list[Row] = field(default_factory=list)
@@ -50,7 +55,7 @@ class Parted:
 def parted(rows: Sequence[Row], columns: Columns) -> Parted:
     """Students, and what is none."""
     kinds = [_kind(row, columns) for row in rows]
-    students = (row for row, kind in zip(rows, kinds, strict=True) if kind is None)
+    students = (row for row, kind in zip(rows, kinds, strict=True) if kind in (None, "student"))
     highest = _highest(students) if "sums" in kinds else {}
     found = Parted([])
     for row, kind in zip(rows, kinds, strict=True):
@@ -59,27 +64,27 @@ def parted(rows: Sequence[Row], columns: Columns) -> Parted:
             found.students.append(row)
             continue
         found.notes.append((row, name, kind))
+        kept = {"key": found.keys, "most": found.most, "student": found.students}
         if kind != "sums":
-            (found.keys if kind == "key" else found.most).append(row)
+            kept[kind].append(row)
     return found
 
 
 def _kind(row: Row, columns: Columns) -> Kind | None:
     name = columns.named(row)
     word = norm(name)
-    if any(_cell(row, place) for place in columns.beside):
-        return None
-    if word in SUMS | FIGURES:
-        return "sums"
-    if word in NAMES_TOO and name != name.upper():
-        return None
-    return "key" if word in KEY else "most" if word in MOST else None
+    beside = any(_cell(row, place).casefold() not in NOTHING for place in columns.beside)
+    if word in KEY | MOST:
+        if beside or (word in NAMES_TOO and name != name.upper()):
+            return "student"
+        return "key" if word in KEY else "most"
+    return "sums" if not beside and _WITH_COUNT.sub("", word) in SUMS | FIGURES else None
 
 
 def _sums_up(row: Row, name: str, highest: dict[int, Exact]) -> bool:
     """Whether they can be sums, at least the highest of each column: one may be called Sum."""
     marks = dict(_marks(row))
-    if norm(name) in FIGURES:
+    if _WITH_COUNT.sub("", norm(name)) in FIGURES:
         return bool(marks)
     return bool(marks) and all(value >= highest.get(place, 0) for place, value in marks.items())
 

@@ -122,7 +122,7 @@ def _text(content: bytes) -> str:
 
 def _told(text: str) -> str:
     """The sign after `sep=` in a first line that Excel writes for itself; empty: there is none."""
-    found = re.match(r"sep=([^\w\s\"]|\t)\n", text, re.IGNORECASE)
+    found = re.match(r'"?sep=([^\w\s"]|\t)"?[;,\t ]*\n', text, re.IGNORECASE)
     return found[1] if found else ""
 
 

@@ -41,13 +41,19 @@ def left_out(columns: Sequence[str]) -> str:
 
 
 def no_student(row: str, name: str, kind: str) -> str:
-    """Why a row is not counted, by its kind: somebody may be called so after all."""
+    """What a row is taken for, by its kind: somebody may be called so, or not."""
     if kind == "key":
         return said("{row}: “{name}” is taken for the row of right answers, not for a student.",
                     row=row, name=shown(name))  # fmt: skip
     if kind == "most":
         return said("{row}: “{name}” is taken for the row of the most marks, not for a student.",
                     row=row, name=shown(name))  # fmt: skip
+    if kind == "student":
+        return said(
+            "{row}: “{name}” counts as a student. The row of right answers is called KEY, that of "
+            "the most marks MAX, in capitals and without a group.",
+            row=row, name=shown(name),
+        )  # fmt: skip
     return said("{row}: “{name}” is taken for a row of sums or means, not for a student.",
                 row=row, name=shown(name))  # fmt: skip
 

@@ -53,7 +53,8 @@ NAMES_TOO = words("max | key")
 SUMS = words("total | sum | grand total | gesamt | summe | jumlah | 总分 | 总计 | 合计 | மொத்தம்")
 """How rows below a table call themselves that add up the others, and those with other figures."""
 FIGURES = words("""
-    mean | average | class average | avg | avg. | median | standard deviation | minimum | ø |
+    mean | class mean | average | class average | avg | avg. | median | standard deviation |
+    std dev | stdev | std. dev. | sd | min | minimum | ø |
     mittelwert | mittel | durchschnitt | standardabweichung | purata | sisihan piawai | 平均 |
     平均分 | 平均值 | 标准差 | சராசரி
 """)

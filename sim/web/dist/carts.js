@@ -4368,8 +4368,8 @@
     say(place4, message);
   }
   function noteBeside(scene, message) {
-    const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").textContent : "";
-    note(scene, `${why} ${message}`.trim());
+    const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").dataset.why : "";
+    note(scene, `${why ?? ""} ${message}`.trim());
   }
   function planOf(run) {
     return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told2(phase.why) }));
@@ -7201,7 +7201,8 @@ ${lines4.join("\n")}
       this.acts.failed();
       const note2 = need(this.element, ".carts-note");
       note2.hidden = false;
-      say(note2, `${error.message} ${without(this.acts.told(), this.acts.stepwise())}`);
+      note2.dataset.why = `${error.message} ${without(this.acts.told(), this.acts.stepwise())}`;
+      say(note2, note2.dataset.why);
       this.#waiting.reject(error);
       this.#link();
       this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
@@ -10573,7 +10574,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #live = new Live(this, client2, {
         first: () => this.#first(),
         told: () => this.#told,
-        link: () => this.#told && void followLink(this, this.#runs, (text) => noteBeside(this, text)),
+        link: () => void followLink(this, this.#runs, (text) => noteBeside(this, text)),
         failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
         stepwise: () => this.#runs.stepwise
       });

@@ -51,6 +51,29 @@
     return [...new Set(parts)].sort().join("+");
   }
 
+  // src/class/nameless.js
+  var Names = class {
+    #given = /* @__PURE__ */ new Map();
+    #taken = /* @__PURE__ */ new Set();
+    #often = /* @__PURE__ */ new Map();
+    of(name, begun) {
+      const file = JSON.stringify([name, begun]);
+      const before = this.#given.get(file);
+      if (before !== void 0) return before;
+      let number = (this.#often.get(name) ?? 0) + 1;
+      while (this.#taken.has(numbered(name, number))) number += 1;
+      this.#often.set(name, number);
+      const found = numbered(name, number);
+      this.#taken.add(found);
+      this.#given.set(file, found);
+      return found;
+    }
+  };
+  function numbered(name, number) {
+    const [, stem = "", ending = ""] = /^(.+?)(\.[^.]*)?$/s.exec(name) ?? [];
+    return number < 2 ? name : `${stem} (${number})${ending}`;
+  }
+
   // src/class/classroom.js
   var WHOLE = "class";
   var [NAME, STUDENT, CREATED] = [0, 4, 6];
@@ -60,6 +83,8 @@
   );
   var Classroom = class {
     files = [];
+    #names = new Names();
+    // of files without a code word
     keys = [];
     practice = broughtAlong();
     marks = /* @__PURE__ */ new Map();
@@ -87,20 +112,12 @@
     }
     take(found, group) {
       for (const row2 of found.records) {
-        if (!row2[STUDENT].trim()) row2[NAME] = this.#distinct(row2);
+        if (!row2[STUDENT].trim()) row2[NAME] = this.#names.of(row2[NAME], row2[CREATED]);
         this.files.push({ row: row2, group, out: false });
       }
       for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
       for (const mark of found.marks) this.give(mark);
       this.refused.push(...found.refused);
-    }
-    #distinct(row2) {
-      const [, stem = "", ending = ""] = /^(.+?)(\.[^.]*)?$/s.exec(row2[NAME]) ?? [];
-      for (let number = 1; ; number += 1) {
-        const name = number === 1 ? row2[NAME] : `${stem} (${number})${ending}`;
-        const held = this.files.find((file) => file.row[NAME] === name);
-        if (!held || held.row[CREATED] === row2[CREATED]) return name;
-      }
     }
     give(mark) {
       const { lesson, form: form2, student, item } = mark;
@@ -885,7 +902,8 @@
       classroom.tables = classroom.tables.filter((other) => other !== table);
       changed();
     });
-    line.append(html("bdi", "", table.name), " ", when, " ", remove);
+    const whose = classroom.two ? ` · ${classroom.groups[table.group]}` : "";
+    line.append(html("bdi", "", table.name + whose), " ", when, " ", remove);
     return line;
   }
 

@@ -3453,9 +3453,10 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       #paper() {
         const text = this.editor?.text ?? "";
         say(need(this, ".carts-law-paper code"), text);
-        const caption = this.shown?.querySelector("figcaption");
-        if (!caption || !this.#drawn) return;
-        say(caption, text === this.#drawn ? YOURS : tr("Your law, before you changed it"));
+        if (!this.#drawn) return;
+        const whose = text === this.#drawn ? YOURS : tr("Your law, before you changed it");
+        for (const place3 of this.shown?.querySelectorAll("figcaption, th[scope=col]") ?? [])
+          say(place3, whose);
       }
       #again() {
         if (!this.editor || !this.#facts || !this.#baked) return;

@@ -19,7 +19,7 @@ def test_a_student_called_max_is_a_student() -> None:
     found = table("name,pre,post", "Anna,12,18", "Max,10,11", "Ben,8,20")
     assert students(found) == ["Anna", "Max", "Ben"]
     assert not found.refused
-    assert not found.notes
+    assert "“Max” counts as a student" in found.notes[0]
 
 
 def test_a_group_and_a_class_called_max_are_a_group_and_a_class() -> None:
@@ -98,3 +98,27 @@ def test_a_row_without_a_name_is_counted_and_listed_once() -> None:
     (flag,) = judged(b"name,pre,post\n,1,2\n,2,3\nAnna,1,1").flags
     assert flag.sentence.startswith("2 rows have no name")
     assert flag.files == ("marks.csv, line 2", "marks.csv, line 3")
+
+
+def test_a_dash_beside_key_and_max_is_no_group() -> None:
+    found = table("student,group,Q1,Q2", "KEY,-,A,B", "Anna,n,A,B", "Ben,o,B,B")
+    assert students(found) == ["Anna", "Ben"]
+    assert [float(row.marks) for row in found.taken] == [2, 1]
+
+
+def test_who_is_called_key_beside_letters_is_named_as_a_student() -> None:
+    found = table("student,Q1,Q2", "Key,A,B", "Anna,A,B", "Ben,B,B")
+    assert students(found) == ["Key", "Anna", "Ben"]
+    assert "“Key” counts as a student" in found.notes[0]
+
+
+def test_figures_below_a_table_are_known_with_their_numbers() -> None:
+    for word in ("SD", "Min", "Class mean", "Durchschnitt (n=2)", "Mean %", "Stdev"):
+        found = table("name,pre,post", "Anna,2,5", "Ben,5,8", f"{word},3.5,6.5")
+        assert students(found) == ["Anna", "Ben"], word
+
+
+def test_excels_line_of_the_separator_is_none_of_the_heads_when_it_was_saved_again() -> None:
+    for line in ("sep=;", "sep=;;;", '"sep=;"', "sep=; "):
+        found = table(line, "name;pre;post", "Anna;2;5", "Ben;5;8")
+        assert students(found) == ["Anna", "Ben"], line

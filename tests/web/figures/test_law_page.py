@@ -64,6 +64,8 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
     expect(caption).to_have_text("Your law")
     write(page, HEAVY + "\n")
     expect(caption).to_have_text("Your law, before you changed it")
+    head = page.locator(".carts-worlds-ends th[scope=col]")
+    expect(head).to_have_text("Your law, before you changed it")
     write(page, HEAVY)
     expect(caption).to_have_text("Your law")
     press(page, "Judge")

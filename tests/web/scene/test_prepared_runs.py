@@ -135,6 +135,9 @@ def test_without_python_a_link_is_followed_to_the_nearest_run_and_one_that_canno
     note = page.locator("#slides .carts-note")
     expect(note).to_contain_text("This change needs Python")
     expect(note).to_contain_text("prepared run")  # what was said before stays
+    page.evaluate("location.hash = '#carts:slides?B.mass=4%20kg'")
+    expect(mass).to_be_visible()
+    assert (note.text_content() or "").count("This link does not fit") == 1
 
 
 @pytest.mark.one_browser

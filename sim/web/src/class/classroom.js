@@ -2,6 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { codeWord } from "../shared/code-word.js";
+import { Names } from "./nameless.js";
 
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean, named?: boolean}} Held `out`: left out by the teacher; `named`: its code word was typed here */
@@ -18,6 +19,7 @@ const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
 export class Classroom {
   /** @type {Held[]} */
   files = [];
+  #names = new Names(); // of files without a code word
   /** @type {string[]} the texts of key files */
   keys = [];
   /** @type {string[]} the same for what can be practised: this site brings them along */
@@ -59,26 +61,12 @@ export class Classroom {
   /** @param {Found} found @param {number} group */
   take(found, group) {
     for (const row of found.records) {
-      if (!row[STUDENT].trim()) row[NAME] = this.#distinct(row);
+      if (!row[STUDENT].trim()) row[NAME] = this.#names.of(row[NAME], row[CREATED]);
       this.files.push({ row, group, out: false });
     }
     for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
     for (const mark of found.marks) this.give(mark);
     this.refused.push(...found.refused);
-  }
-
-  /**
-   * The name of a file without a code word, with a number where another one has it; what was begun
-   * at the same moment is the same file again. So does sim/classroom/files/nameless.py.
-   * @param {Row} row @returns {string}
-   */
-  #distinct(row) {
-    const [, stem = "", ending = ""] = /^(.+?)(\.[^.]*)?$/s.exec(row[NAME]) ?? [];
-    for (let number = 1; ; number += 1) {
-      const name = number === 1 ? row[NAME] : `${stem} (${number})${ending}`;
-      const held = this.files.find((file) => file.row[NAME] === name);
-      if (!held || held.row[CREATED] === row[CREATED]) return name;
-    }
   }
 
   /** @param {GivenMark} mark */

@@ -56,6 +56,7 @@ function row(classroom, table, changed) {
     classroom.tables = classroom.tables.filter((other) => other !== table);
     changed();
   });
-  line.append(html("bdi", "", table.name), " ", when, " ", remove);
+  const whose = classroom.two ? ` · ${classroom.groups[table.group]}` : "";
+  line.append(html("bdi", "", table.name + whose), " ", when, " ", remove);
   return line;
 }

@@ -118,9 +118,10 @@ export function lawElement(base) {
     #paper() {
       const text = this.editor?.text ?? "";
       say(need(this, ".carts-law-paper code"), text);
-      const caption = this.shown?.querySelector("figcaption");
-      if (!caption || !this.#drawn) return;
-      say(caption, text === this.#drawn ? YOURS : tr("Your law, before you changed it"));
+      if (!this.#drawn) return;
+      const whose = text === this.#drawn ? YOURS : tr("Your law, before you changed it");
+      for (const place of this.shown?.querySelectorAll("figcaption, th[scope=col]") ?? [])
+        say(place, whose);
     }
 
     #again() {

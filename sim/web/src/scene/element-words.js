@@ -30,8 +30,8 @@ export function note(scene, message) {
 
 /** The same, behind why Python does not run where that is said already. @param {HTMLElement} scene @param {string} message */
 export function noteBeside(scene, message) {
-  const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").textContent : "";
-  note(scene, `${why} ${message}`.trim());
+  const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").dataset.why : "";
+  note(scene, `${why ?? ""} ${message}`.trim());
 }
 
 /** How a run was solved, phase by phase. @param {import("../../../view/types.js").Run | undefined} run */

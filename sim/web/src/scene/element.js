@@ -39,8 +39,7 @@ export function sceneElement(client, folder) {
     #live = new Live(this, client, {
       first: () => this.#first(),
       told: () => this.#told,
-      link: () =>
-        this.#told && void followLink(this, this.#runs, (text) => words.noteBeside(this, text)),
+      link: () => void followLink(this, this.#runs, (text) => words.noteBeside(this, text)),
       failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
       stepwise: () => this.#runs.stepwise,
     });

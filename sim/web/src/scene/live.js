@@ -107,7 +107,8 @@ export class Live {
     this.acts.failed();
     const note = need(this.element, ".carts-note");
     note.hidden = false;
-    say(note, `${error.message} ${words.without(this.acts.told(), this.acts.stepwise())}`);
+    note.dataset.why = `${error.message} ${words.without(this.acts.told(), this.acts.stepwise())}`;
+    say(note, note.dataset.why);
     this.#waiting.reject(error);
     this.#link();
     this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
