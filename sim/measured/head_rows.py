@@ -59,7 +59,8 @@ def heads_of(above: Sequence[Row], multi: bool) -> tuple[list[Head], int]:
         above_runs = _until_the_next(over, len(names))
         runs = [own or other for own, other in zip(runs, above_runs, strict=True)]
         named = ()  # what stands there are runs, and no tracks
-    tracks = _tracks(named if multi or not _told_apart(names) else (), len(names), multi)
+    apart = _told_apart(names) or _owners(pairs)
+    tracks = _tracks(named if multi or not apart else (), len(names), multi)
     found = zip(names, units, tracks, runs, strict=True)
     return [Head(*one) for one in found], heads_row.line
 
@@ -73,6 +74,12 @@ def _told_apart(names: Sequence[str]) -> bool:
     found = [match.groups() for name in names if (match := _OF_CART.fullmatch(name))]
     stems = [stem for stem, cart in found if cart.lower() not in _DIRECTIONS]
     return len(stems) > len(set(stems))
+
+
+def _owners(pairs: Sequence[tuple[str, str]]) -> bool:
+    """The same, where the cart stands before: B: x, A: x."""
+    told = [quantity_of(name, unit) for name, unit in pairs]
+    return len({whose for what, whose in told if what == "pos" and whose}) > 1
 
 
 def _tracks(named: Sequence[str], count: int, multi: bool) -> list[str]:

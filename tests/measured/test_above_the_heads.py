@@ -20,6 +20,11 @@ def test_heads_that_tell_two_carts_apart_name_them(above: str) -> None:
     assert read_measured([text(above)]).names == ("A", "B")
 
 
+def test_a_remark_takes_no_names_from_carts_that_stand_before_a_colon() -> None:
+    heads = "Time (s),B: Position (m),A: Position (m)"
+    assert set(read_measured([text("Gruppe 3\n", heads)]).names) == {"A", "B"}
+
+
 def test_excels_word_for_the_separator_is_no_name() -> None:
     found = read_measured(["sep=;\n" + text("").replace(",", ";")])
     assert found.names == ("A", "B")
