@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
                 if stream.isatty():
                     stream.reconfigure(errors="replace")
                 else:
-                    stream.reconfigure(encoding="utf-8")
+                    stream.reconfigure(encoding="utf-8", errors="backslashreplace")
         return super().main(*args, **more)
 
     def list_commands(self, ctx: click.Context) -> list[str]:

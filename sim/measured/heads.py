@@ -31,7 +31,7 @@ _SPEED_HEAD = re.compile(
     rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:[\t;,|\"]|$|Run)", re.I
 )
 _GLUED = "[A-Za-z0-9]{1,12}"  # behind a word; behind a letter: xA, x1, xb
-_SEPARATED = r"[\s_.,-]+(?:of\s+|ch\s*)?(?:(?:cart|wagen)\s+)?(?P<who>[A-Za-z0-9]{1,12})"
+_SEPARATED = r"[\s_.,:-]+(?:of\s+|ch\s*)?(?:(?:cart|wagen)\s+)?(?P<who>[A-Za-z0-9]{1,12})"
 
 
 def longest_first(words: str, *, letters: bool = False) -> str:
@@ -41,13 +41,14 @@ def longest_first(words: str, *, letters: bool = False) -> str:
 
 
 def _named(words: str) -> tuple[re.Pattern[str], ...]:
-    """A word or a letter, and whose it is behind it; a word behind whose it is."""
+    """A word or a letter, and whose it is behind it; a word, and a letter, behind whose it is."""
     word, letter = (longest_first(words, letters=one) for one in (False, True))
     return (
         re.compile(rf"\W*(?:{word})(?:{_SEPARATED}|(?:of\s+)?(?P<glued>{_GLUED}))?\W*", re.I),
         re.compile(rf"\W*(?:{letter})(?:{_SEPARATED}|(?P<glued>[A-Za-z]?\d{{1,2}}|[A-Za-z]))?\W*",
                    re.I),
         re.compile(rf"\W*(?P<who>.{{1,24}}?)[\s_.,:-]+(?:{word})\W*", re.I),
+        re.compile(rf"\W*(?P<who>.{{1,24}}?)[\s_.,:-]+(?:{letter})\W*", re.I),
     )  # fmt: skip
 
 
@@ -68,17 +69,21 @@ def is_time(name: str) -> bool:
 def quantity_of(name: str, unit: str) -> tuple[Quantity | None, str]:
     """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s or “Cart B: velocity”."""
     kind = _by_unit(unit)
-    for one, (word, letter, behind) in _NAMED.items():
+    for one, (word, letter, word_behind, letter_behind) in _NAMED.items():
         if one == "time" or kind not in (None, one):
             continue
         if match := word.fullmatch(name) or letter.fullmatch(name):
             return one, match["who"] or match["glued"] or ""
-        if (match := behind.fullmatch(name)) and (whose := owner(match["who"])) is not None:
+        match = word_behind.fullmatch(name)
+        if kind == one:  # its unit tells: a letter alone might be a cart's
+            match = match or letter_behind.fullmatch(name)
+        if match and (whose := owner(match["who"])) is not None:
             return (None, "") if whose.lower() in SIDEWAYS else (one, whose)
     if kind is None or kind == "time":
         return kind, ""
     match = _WHO.fullmatch(name)
-    return kind, (match["after"] or match["digits"]) if match else ""
+    whose = (match["after"] or match["digits"]) if match else ""
+    return (None, "") if whose.lower() in SIDEWAYS else (kind, whose)
 
 
 def owner(text: str) -> str | None:

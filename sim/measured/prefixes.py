@@ -2,8 +2,8 @@
 
     Run 1: Time (s)     Position (m) Run #1     Data Set 2:Force(N)     Group 3: Time (s)
 
-What stands before a colon in every head, that of the time too, is no cart: it is one dataset, or
-each that has a time of its own is a run. What stands there in some heads is a cart (“A: x (m)”).
+What stands before a colon in every head, that of the time too, is no cart where it is one dataset,
+or where behind each stand a time and the same of two carts: a run. Else it is a cart (“A: x (m)”).
 """
 
 from __future__ import annotations
@@ -12,8 +12,9 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 
-from sim.measured.heads import is_time
+from sim.measured.heads import SIDEWAYS, is_time, quantity_of
 from sim.measured.units import head, kind_of_unit, narrow
+from sim.measured.whose import force_on
 
 _NUMBER = r"[\W_]{0,3}(?:(?:nr|no|n°|nº)\.?\s*)?(?P<number>\d{1,4})"
 _WORDS = (
@@ -25,10 +26,6 @@ _ALONE = re.compile(rf"[\W_]*{_RUN}[\W_]*", re.I)
 _BEHIND = re.compile(rf"(?P<rest>.*?)[\s_,;-]*(?<![^\W_]){_RUN}\W*", re.I)
 _BEFORE = re.compile(rf"\W*{_RUN}[\s_]+(?P<rest>.+)", re.I)
 _COLON = re.compile(r"[\"'\s]*(?P<prefix>[^:()\[\]]{1,24}?)\s*:\s*(?P<rest>.+)")
-
-
-WHOLE = 3
-"""Columns of a run: the time and two sensors. A time and one column may be a cart's own."""
 
 
 def run_alone(text: str) -> str:
@@ -66,9 +63,23 @@ def _datasets(heads: Sequence[re.Match[str] | None]) -> dict[str, str]:
         return {}
     if len(prefixes) == 1:
         return dict.fromkeys(prefixes, "")
-    timed = {match["prefix"] for match in told if _is_time(match["rest"])}
-    whole = timed == set(prefixes) and min(prefixes.values()) >= WHOLE
+    parts = {prefix: [m["rest"] for m in told if m["prefix"] == prefix] for prefix in prefixes}
+    whole = all(any(map(_is_time, rests)) and _of_two(rests) for rests in parts.values())
     return {prefix: prefix for prefix in prefixes} if whole else {}
+
+
+def _of_two(rests: Sequence[str]) -> bool:
+    """Whether two of the columns hold the same of two carts: then what stands before is a run."""
+    seen: dict[str, set[str]] = {}
+    for rest in rests:
+        name, unit = head(rest)
+        whose = force_on(name)
+        what = None if whose is None and kind_of_unit(unit) != "force" else "force"
+        if what is None:
+            what, whose = quantity_of(name, unit)
+        if what and what != "time" and (whose or "").lower() not in ("x", *SIDEWAYS):
+            seen.setdefault(what, set()).add(whose or "")
+    return any(len(owners) > 1 for owners in seen.values())
 
 
 def _is_time(text: str) -> bool:

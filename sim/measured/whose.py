@@ -9,35 +9,43 @@ import re
 from collections.abc import Sequence
 
 from sim.measured.heads import SIDEWAYS, WORDS, longest_first, owner, quantity_of
-from sim.measured.table import Column
 
+_LOWER = "a-zà-ÿа-я"
 _FORCE_WORD = re.compile(
-    r"(?<![^\W_])(?:force|kraft|fuerza|forza|força|daya|сила|力)(?-i:(?![a-zà-ÿа-я]))", re.I
+    rf"(?<![^\W_])(?:force|kraft|fuerza|forza|força|daya|сила|力)(?-i:(?![{_LOWER}]))", re.I
 )
-_FORCE = re.compile(
-    r"(?:.*\W)?f(?:[\s_.-]+(?P<who>[a-z0-9]{1,8})|(?P<glued>[a-z]?\d{1,2}|[a-z]))?", re.I
+_ON_ONE = re.compile(r"(?<![^\W_])(?:on|auf|sur|sobre|pada)\s+(?P<who>\w{1,12})", re.I)
+_OF = re.compile(r"[\s_.,:-]*(?:(?:of|von|de|ch)\s+)?", re.I)
+_F = re.compile(
+    r"(?:(?P<before>.{1,24}?)[\s_.,:-]+)?"
+    r"f(?:[\s_.,:-]+(?P<who>[a-z0-9]{1,8})|(?P<glued>[a-z]?\d{1,2}|[a-z]))?",
+    re.I,
 )
-_ON = re.compile(r"[\s_.,:-]*(?:(?:on|of|auf|von|sur|de|sobre|en|pada|ch)\s+)?", re.I)
 _POSITION = re.compile(
-    r"(?:position|place|pos|ort|x)[\s_.-]*(?:of\s+)?(?P<behind>[a-z0-9]{0,8})"
+    r"(?:position|place|pos|ort|x)[\s_.:-]*(?:of\s+)?(?P<behind>[a-z0-9]{0,8})"
     r"|(?P<before>[a-z][a-z0-9]{0,8})[\s_.-]+(?:position|pos|x)"
-    r"|(?P<long>.{1,24}?)(?:[\s_.,:-]+(?:position|place|pos|ort)|:\s*x)",
+    r"|(?P<long>.{1,24}?)(?:[\s_.,:-]+(?:position|place|pos|ort)|:\s*[xs])",
     re.I,
 )
 _NOT_POSITION = re.compile(r"xx|x\W?(speed|vel)", re.I)
-_VELOCITY = re.compile(
-    rf"(?:{longest_first(WORDS['vel'])}|{longest_first(WORDS['acc'])})[\s_.,-]+\w{{1,12}}"
-    r"|(?-i:v[\s_.-]\w{1,12}|a_\w{1,12}|v\d{1,2})",
+_VELOCITY_WORD = re.compile(
+    rf"(?<![^\W_])(?:{longest_first(WORDS['vel'])}|{longest_first(WORDS['acc'])})"
+    rf"(?-i:(?![{_LOWER}]))",
     re.I,
 )
+_VELOCITY_LETTER = re.compile(r"v[\s_.-]\w{1,12}|a_\w{1,12}|[vV]\d{1,2}|v[A-Z]|.+[\s_:.]v")
 
 
 def force_on(name: str) -> str | None:
     """The cart that a force acts on, "" where the head does not say; None: it is no force."""
     if word := _FORCE_WORD.search(name):
-        return _ON.sub("", name[word.end() :], count=1).strip(" _.,:-")
-    match = _FORCE.fullmatch(name)
-    return (match["who"] or match["glued"] or "") if match else None
+        if one := _ON_ONE.search(name):
+            return one["who"]
+        behind = _OF.sub("", name[word.end() :], count=1).strip(" _.,:-")
+        return behind or owner(name[: word.start()].strip(" _.,:-")) or ""
+    if not (match := _F.fullmatch(name)):
+        return None
+    return match["who"] or match["glued"] or owner(match["before"] or "") or ""
 
 
 def place_of(name: str) -> str | None:
@@ -51,23 +59,30 @@ def place_of(name: str) -> str | None:
     return None if whose is None or whose.lower() in SIDEWAYS else whose
 
 
-def is_velocity(name: str) -> bool:
-    """Whether a head without a unit can be nothing but a velocity or an acceleration of a cart."""
-    return _VELOCITY.fullmatch(name) is not None
+def are_velocities(names: Sequence[str]) -> bool:
+    """Whether heads without a unit are velocities or accelerations: one names it, or all have its
+    letter, which alone may be a cart's."""
+    words = any(_VELOCITY_WORD.search(name) for name in names)
+    return words or all(_VELOCITY_LETTER.fullmatch(name) for name in names)
 
 
-def cart_names(columns: Sequence[Column]) -> list[str]:
-    """What the carts are called: by their track, by their column, or A and B."""
+def cart_names(heads: Sequence[tuple[str, str]]) -> list[str]:
+    """What the carts are called: by their track, by their column, or A and B. `heads`: the name and
+    the track of each column."""
     found = []
-    for column in columns:
-        whose = place_of(column.name)
-        whose = force_on(column.name) if whose is None else whose
+    for name, track in heads:
+        whose = place_of(name)
+        whose = force_on(name) if whose is None else whose
         if whose is None:
-            what, whose = quantity_of(column.name, "")
-            whose = whose if what == "pos" else column.name
-        found.append((column.track or whose).strip())
-    if sorted(found) == ["", "2"]:
-        return ["1", "2"]  # “Force” and “Force 2”
+            what, whose = quantity_of(name, "")
+            whose = whose if what == "pos" else name
+        found.append((track or whose).strip())
+    if (
+        len(found) == 2
+        and found.count("2") == 1
+        and not any(one[:1].isdecimal() for one in found if one != "2")
+    ):
+        return ["1", "2"] if found[1] == "2" else ["2", "1"]  # “Force” and “Force 2”
     found = [name or "AB"[k] for k, name in enumerate(found)]
     if len(found) == 2 and found[0] == found[1]:
         found = [f"{name} {k}" for k, name in enumerate(found, 1)]

@@ -62,3 +62,22 @@ def test_page_and_command_number_names_alike() -> None:
         rows,
     )
     assert taken == TOLD
+
+
+def test_what_was_deleted_leaves_no_number_behind() -> None:
+    rows = [as_record(read) for day in (1, 2)
+            for read in Reading.of([source("a.json", 1, day=day)]).files]  # fmt: skip
+    taken = in_node(
+        """globalThis.document = { documentElement: { dataset: {}, lang: "en" },
+          getElementById: () => null };
+        const { Classroom } = await import(source + "/class/classroom.js");
+        const classroom = new Classroom();
+        const take = (row) => classroom.take(
+          { records: [row], keys: [], marks: [], refused: [], next: null }, 0);
+        take(data[0]);
+        Object.assign(classroom, new Classroom()); // as the page forgets everything
+        take(data[1]);
+        give(classroom.files.map((file) => file.row[0]));""",
+        rows,
+    )
+    assert taken == ["a.json"]

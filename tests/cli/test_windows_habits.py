@@ -50,6 +50,7 @@ def test_strokes_of_windows_paths_are_those_of_every_path() -> None:
 
 
 def test_a_folder_whose_name_would_be_a_pattern_is_itself() -> None:
-    groups = [("new", "class [7a]"), ("old", "class 7*")]
-    assert group_of("all/class [7a]/ann.json", groups) == "new"
+    for pattern in ("class [7a]", "class [7a]/", "class [7a]/*"):
+        groups = [("new", pattern), ("old", "class 7*")]
+        assert group_of("all/class [7a]/ann.json", groups) == "new"
     assert group_of("all/class 7b/ben.json", groups) == "old"

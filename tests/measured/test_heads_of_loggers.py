@@ -45,6 +45,8 @@ t|B|A
 B: Time (s)|B: x (m)|A: Time (s)|A: x (m)
 Group 3: t|Group 3: x_B|Group 3: x_A
 Time (s)|B Position (m)|A Position (m)|A y (m)
+t|x: B|x: A
+Time (s)|B: s (m)|A: s (m)
 t|x_B|x_A|v_x
 t|x_B|x_A|acceleration x"""
 NAMES = {
@@ -66,6 +68,14 @@ FORCES = {
     "Versuch 1: t|Versuch 1: F_A|Versuch 1: F_B": "A, B",
     "Time (s)|Force (N), Run #1|Force 2 (N), Run #1": "1, 2",
     "Time (s)|Left (N)|Right (N)": "Left, Right",
+    "Time (s)|B: Force (N)|A: Force (N)": "B, A",
+    "Time (s)|Cart B Force (N)|Cart A Force (N)": "B, A",
+    "t|B_F|A_F": "B, A",
+    "t|F: B|F: A": "B, A",
+    "Time (s)|Red: Force (N)|Blue: Force (N)": "Red, Blue",
+    "Time (s)|Force on B by A (N)|Force on A by B (N)": "B, A",
+    "Time (s)|force by A on B (N)|force by B on A (N)": "B, A",
+    "A: t|A: F|B: t|B: F": "A, B",
 }
 
 
@@ -126,6 +136,29 @@ def test_positions_beside_velocities_are_of_the_cart_before_the_colon() -> None:
     assert places(table(heads, TIMES, A, still, B, still)) == {"A": A[0], "B": B[0]}
 
 
+SENSORS = """\
+A: x (m)|A: v (m/s)|B: x (m)|B: v (m/s)
+A x (m)|A v (m/s)|B x (m)|B v (m/s)
+a_x (m)|a_v (m/s)|b_x (m)|b_v (m/s)
+Wagen A: s (m)|Wagen A: v (m/s)|Wagen B: s (m)|Wagen B: v (m/s)
+Cart A: Position (m)|Cart A: Velocity (m/s)|Cart B: Position (m)|Cart B: Velocity (m/s)"""
+
+
+@pytest.mark.parametrize(
+    ("heads", "own_clocks"),
+    [(heads, own) for heads in SENSORS.splitlines() for own in (False, True)[: 1 + (":" in heads)]],
+)
+def test_letters_and_words_behind_a_cart_are_its_own(heads: str, own_clocks: bool) -> None:
+    cells, still = heads.split("|"), [0.3] * len(TIMES)
+    clocks = [f"{cells[k].split(':')[0]}: Time (s)" for k in (0, 2)]
+    if own_clocks:
+        text = table(",".join([clocks[0], *cells[:2], clocks[1], *cells[2:]]),
+                     TIMES, A, still, TIMES, B, still)  # fmt: skip
+    else:
+        text = table(",".join(["Time (s)", *cells]), TIMES, A, still, B, still)
+    assert {name.upper(): x for name, x in places(text).items()} == {"A": A[0], "B": B[0]}
+
+
 def test_the_place_up_and_down_is_no_second_cart() -> None:
     heads = "Time (s),X Position (m),Y Position (m)"
     with pytest.raises(ReadingError, match="1 cart"):
@@ -175,7 +208,20 @@ def test_two_files_of_one_force_sensor_each_are_both_sensors() -> None:
         read_measured(files[:1])
 
 
-@pytest.mark.parametrize("heads", ["t,v_A,v_B", "t,a_A,a_B", "Zeit,Geschwindigkeit A,v B"])
+VELOCITIES = """\
+t,v_A,v_B
+t,a_A,a_B
+t,vA,vB
+t,V1,V2
+t,Velocity,Velocity 2
+t,vel1,vel2
+t,B: velocity,A: velocity
+t,B: v,A: v
+t,加速度A,加速度B
+Zeit,Geschwindigkeit A,v B"""
+
+
+@pytest.mark.parametrize("heads", VELOCITIES.splitlines())
 def test_velocities_without_a_unit_are_not_read_as_places(heads: str) -> None:
     with pytest.raises(ReadingError, match="has no unit and is no place"):
         read_measured([table(heads, TIMES, A, B)])

@@ -16,7 +16,14 @@ from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import Layout, norm
 from sim.classroom.tables.marks import NOTHING, mark
-from sim.classroom.tables.words import FIGURES, KEY, MOST, NAMES_TOO, SUMS
+from sim.classroom.tables.words import (
+    FIGURES,
+    KEY,
+    MOST,
+    NAMES_OR_FIGURES,
+    NAMES_TOO,
+    SUMS,
+)
 
 _WITH_COUNT = re.compile(r"\s*(?:\(.*\)|%|n\s*=\s*\d+)$")
 """What stands behind the word of such a row: Mean (n = 24), Total %."""
@@ -55,6 +62,8 @@ class Parted:
 def parted(rows: Sequence[Row], columns: Columns) -> Parted:
     """Students, and what is none."""
     kinds = [_kind(row, columns) for row in rows]
+    if "sums" in kinds:
+        kinds = [_kind(row, columns, FIGURES | NAMES_OR_FIGURES) for row in rows]
     students = (row for row, kind in zip(rows, kinds, strict=True) if kind in (None, "student"))
     highest = _highest(students) if "sums" in kinds else {}
     found = Parted([])
@@ -70,7 +79,7 @@ def parted(rows: Sequence[Row], columns: Columns) -> Parted:
     return found
 
 
-def _kind(row: Row, columns: Columns) -> Kind | None:
+def _kind(row: Row, columns: Columns, figures: frozenset[str] = FIGURES) -> Kind | None:
     name = columns.named(row)
     word = norm(name)
     beside = any(_cell(row, place).casefold() not in NOTHING for place in columns.beside)
@@ -78,13 +87,13 @@ def _kind(row: Row, columns: Columns) -> Kind | None:
         if beside or (word in NAMES_TOO and name != name.upper()):
             return "student"
         return "key" if word in KEY else "most"
-    return "sums" if not beside and _WITH_COUNT.sub("", word) in SUMS | FIGURES else None
+    return "sums" if not beside and _WITH_COUNT.sub("", word) in SUMS | figures else None
 
 
 def _sums_up(row: Row, name: str, highest: dict[int, Exact]) -> bool:
     """Whether they can be sums, at least the highest of each column: one may be called Sum."""
     marks = dict(_marks(row))
-    if _WITH_COUNT.sub("", norm(name)) in FIGURES:
+    if _WITH_COUNT.sub("", norm(name)) in FIGURES | NAMES_OR_FIGURES:
         return bool(marks)
     return bool(marks) and all(value >= highest.get(place, 0) for place, value in marks.items())
 

@@ -54,10 +54,12 @@ SUMS = words("total | sum | grand total | gesamt | summe | jumlah | 总分 | 总
 """How rows below a table call themselves that add up the others, and those with other figures."""
 FIGURES = words("""
     mean | class mean | average | class average | avg | avg. | median | standard deviation |
-    std dev | stdev | std. dev. | sd | min | minimum | ø |
+    std dev | stdev | std. dev. | minimum | ø |
     mittelwert | mittel | durchschnitt | standardabweichung | purata | sisihan piawai | 平均 |
     平均分 | 平均值 | 标准差 | சராசரி
 """)
+NAMES_OR_FIGURES = words("min | sd")
+"""The same, where another row of figures or sums stands in the table: somebody may be called so."""
 UNFINISHED = words("""
     in progress | never submitted | overdue | in bearbeitung | nie abgegeben | überfällig |
     sedang dijalankan | 进行中 | 从未提交

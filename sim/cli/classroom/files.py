@@ -59,7 +59,7 @@ def group_of(name: str, groups: Sequence[tuple[str, str]]) -> str:
     ends = ["/".join(path.parts[k:]) for k in range(len(path.parts))]
     for group, pattern in groups:
         wanted = pattern.removeprefix("./").rstrip("/")
-        named = any(f"{end}/".startswith(f"{wanted}/") for end in ends)
+        named = any(f"{end}/".startswith(f"{wanted.removesuffix('/*')}/") for end in ends)
         if named or any(fnmatchcase(end, one) for end in ends for one in (wanted, f"{wanted}/*")):
             return group
     return ""

@@ -18,7 +18,7 @@ from sim.measured.runs import of_one_run, run_place
 from sim.measured.table import MOST_FAULTS, Column, Table, read_table
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
-from sim.measured.whose import cart_names, force_on, is_velocity, place_of
+from sim.measured.whose import are_velocities, cart_names, force_on, place_of
 
 _COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
 
@@ -52,7 +52,9 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
     time_factors, time_note = _unit(table, clocks, "time", units)
     value_factors, value_note = _unit(table, wanted, kind, units)
     factors = zip(time_factors, value_factors, strict=True)
-    columns = zip(cart_names(wanted), clocks, wanted, factors, strict=True)
+    columns = zip(
+        cart_names([(c.name, c.track) for c in wanted]), clocks, wanted, factors, strict=True
+    )
     tracks = [_track(table, *one) for one in columns]
     said = [f"{table.separator} between the columns, decimal {table.decimal}"]
     return kind, tracks, [time_note, value_note, *said]
@@ -114,7 +116,7 @@ def _is_place(column: Column) -> bool:
 
 def _no_velocities(table: Table, columns: Sequence[Column]) -> None:
     """Two columns without a unit are places, whatever they are called, but not by these words."""
-    if all(not column.unit and is_velocity(column.name) for column in columns):
+    if not any(column.unit for column in columns) and are_velocities([c.name for c in columns]):
         name = shown(columns[0].name)
         raise refuse(
             table.heads_line,

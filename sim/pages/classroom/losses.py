@@ -35,7 +35,7 @@ def fitting(questions: Iterable[Portable], target: Target) -> tuple[list[Portabl
         elif q.shape == "pairs" and not all(plain_text(right).strip() for _, right in q.pairs):
             refused.append(f"{q.id}: a picture without words cannot be chosen from a list there")
         elif target == "gift" and q.shape == "short" and any("->" in a[0] for a in q.answers):
-            refused.append(f"{q.id}: GIFT takes the arrow in an accepted answer for a pair")
+            refused.append(f"{q.id}: GIFT takes the arrow in a short answer for a pair")
         else:
             fine.append(q)
     return fine, refused

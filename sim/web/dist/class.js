@@ -83,8 +83,8 @@
   );
   var Classroom = class {
     files = [];
-    #names = new Names();
-    // of files without a code word
+    nameless = new Names();
+    // the names of files without a code word
     keys = [];
     practice = broughtAlong();
     marks = /* @__PURE__ */ new Map();
@@ -112,7 +112,7 @@
     }
     take(found, group) {
       for (const row2 of found.records) {
-        if (!row2[STUDENT].trim()) row2[NAME] = this.#names.of(row2[NAME], row2[CREATED]);
+        if (!row2[STUDENT].trim()) row2[NAME] = this.nameless.of(row2[NAME], row2[CREATED]);
         this.files.push({ row: row2, group, out: false });
       }
       for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);

@@ -113,7 +113,7 @@ def test_who_is_called_key_beside_letters_is_named_as_a_student() -> None:
 
 
 def test_figures_below_a_table_are_known_with_their_numbers() -> None:
-    for word in ("SD", "Min", "Class mean", "Durchschnitt (n=2)", "Mean %", "Stdev"):
+    for word in ("Class mean", "Durchschnitt (n=2)", "Mean %", "Stdev"):
         found = table("name,pre,post", "Anna,2,5", "Ben,5,8", f"{word},3.5,6.5")
         assert students(found) == ["Anna", "Ben"], word
 
@@ -122,3 +122,9 @@ def test_excels_line_of_the_separator_is_none_of_the_heads_when_it_was_saved_aga
     for line in ("sep=;", "sep=;;;", '"sep=;"', "sep=; "):
         found = table(line, "name;pre;post", "Anna;2;5", "Ben;5;8")
         assert students(found) == ["Anna", "Ben"], line
+
+
+def test_a_student_called_min_is_a_student_unless_other_figures_stand_there() -> None:
+    lines = ("name,pre,post", "Anna,12,18", "Min,10,11", "Ben,8,20")
+    assert students(table(*lines)) == ["Anna", "Min", "Ben"]
+    assert students(table(*lines, "Mean,10,16", "SD,2,4")) == ["Anna", "Ben"]

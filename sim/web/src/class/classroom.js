@@ -19,7 +19,7 @@ const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
 export class Classroom {
   /** @type {Held[]} */
   files = [];
-  #names = new Names(); // of files without a code word
+  nameless = new Names(); // the names of files without a code word
   /** @type {string[]} the texts of key files */
   keys = [];
   /** @type {string[]} the same for what can be practised: this site brings them along */
@@ -61,7 +61,7 @@ export class Classroom {
   /** @param {Found} found @param {number} group */
   take(found, group) {
     for (const row of found.records) {
-      if (!row[STUDENT].trim()) row[NAME] = this.#names.of(row[NAME], row[CREATED]);
+      if (!row[STUDENT].trim()) row[NAME] = this.nameless.of(row[NAME], row[CREATED]);
       this.files.push({ row, group, out: false });
     }
     for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
