@@ -111,7 +111,7 @@ def _verdict(
     if _changed_places(scene, end.x) and not _changed_places(scene, solved.x):
         return "passes-through"
     if all(
-        value is not None and abs(value - true) <= RIGHT * _scale(scene, what, true)
+        value is not None and abs(value - true) <= RIGHT * _scale(scene, solved, what, true)
         for (what, true), value in zip(wanted, got, strict=True)
     ):
         return "right"
@@ -123,18 +123,20 @@ def _verdict(
     return "sticks" if _stays_together(solved, end) else "wrong"
 
 
-def _scale(scene: Scene, what: str, true: float) -> float:
+def _scale(scene: Scene, solved: Run, what: str, true: float) -> float:
     """What 1 % is taken of: the closing speed, a place, the energy; a count has to be exact.
 
-    Where the speed at which two part is what is asked for, it is of that itself: of 2e-12 m/s a
-    method that gives 3e-8 has no digit right.
+    Where nothing moves at the start, it is the speed that all the energy could give. Where the
+    speed at which two part is what is asked for, it is of that itself: of 2e-12 m/s a method that
+    gives 3e-8 has no digit right.
     """
     kind, _, whose = what.partition(".")
     if kind == "v" and "-" in whose and true:
         return abs(true)
     if kind == "v":
         closing = max(0.0, *(-w for w in scene.approaches if math.isfinite(w)))
-        return closing or max(abs(true), *(abs(cart.velocity) for cart in scene.carts))
+        moving = max(abs(true), *(abs(cart.velocity) for cart in scene.carts))
+        return closing or moving or max(_fastest(scene, solved))
     if kind == "x":
         return max(abs(true), LEAST_LENGTH)
     if kind == "count":

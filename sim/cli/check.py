@@ -32,8 +32,9 @@ def command(
     PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes
     are checked. Exit code 1 means that a mistake was found, 2 that there is nothing to check.
     A warning stops nothing: a lesson in a folder that is not built, a catalogue whose lesson is
-    not there. A hint is no finding: an effect that a scene lists in vain, or one that it misses
-    much. Nor is what is so by default: it is counted, and listed with --defaults.
+    not there, hidden forces that no reader can find. A hint is no finding: an effect that a scene
+    lists in vain, or one that it misses much. Nor is what is so by default: it is counted, and
+    listed with --defaults.
 
     \b
     carts check

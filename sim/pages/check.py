@@ -10,6 +10,7 @@ from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
+from sim.pages.hidden_forces import forces_nobody_finds
 from sim.pages.law.block import LawBlock, read_law_block
 from sim.pages.law_files import with_law_files
 from sim.pages.map.bake import bake_map
@@ -98,9 +99,11 @@ def _read(
         items.scenes.append(scene.fence)
         if scene.fence.predict:
             items.asking = scene.fence.id
+        found = forces_nobody_finds(scene, run.header)
         if hints:
             called_for = relevance_hints(scene.fence.scene, scene.places)
-            return [*watched_by_default(scene), *called_for]
+            return [*found, *watched_by_default(scene), *called_for]
+        return found
     return []
 
 

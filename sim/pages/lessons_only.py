@@ -49,7 +49,7 @@ EXTENSIONS: Mapping[str, Mapping[str, Any]] = {
     "pymdownx.superfences": {},
     "sane_lists": {},
     "tables": {"use_align_attribute": True},
-    "toc": {"permalink": True},
+    "toc": {"permalink": True, "permalink_title": ""},
 }
 """As in this project's own mkdocs.yml; a test holds the two together."""
 

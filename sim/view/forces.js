@@ -40,7 +40,7 @@ export function forcesAlong(run, name, t, zero) {
 }
 
 /**
- * The contact forces on a cart, from the left neighbour first. What holds two together that stick
+ * The contact forces on a cart or a wall, from the left neighbour first. What holds two together that stick
  * is told while it is there: their contact has no duration, and no force of its own.
  * @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {Force[]}
  */
@@ -53,7 +53,7 @@ export function contactForces(run, name, t, zero) {
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
-        name: forceOn(name, body(by, run.header.track)),
+        name: forceOn(body(name, run.header.track), body(by, run.header.track)),
         on: name,
         by,
         way: /** @type {const} */ ("along"),
@@ -76,20 +76,39 @@ export function effectForces(run, name, t) {
     });
 }
 
+/** What is said below weight and support: on a slope they balance in part only. @param {import("./types.js").Header} header */
+export function verticalNote(header) {
+  return header.bodies.some(({ name }) => slopeOf(header, name))
+    ? tr(
+        "On a slope the support balances only the part of the weight across the track; the rest of the weight acts along it. Weight and support are no third-law pair: the partner of the weight pulls on the Earth.",
+      )
+    : tr(
+        "Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.",
+      );
+}
+
+/** @param {import("./types.js").Header} header @param {string} name @returns {number} of the track below a cart, in rad */
+function slopeOf({ effects }, name) {
+  return effects
+    .filter(({ active, carts }) => active && carts.includes(name))
+    .reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+}
+
 /**
- * Weight and support: equal and opposite, but both on one body, so no third-law pair.
+ * Weight, on a slope the part across it, and support: equal and opposite, but both on one body, so
+ * no third-law pair.
  * @param {Run} run @param {string} name @returns {Force[]}
  */
 export function verticalForces({ header }, name) {
   const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
-  const slope = header.effects
-    .filter(({ active, carts }) => active && carts.includes(name))
-    .reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+  const slope = slopeOf(header, name);
   const weight = mass * header.gravity * Math.cos(slope);
   return [
     {
       name: slope
-        ? tr("weight of {name}: force on {name} by the Earth, across the track", { name })
+        ? tr("part of the weight of {name}, across the track: force on {name} by the Earth", {
+            name,
+          })
         : tr("weight of {name}: force on {name} by the Earth", { name }),
       by: "Earth",
       value: -weight,

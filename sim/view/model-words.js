@@ -10,7 +10,7 @@ import { APART, capital, lawsOf } from "./words.js";
 /** @typedef {import("./types.js").Contact} Contact */
 
 const BOTH_FORCES = tr(
-  "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.",
+  "Each contact has one force in the program: it acts on both bodies, equally hard, in opposite directions. So the program assumes Newton’s third law; it cannot prove it.",
 );
 
 /**

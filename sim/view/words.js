@@ -82,21 +82,7 @@ export function eventSentence(event, telling, laws, bare, track) {
       });
     }
     case "peak":
-      if (laws[names.join("-")] === APART) {
-        const force = `${fixed(event.force ?? 0, decimals.F ?? 2)}\u00a0N`;
-        return forces
-          ? tr("{pair} are nearest: {force} on each.", { pair, force })
-          : tr("{pair} are nearest.", { pair });
-      }
-      if (forces && event.force) {
-        const force = `${fixed(event.force, decimals.F ?? 2)}\u00a0N`;
-        return bare.has(names.join("-"))
-          ? tr("{pair}: squeezed the most, {force} on each.", { pair, force })
-          : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
-      }
-      return bare.has(names.join("-"))
-        ? tr("{pair}: squeezed the most.", { pair })
-        : tr("{pair}: bumpers squeezed the most.", { pair });
+      return peakSentence(event, telling, laws, bare, pair);
     case "separate": {
       if (!joined(event, scale)) return told(tr("{pair} separate.", { pair }), shown, after);
       const ended = { pair: bodiesOf(names, track) };
@@ -132,6 +118,34 @@ export function eventSentence(event, telling, laws, bare, track) {
     default:
       return `${event.kind}: ${pair}.`;
   }
+}
+
+/**
+ * At the greatest force; where a bumper warms by a damper, that is not where it is squeezed the most.
+ * @param {RunEvent} event @param {Telling} telling @param {Laws} laws @param {Set<string>} bare @param {string} pair
+ */
+function peakSentence({ bodies, force: greatest }, { decimals, forces }, laws, bare, pair) {
+  const key = bodies.join("-");
+  const force = `${fixed(greatest ?? 0, decimals.F ?? 2)}\u00a0N`;
+  if (laws[key] === APART) {
+    return forces
+      ? tr("{pair} are nearest: {force} on each.", { pair, force })
+      : tr("{pair} are nearest.", { pair });
+  }
+  const told = forces && greatest;
+  if (laws[key] !== "bumper") {
+    return told
+      ? tr("{pair} push hardest: {force} on each.", { pair, force })
+      : tr("{pair} push hardest.", { pair });
+  }
+  if (told) {
+    return bare.has(key)
+      ? tr("{pair}: squeezed the most, {force} on each.", { pair, force })
+      : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+  }
+  return bare.has(key)
+    ? tr("{pair}: squeezed the most.", { pair })
+    : tr("{pair}: bumpers squeezed the most.", { pair });
 }
 
 /** Whether both bodies have one velocity after the event; a wall has none. @param {RunEvent} event @param {number} scale */

@@ -134,6 +134,14 @@ def test_a_site_of_lessons_alone_gets_the_markdown_and_the_look_of_this_one() ->
     assert set(lessons_only.FEATURES) <= set(ours["theme"]["features"])
 
 
+def test_no_heading_says_in_english_what_its_link_is() -> None:
+    """The headings of lessons in other languages had title="Permanent link"."""
+    configs = {"toc": lessons_only.EXTENSIONS["toc"]}
+    made = markdown.markdown("# Isaac", extensions=["toc"], extension_configs=configs)
+    assert 'class="headerlink"' in made
+    assert "title=" not in made
+
+
 LESSONS = sorted(path.stem for path in (ROOT / "worksheets").glob("*.md"))
 
 

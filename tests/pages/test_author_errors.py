@@ -116,6 +116,34 @@ def test_our_own_lessons_and_scenes_have_no_findings() -> None:
     assert not check_paths([root / "worksheets", root / "docs", root / "tests" / "scenes"], root)
 
 
+HIDDEN = """```scene
+id: a
+carts:
+  A: {mass: 0.5 kg, position: 0.4 m, velocity: 0.6 m/s}
+  B: {mass: 2 kg, position: 1.2 m}
+contact: {restitution: 0.8, stiffness: 100 N/m}
+%suntil: 3 s
+forces: hidden
+show: [v]
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("effects", "warned"),
+    [
+        ("", False),
+        ("effects: [{friction: {coefficient: 0.03}}]\n", True),
+        ("effects: [{push: {cart: A, force: 0.2 N, until: 0.5 s}}]\n", False),
+    ],
+)
+def test_hidden_forces_that_nobody_can_find_are_a_warning(effects: str, warned: bool) -> None:
+    found = check_lesson(HIDDEN % effects, Lesson("a.md", (), ()), SiteIds())
+    assert [(f.line, f.code, f.severity) for f in found] == (
+        [(9, "no-force-to-find", "warning")] if warned else []
+    )
+
+
 def test_a_folder_of_banks_is_named_once(tmp_path: Path) -> None:
     lesson = tmp_path / "worksheets" / "a.md"
     lesson.parent.mkdir()

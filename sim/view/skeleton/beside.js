@@ -2,6 +2,7 @@
 
 import { linkedPairs } from "../effects.js";
 import { outside } from "../effects-forces.js";
+import { verticalNote } from "../forces.js";
 import { tr } from "../language.js";
 import { styleOf } from "../markers.js";
 import { html } from "../markup.js";
@@ -67,7 +68,7 @@ function freeBody(baked) {
 <p class="carts-view-title"><span class="carts-heading">${tr("Forces on each cart")}</span> <label><input type="checkbox" class="carts-vertical"> ${tr("weight and support")}</label></p>
 <div class="carts-bodies">
 ${alone}</div>
-<p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
+<p class="carts-vertical-note">${verticalNote(baked.run.header)}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html`<th scope="col">${name}</th>`)}</tr></thead><tbody>
 ${lines}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>

@@ -25,15 +25,15 @@ def test_the_description_follows_the_clock_and_steps_say_what_came(
     peak = scene.evaluate("one => one.trajectory.events.find((event) => event.kind === 'peak').t")
     scene.evaluate(f"one => {{ one.time = {peak} }}")
     expect(described).to_contain_text(f"At {peak:.3f} s: A at ")
-    expect(described).to_contain_text("force on A by B: ")
+    expect(described).to_contain_text("Force on A by B: ")
     page.locator("#meeting .carts-world").focus()
     page.keyboard.press("ArrowRight")
     said = page.locator("#meeting .carts-announcer")
-    expect(said).to_contain_text("force on B by A: ")
+    expect(said).to_contain_text("Force on B by A: ")
     page.keyboard.press("ArrowLeft")
     expect(said).to_contain_text(f"At {peak:.3f} s: A at ")
     scene.evaluate("one => { one.time = one.trajectory.t.at(-1) }")
-    expect(described).not_to_contain_text("force on")
+    expect(described).not_to_contain_text("Force on")
 
 
 def test_the_table_of_forces_has_nine_instants_within_each_contact(

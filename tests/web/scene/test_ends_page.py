@@ -63,7 +63,7 @@ def is_named(page: Page, preset: str, name: str = "against") -> None:
     expect(part(page, ".carts-alone li", name).first).to_contain_text(f"force on A by {body}: ")
     arrows = part(page, ".carts-stage-wide .carts-push text", name)
     expect(arrows.last).to_contain_text(f"on {brief} by A: ")
-    expect(part(page, f"#{name}-described", name)).to_contain_text(f"force on A by {body}: ")
+    expect(part(page, f"#{name}-described", name)).to_contain_text(f"Force on A by {body}: ")
 
 
 def test_each_button_brings_its_name_and_its_picture(against: Page) -> None:

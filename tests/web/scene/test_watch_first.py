@@ -78,7 +78,13 @@ def test_half_way_through_a_contact_nothing_is_there_of_what_comes_after(watched
     seen = told(watched)
     assert (seen["events"], seen["bands"]) == (1, 1)
     assert seen["right"] == pytest.approx(seen["cursor"], abs=0.5)
-    for word in ("separate", "squeezed the most", "End of the run", "Impulse on each"):
+    for word in (
+        "separate",
+        "squeezed the most",
+        "push hardest",
+        "End of the run",
+        "Impulse on each",
+    ):
         assert word not in str(seen["said"])
     band, axis = watched.locator(".carts-contact-band"), watched.locator(".carts-scrub")
     whole = float(axis.get_attribute("max") or 0)

@@ -14,7 +14,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 RESULTS = (
     "2.4 N", "2.53 N", "0.264", "0.67 m/s", "0.34 kg", "are at every moment equal",
-    "Impulse on each", "it pushes both bodies", "N on each", "four times as much",
+    "Impulse on each", "it acts on both bodies", "N on each", "four times as much",
 )  # fmt: skip
 """Numbers and sentences that a student is to find; none is an option of a prediction."""
 

@@ -42,8 +42,9 @@ function velocity() {
     [
       tr("changes evenly in the first half"),
       (h) => {
-        const [first, second] = /** @type {[number, number]} */ (steps(h).map(Math.abs));
-        return Math.min(first, second) > little(h) && even([first, second], little(h));
+        const [first, second] = /** @type {[number, number]} */ (steps(h)); // with signs: up and down is no even change
+        const least = Math.min(Math.abs(first), Math.abs(second));
+        return least > little(h) && even([first, second], little(h));
       },
     ],
     [tr("stays the same in the last quarter"), (h) => Math.abs(at(steps(h), -1)) <= little(h)],

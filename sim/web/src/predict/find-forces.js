@@ -7,15 +7,14 @@
 import { body, isWall } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
-import { valueAt } from "../../../view/trajectory.js";
-import { touches } from "../../../view/windows.js";
 import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
 import { Kept } from "../shared/kept.js";
 import { readTyped, withoutNewtons } from "../shared/typed.js";
+import { anyTouch, massOf, meanForces, velocity } from "./mean-forces.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
-/** @typedef {{cart: string, other: string, value: number}} Mean value: N, + to the right */
+/** @typedef {import("./mean-forces.js").Mean} Mean */
 
 const NEAR = 0.05; // of the value: speeds are read to two figures
 const MANY = 3; // tries until the numbers are offered
@@ -59,10 +58,7 @@ export class FindForces {
     if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
     for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
     if (names.length && this.#found.size) return this.#tell();
-    say(
-      this.note,
-      names.length ? "" : tr("In this run no two touch for a time that can be read off."),
-    );
+    say(this.note, names.length ? "" : whyNone(run));
   }
 
   /** The forces are shown at once where one was found before. */
@@ -136,16 +132,15 @@ export class FindForces {
       { cart: mean.cart },
     );
     if (this.#tries < MANY) return steps;
-    const touch = touchOf(/** @type {Run} */ (this.#run), mean);
     const v = (/** @type {number} */ t) =>
       short(velocity(/** @type {Run} */ (this.#run), mean.cart, t));
     const here = tr(
       "Here: m = {mass} kg, v before {before} m/s, v after {after} m/s, Δt = {time} s.",
       {
         mass: short(mass),
-        before: v(touch.start),
-        after: v(touch.end),
-        time: short(touch.end - touch.start),
+        before: v(mean.start),
+        after: v(mean.end),
+        time: short(mean.end - mean.start),
       },
     );
     return `${steps} ${here}`;
@@ -170,6 +165,15 @@ export class FindForces {
     };
     await this.kept.put(entry).catch(() => {}); // refused: at the next visit it is found again
   }
+}
+
+/** Why a run has no force to find. @param {Run} run */
+export function whyNone(run) {
+  return anyTouch(run)
+    ? tr(
+        "In this run another force acts while two touch: there, m Δv/Δt is not the force of one body on the other.",
+      )
+    : tr("In this run no two touch for a time that can be read off.");
 }
 
 /** @param {Mean} mean */
@@ -209,41 +213,4 @@ export function showForces(element, said) {
     ),
   );
   /** @type {HTMLElement} */ (note).hidden = false;
-}
-
-/** Mean resultant force on each cart in each contact that begins and ends. @param {Run} run @returns {Mean[]} */
-function meanForces(run) {
-  /** @type {Mean[]} */
-  const found = [];
-  for (const touch of ended(run)) {
-    for (const cart of touch.bodies.filter((name) => !isWall(name))) {
-      const other = String(touch.bodies.find((name) => name !== cart));
-      if (found.some((one) => one.cart === cart && one.other === other)) continue;
-      const change = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
-      const value = (massOf(run, cart) * change) / (touch.end - touch.start);
-      if (value) found.push({ cart, other, value });
-    }
-  }
-  return found;
-}
-
-/** @param {Run} run */
-function ended({ header }) {
-  return touches(header.events, header.until).filter(({ end }) => end < header.until);
-}
-
-/** @param {Run} run @param {Mean} mean */
-function touchOf(run, { cart, other }) {
-  const found = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
-  return found ?? { start: 0, end: 0 };
-}
-
-/** @param {Run} run @param {string} name */
-function massOf({ header }, name) {
-  return header.bodies.find((one) => one.name === name)?.mass ?? 0;
-}
-
-/** @param {Run} run @param {string} name @param {number} t in s @returns {number} m/s */
-function velocity({ trajectory }, name, t) {
-  return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t);
 }

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from typing import Any
 
 import pytest
 
-from sim.bridge.protocol import answer
 from tests import registry
 from tests.web.scene.given.widget_site import in_node
+from tests.web.scene.given.wired import READ, wired
 
-READ = """const [t, f, i, w, s] = await Promise.all(
-  ["trajectory", "forces", "impulse", "windows", "series"].map(
-    (name) => import(`${view}/${name}.js`)));
-const opened = ({ header, base64 }) => {
-  const bytes = Uint8Array.from(Buffer.from(base64, "base64"));
-  return { header, trajectory: t.fromWire(header, new Float64Array(bytes.buffer)) };
-};
-"""
 SUMS = """give(data.map((one) => {
   const run = opened(one);
   const { header, trajectory } = run;
@@ -41,12 +32,6 @@ SUMS = """give(data.map((one) => {
 }));"""
 BETWEEN = 1e-2
 """Of the greatest: between rows forces of effects are straight lines, those of contacts cubics."""
-
-
-def wired(plain: dict[str, Any]) -> dict[str, Any]:
-    """A run as the page gets it."""
-    header, numbers = answer({"id": 1, "kind": "run", "scene": plain})
-    return {"header": header, "base64": b64encode(numbers.tobytes()).decode()}
 
 
 def pushed(law: str) -> dict[str, Any]:

@@ -3,7 +3,7 @@
  * acceleration, change of velocity. One scale in N for all, the same as in the picture.
  */
 
-import { forcesAlong, summed, verticalForces } from "../../../../view/forces.js";
+import { forcesAlong, summed, verticalForces, verticalNote } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, px, short, speedUnit } from "../../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "../../../../view/shapes.js";
@@ -47,6 +47,7 @@ export class FreeBody {
   /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
   show(run, windows) {
     this.#run = run;
+    say(need(this.root, ".carts-vertical-note"), verticalNote(run.header));
     this.#windows = windows.filter(({ near }) => !near);
   }
 
