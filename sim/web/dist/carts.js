@@ -3556,79 +3556,6 @@
     document.documentElement.dataset.python = state;
   }
 
-  // ../view/windows.js
-  function touches(events, until) {
-    const open2 = /* @__PURE__ */ new Map();
-    const peaks = /* @__PURE__ */ new Map();
-    const found3 = [];
-    for (const event of events) {
-      const { bodies, before, t: start } = event;
-      const pair = bodies.join("-");
-      const touch = { pair, bodies, start, end: start };
-      if (event.kind === "contact" && !event.impulse) {
-        open2.set(pair, { touch, before });
-      } else if (event.kind === "release" && !event.impulse) {
-        open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
-      } else if (event.kind === "peak") {
-        peaks.set(pair, event.t);
-      } else if (event.kind === "separate" || event.kind === "stick") {
-        const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
-        const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;
-        const over = key && open2.get(key);
-        if (!over) continue;
-        open2.delete(key);
-        found3.push({ ...over.touch, end: event.t });
-      }
-    }
-    for (const { touch } of open2.values()) {
-      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
-      found3.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
-    }
-    return found3.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
-  }
-  function begunWith(before, one) {
-    return Object.entries(one?.before ?? {}).every(([name, v2]) => before[name] === v2);
-  }
-  var ROUNDED = 1 + 1e-9;
-  var FELT = 0.1;
-  function windowsOf({ header, trajectory }) {
-    const found3 = touches(header.events, header.until);
-    const { t: t3, F: F2 } = trajectory;
-    for (const event of header.events) {
-      const pair = event.bodies.join("-");
-      const column = F2[pair];
-      const within = found3.some(
-        (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end
-      );
-      if (event.kind !== "peak" || within || !column || t3.length < 2) continue;
-      const felt = (k) => Number(column[k]) > FELT * (event.force ?? 0);
-      let [first, last] = [rowAt(t3, event.t), rowAt(t3, event.t)];
-      while (first > 0 && felt(first)) first -= 1;
-      while (last < t3.length - 1 && felt(last)) last += 1;
-      const window = { start: Number(t3[first]), end: Number(t3[last]) };
-      found3.push({ pair, bodies: event.bodies, ...window, near: true });
-    }
-    for (const bodies of pairsApart(header)) {
-      const pair = bodies.join("-");
-      const end2 = letGo(t3, F2[pair] ?? []);
-      const within = found3.some((touch) => touch.pair === pair && touch.start <= 0);
-      if (end2 && !within) found3.push({ pair, bodies, start: 0, end: end2, near: true });
-    }
-    return found3.sort((a2, b2) => a2.start - b2.start);
-  }
-  function letGo(t3, force2) {
-    const first = Number(force2[0]);
-    for (let row = 1; row < force2.length; row += 1) {
-      const now = Number(force2[row]);
-      if (now > first * ROUNDED) return 0;
-      if (now < FELT * first) return Number(t3[row]);
-    }
-    return 0;
-  }
-  function latestTouch(windows, t3) {
-    return windows.findLast((touch) => touch.start <= t3);
-  }
-
   // ../view/words.js
   var QUANTITIES = {
     x: [tr("Position"), "x", "m"],
@@ -3687,15 +3614,7 @@
         });
       }
       case "peak":
-        if (laws[names.join("-")] === APART) {
-          const force2 = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
-          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
-        }
-        if (forces2 && event.force) {
-          const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return bare.has(names.join("-")) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force: force2 }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
-        }
-        return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
+        return peakSentence(event, telling2, laws, bare, pair);
       case "separate": {
         if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
         const ended2 = { pair: bodiesOf(names, track) };
@@ -3725,6 +3644,21 @@
       default:
         return `${event.kind}: ${pair}.`;
     }
+  }
+  function peakSentence({ bodies, force: greatest4 }, { decimals, forces: forces2 }, laws, bare, pair) {
+    const key = bodies.join("-");
+    const force2 = `${fixed(greatest4 ?? 0, decimals.F ?? 2)} N`;
+    if (laws[key] === APART) {
+      return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
+    }
+    const told3 = forces2 && greatest4;
+    if (laws[key] !== "bumper") {
+      return told3 ? tr("{pair} push hardest: {force} on each.", { pair, force: force2 }) : tr("{pair} push hardest.", { pair });
+    }
+    if (told3) {
+      return bare.has(key) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force: force2 }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
+    }
+    return bare.has(key) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
   }
   function joined({ bodies, after }, scale) {
     const [left, right] = bodies.map((name) => isWall(name) ? 0 : Number(after[name]));
@@ -4118,6 +4052,118 @@
     }
   };
 
+  // ../view/windows.js
+  function touches(events, until) {
+    const open2 = /* @__PURE__ */ new Map();
+    const peaks = /* @__PURE__ */ new Map();
+    const found3 = [];
+    for (const event of events) {
+      const { bodies, before, t: start } = event;
+      const pair = bodies.join("-");
+      const touch = { pair, bodies, start, end: start };
+      if (event.kind === "contact" && !event.impulse) {
+        open2.set(pair, { touch, before });
+      } else if (event.kind === "release" && !event.impulse) {
+        open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
+      } else if (event.kind === "peak") {
+        peaks.set(pair, event.t);
+      } else if (event.kind === "separate" || event.kind === "stick") {
+        const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
+        const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;
+        const over = key && open2.get(key);
+        if (!over) continue;
+        open2.delete(key);
+        found3.push({ ...over.touch, end: event.t });
+      }
+    }
+    for (const { touch } of open2.values()) {
+      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
+      found3.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
+    }
+    return found3.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
+  }
+  function begunWith(before, one) {
+    return Object.entries(one?.before ?? {}).every(([name, v2]) => before[name] === v2);
+  }
+  var ROUNDED = 1 + 1e-9;
+  var FELT = 0.1;
+  function windowsOf({ header, trajectory }) {
+    const found3 = touches(header.events, header.until);
+    const { t: t3, F: F2 } = trajectory;
+    for (const event of header.events) {
+      const pair = event.bodies.join("-");
+      const column = F2[pair];
+      const within = found3.some(
+        (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end
+      );
+      if (event.kind !== "peak" || within || !column || t3.length < 2) continue;
+      const felt = (k) => Number(column[k]) > FELT * (event.force ?? 0);
+      let [first, last] = [rowAt(t3, event.t), rowAt(t3, event.t)];
+      while (first > 0 && felt(first)) first -= 1;
+      while (last < t3.length - 1 && felt(last)) last += 1;
+      const window = { start: Number(t3[first]), end: Number(t3[last]) };
+      found3.push({ pair, bodies: event.bodies, ...window, near: true });
+    }
+    for (const bodies of pairsApart(header)) {
+      const pair = bodies.join("-");
+      const end2 = letGo(t3, F2[pair] ?? []);
+      const within = found3.some((touch) => touch.pair === pair && touch.start <= 0);
+      if (end2 && !within) found3.push({ pair, bodies, start: 0, end: end2, near: true });
+    }
+    return found3.sort((a2, b2) => a2.start - b2.start);
+  }
+  function letGo(t3, force2) {
+    const first = Number(force2[0]);
+    for (let row = 1; row < force2.length; row += 1) {
+      const now = Number(force2[row]);
+      if (now > first * ROUNDED) return 0;
+      if (now < FELT * first) return Number(t3[row]);
+    }
+    return 0;
+  }
+  function latestTouch(windows, t3) {
+    return windows.findLast((touch) => touch.start <= t3);
+  }
+
+  // src/predict/mean-forces.js
+  var ALONE = 0.02;
+  function meanForces(run) {
+    const found3 = [];
+    for (const touch of ended(run)) {
+      const { bodies, start, end: end2 } = touch;
+      const impulse = impulseOf(run, touch);
+      const carts = bodies.filter((name) => !isWall(name));
+      const whole = (cart) => cart === bodies[0] ? -impulse : impulse;
+      if (!impulse || !carts.every((cart) => isAlone(run, touch, cart, whole(cart)))) continue;
+      for (const cart of carts) {
+        const other = String(bodies.find((name) => name !== cart));
+        if (found3.some((one) => one.cart === cart && one.other === other)) continue;
+        found3.push({ cart, other, value: whole(cart) / (end2 - start), start, end: end2 });
+      }
+    }
+    return found3;
+  }
+  function anyTouch(run) {
+    return ended(run).length > 0;
+  }
+  function massOf({ header }, name) {
+    return header.bodies.find((one) => one.name === name)?.mass ?? 0;
+  }
+  function velocity({ trajectory }, name, t3) {
+    return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t3);
+  }
+  function ended({ header }) {
+    return touches(header.events, header.until).filter(({ end: end2 }) => end2 < header.until);
+  }
+  function impulseOf({ header }, { pair, end: end2 }) {
+    const all = header.events.filter(({ t: t3, bodies }) => t3 === end2 && bodies.join("-") === pair);
+    return Math.max(0, ...all.map(({ impulse }) => impulse ?? 0));
+  }
+  function isAlone(run, { start, end: end2 }, cart, impulse) {
+    const change2 = velocity(run, cart, end2) - velocity(run, cart, start);
+    return Math.abs(massOf(run, cart) * change2 - impulse) <= ALONE * Math.abs(impulse);
+  }
+
   // src/predict/find-forces.js
   var NEAR = 0.05;
   var MANY2 = 3;
@@ -4156,10 +4202,7 @@
       if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
       for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
       if (names.length && this.#found.size) return this.#tell();
-      say(
-        this.note,
-        names.length ? "" : tr("In this run no two touch for a time that can be read off.")
-      );
+      say(this.note, names.length ? "" : whyNone(run));
     }
     async #restore() {
       const kept = await this.kept.get();
@@ -4233,11 +4276,6 @@
         { cart: mean.cart }
       );
       if (this.#tries < MANY2) return steps2;
-      const touch = touchOf(
-        /** @type {Run} */
-        this.#run,
-        mean
-      );
       const v2 = (t3) => short(velocity(
         /** @type {Run} */
         this.#run,
@@ -4248,9 +4286,9 @@
         "Here: m = {mass} kg, v before {before} m/s, v after {after} m/s, Δt = {time} s.",
         {
           mass: short(mass),
-          before: v2(touch.start),
-          after: v2(touch.end),
-          time: short(touch.end - touch.start)
+          before: v2(mean.start),
+          after: v2(mean.end),
+          time: short(mean.end - mean.start)
         }
       );
       return `${steps2} ${here}`;
@@ -4275,6 +4313,11 @@
       });
     }
   };
+  function whyNone(run) {
+    return anyTouch(run) ? tr(
+      "In this run another force acts while two touch: there, m Δv/Δt is not the force of one body on the other."
+    ) : tr("In this run no two touch for a time that can be read off.");
+  }
   var keyOf = ({ cart, other }) => JSON.stringify([cart, other]);
   function isWhole(found3) {
     return [...found3.keys()].some((key) => {
@@ -4308,32 +4351,6 @@
       )
     );
     note2.hidden = false;
-  }
-  function meanForces(run) {
-    const found3 = [];
-    for (const touch of ended(run)) {
-      for (const cart of touch.bodies.filter((name) => !isWall(name))) {
-        const other = String(touch.bodies.find((name) => name !== cart));
-        if (found3.some((one) => one.cart === cart && one.other === other)) continue;
-        const change2 = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
-        const value = massOf(run, cart) * change2 / (touch.end - touch.start);
-        if (value) found3.push({ cart, other, value });
-      }
-    }
-    return found3;
-  }
-  function ended({ header }) {
-    return touches(header.events, header.until).filter(({ end: end2 }) => end2 < header.until);
-  }
-  function touchOf(run, { cart, other }) {
-    const found3 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
-    return found3 ?? { start: 0, end: 0 };
-  }
-  function massOf({ header }, name) {
-    return header.bodies.find((one) => one.name === name)?.mass ?? 0;
-  }
-  function velocity({ trajectory }, name, t3) {
-    return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t3);
   }
 
   // src/scene/baked.js
@@ -4745,9 +4762,10 @@
         (h2) => {
           const [first, second] = (
             /** @type {[number, number]} */
-            steps(h2).map(Math.abs)
+            steps(h2)
           );
-          return Math.min(first, second) > little(h2) && even([first, second], little(h2));
+          const least = Math.min(Math.abs(first), Math.abs(second));
+          return least > little(h2) && even([first, second], little(h2));
         }
       ],
       [tr("stays the same in the last quarter"), (h2) => Math.abs(at2(steps(h2), -1)) <= little(h2)],
@@ -7515,12 +7533,88 @@ ${lines4.join("\n")}
     }
   };
 
+  // ../view/forces.js
+  function contactForce({ trajectory }, pair, t3, zero) {
+    const column = trajectory.F[pair];
+    if (!column) return 0;
+    const force2 = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
+    return Math.abs(force2) < zero ? 0 : force2;
+  }
+  function resultant(run, name, t3, zero) {
+    return summed(forcesAlong(run, name, t3, zero));
+  }
+  var summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
+  function forcesAlong(run, name, t3, zero) {
+    return [...contactForces(run, name, t3, zero), ...effectForces(run, name, t3)];
+  }
+  function contactForces(run, name, t3, zero) {
+    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t3, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
+      const isLeft = left === name;
+      const by = isLeft ? right : left;
+      return {
+        name: forceOn(body(name, run.header.track), body(by, run.header.track)),
+        on: name,
+        by,
+        way: (
+          /** @type {const} */
+          "along"
+        ),
+        side: isLeft ? (
+          /** @type {const} */
+          "right"
+        ) : (
+          /** @type {const} */
+          "left"
+        ),
+        value: isLeft ? -size : size
+      };
+    }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
+  }
+  function effectForces(run, name, t3) {
+    return forcesAt(run, t3, true).filter(({ on }) => on === name).map(({ kind: kind2, on, by, value, size }) => {
+      const { forceName: forceName2 = forceOn, side } = viewOf(kind2);
+      const at3 = side?.(value) ?? "middle";
+      return { name: forceName2(on, by), on, by, way: "along", side: at3, value, size };
+    });
+  }
+  function verticalNote(header) {
+    return header.bodies.some(({ name }) => slopeOf(header, name)) ? tr(
+      "On a slope the support balances only the part of the weight across the track; the rest of the weight acts along it. Weight and support are no third-law pair: the partner of the weight pulls on the Earth."
+    ) : tr(
+      "Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth."
+    );
+  }
+  function slopeOf({ effects }, name) {
+    return effects.filter(({ active, carts }) => active && carts.includes(name)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+  }
+  function verticalForces({ header }, name) {
+    const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
+    const slope = slopeOf(header, name);
+    const weight = mass * header.gravity * Math.cos(slope);
+    return [
+      {
+        name: slope ? tr("part of the weight of {name}, across the track: force on {name} by the Earth", {
+          name
+        }) : tr("weight of {name}: force on {name} by the Earth", { name }),
+        by: "Earth",
+        value: -weight
+      },
+      {
+        name: tr("support: force on {name} by the track", { name }),
+        by: "track",
+        value: weight
+      }
+    ].map((force2) => ({ ...force2, on: name, way: "up", side: "middle" }));
+  }
+
   // ../view/instant.js
   var FEW2 = 6;
-  function instant({ header, trajectory }, t3, view, camera, forces2) {
+  function instant(run, t3, view, camera, forces2) {
+    const { header, trajectory } = run;
     const { decimals } = view;
     const time = tr("At {time} s:", { time: fixed(t3, decimals.t ?? 3) });
-    const carts = header.bodies.slice(0, FEW2).map(({ name }) => {
+    const names = header.bodies.slice(0, FEW2).map(({ name }) => name);
+    const carts = names.map((name) => {
       const [x2, v2, a2] = [trajectory.x[name], trajectory.v[name], trajectory.a[name]];
       const place4 = valueAt(trajectory.t, x2 ?? [], v2 ?? [], t3) - camera * t3;
       const speed = valueAt(trajectory.t, v2 ?? [], a2 ?? [], t3) - camera;
@@ -7531,23 +7625,18 @@ ${lines4.join("\n")}
         velocity: motion(seen, decimals.v ?? 2, view.velocity)
       });
     });
-    return [time, ...carts, ...forces2 ? pushes2(header, trajectory, t3, decimals.F ?? 2) : []].join(
-      " "
-    );
+    return [time, ...carts, ...forces2 ? pushes2(run, t3, view, names) : []].join(" ");
   }
-  function pushes2({ contacts, track }, { t: times2, F: F2, dF }, t3, decimals) {
-    return contacts.flatMap(({ pair, bodies: [left, right] }) => {
-      const force2 = F2[pair] ? valueAt(times2, F2[pair], dF[pair] ?? null, t3) : 0;
-      const size = fixed(Math.abs(force2), decimals);
-      if (!Number(size)) return [];
-      const [one, other] = isWall(left) ? [right, left] : [left, right];
-      const names = {
-        one: forceOn(body(one, track), body(other, track)),
-        other: forceOn(body(other, track), body(one, track)),
-        size
-      };
-      return [tr("{one}: {size} N; {other}: {size} N.", names)];
-    });
+  function pushes2(run, t3, view, carts) {
+    const zero = NOISE * (view.force || 1);
+    return ["left", ...carts, "right"].flatMap(
+      (name) => forcesAlong(run, name, t3, zero).flatMap(({ name: force2, value, size: written }) => {
+        const size = written ?? fixed(Math.abs(value), view.decimals.F ?? 2);
+        if (!value || !Number(size)) return [];
+        const told3 = { force: capital(force2), size: `${size} N` };
+        return value < 0 ? tr("{force}: {size} to the left.", told3) : tr("{force}: {size} to the right.", told3);
+      })
+    );
   }
 
   // src/scene/described.js
@@ -7695,68 +7784,6 @@ ${lines4.join("\n")}
     put(rect, "width", px(length));
   }
 
-  // ../view/forces.js
-  function contactForce({ trajectory }, pair, t3, zero) {
-    const column = trajectory.F[pair];
-    if (!column) return 0;
-    const force2 = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
-    return Math.abs(force2) < zero ? 0 : force2;
-  }
-  function resultant(run, name, t3, zero) {
-    return summed(forcesAlong(run, name, t3, zero));
-  }
-  var summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
-  function forcesAlong(run, name, t3, zero) {
-    return [...contactForces(run, name, t3, zero), ...effectForces(run, name, t3)];
-  }
-  function contactForces(run, name, t3, zero) {
-    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t3, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
-      const isLeft = left === name;
-      const by = isLeft ? right : left;
-      return {
-        name: forceOn(name, body(by, run.header.track)),
-        on: name,
-        by,
-        way: (
-          /** @type {const} */
-          "along"
-        ),
-        side: isLeft ? (
-          /** @type {const} */
-          "right"
-        ) : (
-          /** @type {const} */
-          "left"
-        ),
-        value: isLeft ? -size : size
-      };
-    }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
-  }
-  function effectForces(run, name, t3) {
-    return forcesAt(run, t3, true).filter(({ on }) => on === name).map(({ kind: kind2, on, by, value, size }) => {
-      const { forceName: forceName2 = forceOn, side } = viewOf(kind2);
-      const at3 = side?.(value) ?? "middle";
-      return { name: forceName2(on, by), on, by, way: "along", side: at3, value, size };
-    });
-  }
-  function verticalForces({ header }, name) {
-    const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
-    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
-    const weight = mass * header.gravity * Math.cos(slope);
-    return [
-      {
-        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name }) : tr("weight of {name}: force on {name} by the Earth", { name }),
-        by: "Earth",
-        value: -weight
-      },
-      {
-        name: tr("support: force on {name} by the track", { name }),
-        by: "track",
-        value: weight
-      }
-    ].map((force2) => ({ ...force2, on: name, way: "up", side: "middle" }));
-  }
-
   // src/scene/beside/free-body.js
   var WIDTH4 = 260;
   var HEIGHT2 = 60;
@@ -7787,6 +7814,7 @@ ${lines4.join("\n")}
     }
     show(run, windows) {
       this.#run = run;
+      say(need(this.root, ".carts-vertical-note"), verticalNote(run.header));
       this.#windows = windows.filter(({ near }) => !near);
     }
     at(t3) {
@@ -9881,7 +9909,7 @@ ${lines4.join("\n")}
 
   // ../view/model-words.js
   var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+    "Each contact has one force in the program: it acts on both bodies, equally hard, in opposite directions. So the program assumes Newton’s third law; it cannot prove it."
   );
   function modelSentences(header, numbers) {
     const acting = header.effects.filter(({ active }) => active);

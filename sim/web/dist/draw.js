@@ -11935,15 +11935,7 @@ ${table3(facts)}
         });
       }
       case "peak":
-        if (laws[names.join("-")] === APART) {
-          const force = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
-          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force }) : tr("{pair} are nearest.", { pair });
-        }
-        if (forces2 && event.force) {
-          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return bare.has(names.join("-")) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
-        }
-        return bare.has(names.join("-")) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
+        return peakSentence(event, telling, laws, bare, pair);
       case "separate": {
         if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
         const ended = { pair: bodiesOf(names, track) };
@@ -11973,6 +11965,21 @@ ${table3(facts)}
       default:
         return `${event.kind}: ${pair}.`;
     }
+  }
+  function peakSentence({ bodies, force: greatest3 }, { decimals, forces: forces2 }, laws, bare, pair) {
+    const key2 = bodies.join("-");
+    const force = `${fixed(greatest3 ?? 0, decimals.F ?? 2)} N`;
+    if (laws[key2] === APART) {
+      return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force }) : tr("{pair} are nearest.", { pair });
+    }
+    const told3 = forces2 && greatest3;
+    if (laws[key2] !== "bumper") {
+      return told3 ? tr("{pair} push hardest: {force} on each.", { pair, force }) : tr("{pair} push hardest.", { pair });
+    }
+    if (told3) {
+      return bare.has(key2) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+    }
+    return bare.has(key2) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
   }
   function joined({ bodies, after: after2 }, scale) {
     const [left, right] = bodies.map((name) => isWall(name) ? 0 : Number(after2[name]));
@@ -12080,6 +12087,80 @@ ${table3(facts)}
     return most;
   }
 
+  // ../view/forces.js
+  function contactForce({ trajectory }, pair, t, zero) {
+    const column = trajectory.F[pair];
+    if (!column) return 0;
+    const force = valueAt2(trajectory.t, column, trajectory.dF[pair] ?? null, t);
+    return Math.abs(force) < zero ? 0 : force;
+  }
+  function resultant(run, name, t, zero) {
+    return summed(forcesAlong(run, name, t, zero));
+  }
+  var summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
+  function forcesAlong(run, name, t, zero) {
+    return [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
+  }
+  function contactForces(run, name, t, zero) {
+    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
+      const isLeft = left === name;
+      const by = isLeft ? right : left;
+      return {
+        name: forceOn(body(name, run.header.track), body(by, run.header.track)),
+        on: name,
+        by,
+        way: (
+          /** @type {const} */
+          "along"
+        ),
+        side: isLeft ? (
+          /** @type {const} */
+          "right"
+        ) : (
+          /** @type {const} */
+          "left"
+        ),
+        value: isLeft ? -size : size
+      };
+    }).sort((a, b) => a.side < b.side ? -1 : 1);
+  }
+  function effectForces(run, name, t) {
+    return forcesAt(run, t, true).filter(({ on }) => on === name).map(({ kind: kind2, on, by, value, size }) => {
+      const { forceName: forceName2 = forceOn, side: side2 } = viewOf(kind2);
+      const at = side2?.(value) ?? "middle";
+      return { name: forceName2(on, by), on, by, way: "along", side: at, value, size };
+    });
+  }
+  function verticalNote(header) {
+    return header.bodies.some(({ name }) => slopeOf(header, name)) ? tr(
+      "On a slope the support balances only the part of the weight across the track; the rest of the weight acts along it. Weight and support are no third-law pair: the partner of the weight pulls on the Earth."
+    ) : tr(
+      "Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth."
+    );
+  }
+  function slopeOf({ effects }, name) {
+    return effects.filter(({ active, carts }) => active && carts.includes(name)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+  }
+  function verticalForces({ header }, name) {
+    const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
+    const slope = slopeOf(header, name);
+    const weight = mass * header.gravity * Math.cos(slope);
+    return [
+      {
+        name: slope ? tr("part of the weight of {name}, across the track: force on {name} by the Earth", {
+          name
+        }) : tr("weight of {name}: force on {name} by the Earth", { name }),
+        by: "Earth",
+        value: -weight
+      },
+      {
+        name: tr("support: force on {name} by the track", { name }),
+        by: "track",
+        value: weight
+      }
+    ].map((force) => ({ ...force, on: name, way: "up", side: "middle" }));
+  }
+
   // ../view/markers.js
   var MARKERS = {
     b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
@@ -12141,7 +12222,7 @@ ${inside7}
 <p class="carts-view-title"><span class="carts-heading">${tr("Forces on each cart")}</span> <label><input type="checkbox" class="carts-vertical"> ${tr("weight and support")}</label></p>
 <div class="carts-bodies">
 ${alone}</div>
-<p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
+<p class="carts-vertical-note">${verticalNote(baked.run.header)}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html`<th scope="col">${name}</th>`)}</tr></thead><tbody>
 ${lines3}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
@@ -13564,68 +13645,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     put(rect, "width", px(length));
   }
 
-  // ../view/forces.js
-  function contactForce({ trajectory }, pair, t, zero) {
-    const column = trajectory.F[pair];
-    if (!column) return 0;
-    const force = valueAt2(trajectory.t, column, trajectory.dF[pair] ?? null, t);
-    return Math.abs(force) < zero ? 0 : force;
-  }
-  function resultant(run, name, t, zero) {
-    return summed(forcesAlong(run, name, t, zero));
-  }
-  var summed = (along) => along.reduce((sum, { value }) => sum + value, 0);
-  function forcesAlong(run, name, t, zero) {
-    return [...contactForces(run, name, t, zero), ...effectForces(run, name, t)];
-  }
-  function contactForces(run, name, t, zero) {
-    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
-      const isLeft = left === name;
-      const by = isLeft ? right : left;
-      return {
-        name: forceOn(name, body(by, run.header.track)),
-        on: name,
-        by,
-        way: (
-          /** @type {const} */
-          "along"
-        ),
-        side: isLeft ? (
-          /** @type {const} */
-          "right"
-        ) : (
-          /** @type {const} */
-          "left"
-        ),
-        value: isLeft ? -size : size
-      };
-    }).sort((a, b) => a.side < b.side ? -1 : 1);
-  }
-  function effectForces(run, name, t) {
-    return forcesAt(run, t, true).filter(({ on }) => on === name).map(({ kind: kind2, on, by, value, size }) => {
-      const { forceName: forceName2 = forceOn, side: side2 } = viewOf(kind2);
-      const at = side2?.(value) ?? "middle";
-      return { name: forceName2(on, by), on, by, way: "along", side: at, value, size };
-    });
-  }
-  function verticalForces({ header }, name) {
-    const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
-    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
-    const weight = mass * header.gravity * Math.cos(slope);
-    return [
-      {
-        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name }) : tr("weight of {name}: force on {name} by the Earth", { name }),
-        by: "Earth",
-        value: -weight
-      },
-      {
-        name: tr("support: force on {name} by the track", { name }),
-        by: "track",
-        value: weight
-      }
-    ].map((force) => ({ ...force, on: name, way: "up", side: "middle" }));
-  }
-
   // src/scene/beside/free-body.js
   var WIDTH6 = 260;
   var HEIGHT5 = 60;
@@ -13656,6 +13675,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     show(run, windows) {
       this.#run = run;
+      say(need(this.root, ".carts-vertical-note"), verticalNote(run.header));
       this.#windows = windows.filter(({ near: near2 }) => !near2);
     }
     at(t) {
@@ -15513,7 +15533,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // ../view/model-words.js
   var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+    "Each contact has one force in the program: it acts on both bodies, equally hard, in opposite directions. So the program assumes Newton’s third law; it cannot prove it."
   );
   function modelSentences(header, numbers) {
     const acting = header.effects.filter(({ active }) => active);

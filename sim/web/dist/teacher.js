@@ -2094,6 +2094,18 @@ ${table2(facts)}
     return [...new Set(parts.filter(Boolean))].join(" + ");
   }
 
+  // ../view/forces.js
+  function verticalNote(header) {
+    return header.bodies.some(({ name }) => slopeOf(header, name)) ? tr(
+      "On a slope the support balances only the part of the weight across the track; the rest of the weight acts along it. Weight and support are no third-law pair: the partner of the weight pulls on the Earth."
+    ) : tr(
+      "Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth."
+    );
+  }
+  function slopeOf({ effects }, name) {
+    return effects.filter(({ active, carts }) => active && carts.includes(name)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+  }
+
   // ../view/markers.js
   var MARKERS = {
     b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
@@ -2155,7 +2167,7 @@ ${inside4}
 <p class="carts-view-title"><span class="carts-heading">${tr("Forces on each cart")}</span> <label><input type="checkbox" class="carts-vertical"> ${tr("weight and support")}</label></p>
 <div class="carts-bodies">
 ${alone2}</div>
-<p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
+<p class="carts-vertical-note">${verticalNote(baked.run.header)}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html2`<th scope="col">${name}</th>`)}</tr></thead><tbody>
 ${lines3}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
