@@ -145,7 +145,7 @@ def test_a_value_refused_while_python_starts_does_not_end_the_scene() -> None:
         const found = [];
         for (const refusals of data) {
           let left = refusals;
-          const note = { hidden: true, textContent: "", setAttribute() {} };
+          const note = { hidden: true, textContent: "", dataset: {}, setAttribute() {} };
           const element = Object.assign(new EventTarget(), {
             dataset: {}, querySelector: () => note, querySelectorAll: () => [note] });
           const client = Object.assign(new EventTarget(), { state: "ready" });
@@ -153,7 +153,7 @@ def test_a_value_refused_while_python_starts_does_not_end_the_scene() -> None:
             first: async () => {
               if (left-- > 0) throw Object.assign(new Error("overlap"), { refused: true });
             },
-            told: () => true, stepwise: () => false, live: () => {}, failed: () => {},
+            told: () => true, stepwise: () => false, link: () => {}, failed: () => {},
           });
           live.follow();
           await live.ready.catch(() => {});
