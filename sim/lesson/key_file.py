@@ -12,7 +12,8 @@ from typing import Any
 
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.form import Form, radix
-from sim.lesson.kinds.words import Long
+from sim.lesson.kinds.known_words import AS_WRITTEN
+from sim.lesson.kinds.words import Long, Short
 from sim.lesson.question import Question
 
 FORMAT = 1
@@ -69,6 +70,8 @@ def item_key(item: Question) -> dict[str, Any]:
         row["explain"] = item.common.explain
     if said := item.feedback():
         row["feedback"] = said
+    if isinstance(item, Short) and item.accept:
+        row[AS_WRITTEN] = True
     if isinstance(item, Long) and item.rubric:
         row["rubric"] = {str(marks): text for marks, text in item.rubric.items()}
     return row

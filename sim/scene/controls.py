@@ -129,7 +129,12 @@ def _limits(
 
 
 def _bare(table: Mapping[str, Any], path: Path, field: Field) -> Problem | None:
-    """A limit without a unit beside one in cm: 90 would be 90 m, unseen. 0 is the same in both."""
+    """A limit without a unit beside one in cm: 90 would be 90 m, unseen. 0 is the same in both.
+
+    Beside 10 % a plain 1 is the whole, and is meant.
+    """
+    if not field.dimension.si:
+        return None
     units = {key: unit_of(str(table[key])) for key in ("from", "to", "step")}
     unit = next(
         (unit for unit in units.values() if field.dimension.factor(unit) not in (None, 1)), ""

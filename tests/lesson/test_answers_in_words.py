@@ -122,9 +122,23 @@ def test_a_key_file_of_an_earlier_version_marks_as_before() -> None:
     row = item_key(
         read_question({**SHORT, "accept": ["1.5 N", "zero"], "wrong": [{"text": "2,5"}]})
     )
+    del row["as_written"]
     row["key"]["accept"] = ["1 5 n", "zero"]
     row["key"]["wrong"][0]["texts"] = ["2 5"]
     question = keyed_item(row).question
     for answer in ("1.5 N", "1,5n", "Zero!"):
         assert question.mark(answer).verdict == "right", answer
     assert question.mark("5 n").verdict == "wrong"
+
+
+@pytest.mark.parametrize(
+    ("text", "others"), [("2 000 N", ("2.000 N", "2,000 N")), ("1 2", ("1.2", "1,2"))]
+)
+def test_class_results_mark_a_number_with_a_gap_as_the_page_does(
+    text: str, others: tuple[str, ...]
+) -> None:
+    question = read_question({**SHORT, "accept": [text], "wrong": [{"text": f"{text} m"}]})
+    keyed = keyed_item(item_key(question)).question
+    for answer in (text, *others, *(f"{other} m" for other in others)):
+        assert keyed.mark(answer) == question.mark(answer), answer
+    assert keyed.mark(others[0]).verdict == "wrong"

@@ -105,3 +105,28 @@ def test_percent_of_nought_is_no_tolerance(answer: str, hint: str) -> None:
 
 def test_percent_of_an_answer_is_no_unit_of_its_own() -> None:
     assert read_question({**FORCE, "answer": "2 N", "tolerance": "1 %"}).KIND == "number"
+
+
+def test_a_wrong_ratio_beside_an_answer_in_percent_needs_no_unit() -> None:
+    ratio = {**SPEED, "answer": "50 %", "tolerance": "1 %", "wrong": [{"value": 0.2}]}
+    assert read_question(ratio).data(key=True)["key"]["wrong"][0]["value"] == pytest.approx(20)
+
+
+@pytest.mark.parametrize("answer", ["abc", "0 apples"])
+def test_a_tolerance_in_percent_of_an_answer_that_cannot_be_read_is_no_mistake_of_its_own(
+    answer: str,
+) -> None:
+    table = {"columns": ["a", "b"], "rows": [["1", {"answer": answer, "tolerance": "5 %"}]]}
+    for question in (
+        {**SPEED, "answer": answer, "tolerance": "5 %"},
+        {"id": "q", "type": "table", "ask": "How large?", **table},
+    ):
+        with pytest.raises(LessonError) as caught:
+            read_question(question)
+        assert {problem.path[-1] for problem in caught.value.problems} == {"answer"}
+
+
+def test_percent_of_a_wrong_nought_is_exactly_nought() -> None:
+    wrong = [{"value": "0 N", "tolerance": "5 %", "feedback": "There is one."}]
+    question = read_question({**FORCE, "answer": "2 N", "wrong": wrong})
+    assert question.data(key=True)["key"]["wrong"][0]["tolerance"] == 0

@@ -100,7 +100,7 @@ def test_a_ratio_is_told_to_go_in_quotes() -> None:
         "# title: a whole line of remark # 2",
         "carts: #all of them\n  A: 1 kg # heavy\n  #B: 2 kg\n  C: 3 kg\n  #end",
         "a: 'Cart #2'\nb: |\n  Cart #2\nc: [\"Cart #2\"]",
-        "a: x ###### y",
+        "hints: x ###### y",
     ],
 )
 def test_the_same_signs_in_prose_and_remarks_are_fine(text: str) -> None:

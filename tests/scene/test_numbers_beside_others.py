@@ -47,6 +47,16 @@ def test_a_limit_without_a_unit_beside_one_in_cm_is_refused(limits, bare):
     assert found == {(f"controls.0.{bare}", "wrong-unit")}
 
 
+@pytest.mark.parametrize("limits", [("0 %", 1, "10 %"), ("10 %", "0.9", 0.1)])
+def test_a_ratio_beside_one_in_percent_needs_no_unit(limits):
+    entry = {"set": "contact.restitution", **dict(zip(("from", "to", "step"), limits, strict=True))}
+    scene = {**FENCE, "contact": {"restitution": 0.5}, "controls": [entry]}
+    (control,) = read_fence(scene).controls
+    assert (control.low, control.high, control.step) == pytest.approx(
+        [{"0 %": 0, "10 %": 0.1}[limits[0]], float(limits[1]), 0.1]
+    )
+
+
 @pytest.mark.parametrize("limits", [(0, "0.5 m", "0.1"), ("0", "50 cm", "1 mm"), (0, 1, 0.1)])
 def test_limits_in_si_and_nought_need_no_unit(limits):
     entry = {"set": "A.position", **dict(zip(("from", "to", "step"), limits, strict=True))}

@@ -18,6 +18,9 @@ WRONG_KEYS = (
     Key("belief", "tag of the belief behind it", "mover-pushes-more", {"enum": sorted(BELIEFS)}),
     Key("feedback", "shown to who gave it", "Look at both arrows.", PROSE),
 )
+AS_WRITTEN = "as_written"
+"""Says in a row of a key file that its texts are as the author wrote them, points and all."""
+
 _HINT = "accept: [zero, 0 N]"
 _COMMA = re.compile(r"[,，、](?![0-9])|(?<![0-9])[,，、]")  # not that of 0,5 N
 _LOST_POINT = re.compile(r"(?<=[0-9]) (?=[0-9])")
@@ -63,8 +66,8 @@ def _say_something(given: object, path: Path, problems: list[Problem]) -> None:
             problems.append(Problem(here, "not-text", message, "write words, numbers or signs"))
 
 
-def of_key(texts: Iterable[str]) -> tuple[str, ...]:
+def of_key(texts: Iterable[str], *, as_written: bool) -> tuple[str, ...]:
     """The texts of a key file. Older ones hold them without points: 1 5 n was 1.5 N there."""
     written = tuple(texts)
-    older = (text for text in written if _LOST_POINT.search(text))
+    older = (text for text in written if _LOST_POINT.search(text) and not as_written)
     return (*written, *(_LOST_POINT.sub(".", text) for text in older))

@@ -71,18 +71,28 @@ def read_tolerance(
     unit, dimension = measured
     if lacks_unit(table, measured, path, problems):
         return Fraction(0)
-    relative = str(table.get("tolerance", "")).strip().endswith("%") and unit != "%"
+    relative = _relative(table, unit)
     kind = units.RATIO if relative else dimension
     found = read_number(table, "tolerance", kind, path, problems)
-    if relative and found and not exact:
-        shown = str(table["tolerance"]).strip()
-        message = f"{shown} of 0 is 0: no other number would be right"
-        hint = f"give it as a number: tolerance: 0.01 {unit}".rstrip()
-        problems.append(Problem((*path, "tolerance"), "unreachable-tolerance", message, hint))
     if found < 0:
         message = "a tolerance is not negative"
         problems.append(Problem((*path, "tolerance"), "out-of-range", message, "tolerance: 1 %"))
     return abs(found * exact) if relative else abs(found)
+
+
+def _relative(table: Mapping[str, Any], unit: str) -> bool:
+    return str(table.get("tolerance", "")).strip().endswith("%") and unit != "%"
+
+
+def not_of_nought(
+    table: Mapping[str, Any], exact: Fraction, unit: str, path: Path, problems: list[Problem]
+) -> None:
+    """Tells of a tolerance in percent of a right answer that is 0, where both could be read."""
+    shown = str(table["tolerance"]).strip()
+    if not exact and _relative(table, unit) and read_quantity(shown, units.RATIO):
+        message = f"{shown} of 0 is 0: no other number would be right"
+        hint = f"give it as a number: tolerance: 0.01 {unit}".rstrip()
+        problems.append(Problem((*path, "tolerance"), "unreachable-tolerance", message, hint))
 
 
 def lacks_unit(

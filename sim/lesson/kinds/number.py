@@ -15,6 +15,7 @@ from sim.lesson.kinds.measured_number import (
     FIGURES,
     TOLERANCE,
     lacks_unit,
+    not_of_nought,
     reachable,
     read_number,
     read_tolerance,
@@ -84,6 +85,8 @@ class Number(Question):
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
         exact = read_number(table, "answer", dimension, path, problems)
         tolerance = read_tolerance(table, exact, (unit, dimension), path, problems)
+        if len(problems) == before:
+            not_of_nought(table, exact, unit, path, problems)
         wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
         if len(problems) == before and not reachable(
             exact, tolerance, units.size_of(unit, dimension)
@@ -191,7 +194,8 @@ def _wrong(
     for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
         before = len(problems)
         value = read_number(row, "value", dimension, here, problems)
-        lacks_unit(row, measured, here, problems, "value")
+        if dimension is not units.RATIO:  # beside 50 % a plain 0.2 is 20 %, and is meant
+            lacks_unit(row, measured, here, problems, "value")
         tolerance = (
             read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[0]
         )

@@ -17,7 +17,13 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
-from sim.lesson.kinds.measured_number import TOLERANCE, read_number, read_tolerance, read_unit
+from sim.lesson.kinds.measured_number import (
+    TOLERANCE,
+    not_of_nought,
+    read_number,
+    read_tolerance,
+    read_unit,
+)
 from sim.lesson.kinds.number import mark_number
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
@@ -181,9 +187,12 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
             problems.append(Problem(path, "not-text", "a given cell is a text or a number", HINT))
         return str(cell)
     unknown_keys(cell, keys.names(CELL_KEYS), path, problems)
+    before = len(problems)
     unit, dimension = read_unit(cell, "answer", path, problems)
     exact = read_number(cell, "answer", dimension, path, problems)
     tolerance = read_tolerance(cell, exact, (unit, dimension), path, problems)
+    if len(problems) == before:
+        not_of_nought(cell, exact, unit, path, problems)
     return Open(
         answer=units.tidy(exact, unit, dimension),
         tolerance=units.tidy(tolerance, unit, dimension),

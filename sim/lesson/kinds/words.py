@@ -8,7 +8,14 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
 from sim.lesson.keys import PROSE, PROSES, Key
-from sim.lesson.kinds.known_words import WRONG_KEYS, KnownWrong, of_key, read_accept, read_wrong
+from sim.lesson.kinds.known_words import (
+    AS_WRITTEN,
+    WRONG_KEYS,
+    KnownWrong,
+    of_key,
+    read_accept,
+    read_wrong,
+)
 from sim.lesson.kinds.plain_words import plain
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
@@ -129,12 +136,17 @@ class Short(Long):
     def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
         """What is accepted and what is known to be wrong, beside the rubric."""
         key, said = row["key"], row.get("feedback", {})
+        new = row.get(AS_WRITTEN) is True
         return cls(
             common=common,
             rubric=_rubric_of_key(row, common),
-            accept=of_key(key["accept"]),
+            accept=of_key(key["accept"], as_written=new),
             wrong=tuple(
-                (of_key(w["texts"]), str(w["belief"]), str(said.get(f"wrong-{k}", "")))
+                (
+                    of_key(w["texts"], as_written=new),
+                    str(w["belief"]),
+                    str(said.get(f"wrong-{k}", "")),
+                )
                 for k, w in enumerate(key["wrong"])
             ),
         )

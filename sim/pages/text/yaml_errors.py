@@ -30,6 +30,8 @@ BACKSLASH = (
     "a backslash means something else in double quotes",
     r"a formula goes in single quotes: 'How large is \(v\)?'",
 )
+NO_NEW_LINE = BACKSLASH[0], f"{BACKSLASH[1]}; a text with line breaks goes below ask: |"
+HALF = "an escape for half a character, which no page can show", "type the character itself: 😀"
 NOT_CLOSED = "the closing quote is missing", "begin and end a text with the same quote"
 _VALUE = re.compile(r"\s*(?:- +)?[\w.-]+: +(?P<text>(?P<first>[*&>!%@`|\"'\[-]).*)")
 """A line `key: text` whose text begins with a sign that means something in YAML."""

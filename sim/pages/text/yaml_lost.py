@@ -12,69 +12,104 @@ from collections.abc import Iterator
 
 import yaml
 
-from sim.pages.text.yaml_errors import BACKSLASH
+from sim.lesson.units import dimension_of
+from sim.pages.text.yaml_errors import BACKSLASH, HALF, NO_NEW_LINE
 from sim.pages.text.yaml_typos import CUT, HINT_CUT, Typo
+from sim.scene.quantity import QuantityError, read_quantity, unit_of
+
+PROSE_KEYS = frozenset({
+    "accept", "ask", "between", "choice", "columns", "contact", "description", "distance",
+    "explain", "feedback", "focus", "hints", "intro", "left", "note", "objects", "options",
+    "order", "others", "plot", "right", "rows", "rubric", "start", "text", "title", "words",
+})  # fmt: skip
+"""Keys that hold free text, itself or in a list: those with `sim.scene.prose.MARK` in a schema."""
 
 _NEVER_MEANT = "0abtvfreNLP_"
 """Escapes for characters that no lesson has; TeX words begin like them, and `_` is written so."""
 
 _OF_A_NEW_LINE = frozenset({
-    "nabla", "natural", "ncong", "ne", "nearrow", "neg", "neq", "newline", "nexists", "ngeq",
-    "nleq", "nless", "nmid", "nolimits", "nonumber", "normalsize", "not", "notag",
-    "notin", "nparallel", "nprec", "nrightarrow", "nsim", "nsubseteq", "nsucc", "nu",
-    "nwarrow",
+    "nabla", "ncong", "nearrow", "neq", "ngeq", "nleq", "nolimits", "nonumber", "notag", "notin",
+    "nprec", "nrightarrow", "nsubseteq", "nsucc", "nwarrow",
 })  # fmt: skip
 """TeX words that begin as a line break does: before any other word \\n is one, and may be meant."""
 
+_IN_A_FORMULA = _OF_A_NEW_LINE | {
+    "natural", "ne", "neg", "newline", "nexists", "nless", "nmid", "normalsize", "not", "nparallel",
+    "nsim", "nu",
+}  # fmt: skip
+"""Those too whose rest may begin a line of words: more or\\nless."""
+
+_FORMULA = re.compile(r"\$(?!\s)[^$]+(?<!\s)\$(?!\d)|\\\\\(.*?\\\\\)|\\\\\[.*?\\\\\]", re.DOTALL)
+"""In double quotes as they are written: $…$, \\\\(…\\\\), \\\\[…\\\\]."""
+
 _ESCAPE = re.compile(r"\\(?:([A-Za-z]+)|.)", re.DOTALL)
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
-_CUT = re.compile(r"[ \t]+(#)#*[^\s#]")
+_HALF = re.compile("[\ud800-\udfff\ufffe\uffff]")
+_WRITTEN_HALF = re.compile(r"\\(?:\\|u(?:0000)?(?:d[89a-f]|fff[ef]))", re.IGNORECASE)
+CUT_OFF = re.compile(r"[ \t]+(#)#*[^\s#]")
 
 
 def lost(root: yaml.Node | None, text: str) -> Iterator[Typo]:
     """Every place of `text` where a part of a value goes missing; `root`: its nodes."""
-    for node in _scalars(root):
+    for node, prose in _scalars(root, prose=False):
         start, end = node.start_mark.index, node.end_mark.index
         if node.style == '"':
-            at = _destroyed(text[start:end], node.value)
-            if at is not None:
-                yield *_place(text, start + at), *BACKSLASH
-        elif node.style is None and (found := _CUT.match(text, end)):
-            yield *_place(text, found.start(1)), CUT, HINT_CUT
+            if found := _destroyed(text[start:end], node.value):
+                at, message, hint = found
+                yield *place_of(text, start + at), message, hint
+        elif prose and (cut := CUT_OFF.match(text, end)) and _is_text(node):
+            yield *place_of(text, cut.start(1)), CUT, HINT_CUT
 
 
-def cut_above(lines: list[str], line: int) -> tuple[int, int, str, str] | None:
-    """A “ #” that cut a text off at `line` or right above it: YAML did not understand the rest."""
-    for number in (line, line - 1):
-        here = lines[number] if 0 <= number < len(lines) else ""
-        found = _CUT.search(here)
-        if found and not set("\"'") & set(here[: found.start(1)]):
-            return number, found.start(1), CUT, HINT_CUT
-    return None
-
-
-def _scalars(node: yaml.Node | None) -> Iterator[yaml.ScalarNode]:
+def _scalars(node: yaml.Node | None, *, prose: bool) -> Iterator[tuple[yaml.ScalarNode, bool]]:
+    """Every single value, and whether free text may stand there."""
     if isinstance(node, yaml.ScalarNode):
-        yield node
+        yield node, prose
     elif isinstance(node, yaml.SequenceNode):
         for item in node.value:
-            yield from _scalars(item)
+            yield from _scalars(item, prose=prose)
     elif isinstance(node, yaml.MappingNode):
         for key, value in node.value:
-            yield from _scalars(key)
-            yield from _scalars(value)
+            name = str(key.value)
+            yield from _scalars(key, prose=False)
+            yield from _scalars(value, prose=name in PROSE_KEYS or (prose and name.isdecimal()))
 
 
-def _destroyed(quoted: str, value: str) -> int | None:
-    """Where the first backslash stands that YAML took and a formula needs; else 0 where the value
-    has a character that no page can show."""
+def _is_text(node: yaml.ScalarNode) -> bool:
+    """Words without quotes; no text goes on behind nothing, true, false, a number, a quantity."""
+    words = node.style is None and node.tag.endswith(":str")
+    return words and not is_quantity(str(node.value))
+
+
+def is_quantity(text: str) -> bool:
+    """A number, with a unit or without."""
+    dimension = dimension_of(unit_of(text))
+    if dimension is None:
+        return False
+    try:
+        read_quantity(text, dimension)
+    except QuantityError:
+        return False
+    return True
+
+
+def _destroyed(quoted: str, value: str) -> tuple[int, str, str] | None:
+    """Where the first backslash stands that YAML took and a formula needs, with what is said to it;
+    else 0 where the value has a character that no page can show."""
+    formulas = [found.span() for found in _FORMULA.finditer(quoted)]
     for found in _ESCAPE.finditer(quoted):
-        first = found[0][1]
-        if first in _NEVER_MEANT or (first == "n" and found[1] in _OF_A_NEW_LINE):
-            return found.start()
-    return 0 if _CONTROL.search(value) else None
+        at, first = found.start(), found[0][1]
+        if first in _NEVER_MEANT:
+            return at, *BACKSLASH
+        inside = any(start < at < end for start, end in formulas)
+        if found[1] in (_IN_A_FORMULA if inside else _OF_A_NEW_LINE):
+            return at, *NO_NEW_LINE
+    if _HALF.search(value):
+        halves = (one.start() for one in _WRITTEN_HALF.finditer(quoted) if one[0] != "\\\\")
+        return next(halves, 0), *HALF
+    return (0, *BACKSLASH) if _CONTROL.search(value) else None
 
 
-def _place(text: str, at: int) -> tuple[int, int]:
+def place_of(text: str, at: int) -> tuple[int, int]:
     """Line and column, from 0, of a place of the text."""
     return text.count("\n", 0, at), at - text.rfind("\n", 0, at) - 1

@@ -26,7 +26,7 @@ _VALUE = re.compile(rf"\s*(?:- +)*([\w.-]+):\s[^\"'\[{{]*?([{_NEVER}])[^\"'\[{{]
 _WIDE = re.compile(r"\s*(?:- +)*[\w.-]+(：)")
 _TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
-_CUT = re.compile(rf"\s*(?:- +)*(?:{'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
+_CUT = re.compile(rf"\s*(?:- +)*({'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
 _BLOCK = re.compile(r":\s*[|>][+-]?\d?\s*(?:#.*)?$|^\s*-\s+[|>][+-]?\d?\s*$")
 
 Typo = tuple[int, int, str, str]
@@ -66,7 +66,7 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
         hint = "a list begins with a hyphen and a space: - "
         yield number, found.end() - 2, "a long dash begins this line", hint
     elif found := _CUT.match(line):
-        yield number, found.start(1), CUT, HINT_CUT
+        yield number, found.start(2), CUT, f'put the text in quotes: {found[1]}: "Point # 3"'
 
 
 def _unseen(character: str) -> tuple[str, str]:
