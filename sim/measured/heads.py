@@ -66,6 +66,11 @@ def is_time(name: str) -> bool:
     return _TIME.fullmatch(name) is not None
 
 
+def holds_times(name: str, unit: str) -> bool:
+    """The same, by its unit too, whatever it is called."""
+    return is_time(name) or _by_unit(unit) == "time"
+
+
 def quantity_of(name: str, unit: str) -> tuple[Quantity | None, str]:
     """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s or “Cart B: velocity”."""
     kind = _by_unit(unit)

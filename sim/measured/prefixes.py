@@ -9,12 +9,11 @@ or where behind each stand a time and the same of two carts: a run. Else it is a
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 
-from sim.measured.heads import SIDEWAYS, is_time, quantity_of
-from sim.measured.units import head, kind_of_unit, narrow
-from sim.measured.whose import force_on
+from sim.measured.heads import SIDEWAYS, holds_times, quantity_of
+from sim.measured.units import head, narrow
+from sim.measured.whose import force_on, is_force
 
 _NUMBER = r"[\W_]{0,3}(?:(?:nr|no|n°|nº)\.?\s*)?(?P<number>\d{1,4})"
 _WORDS = (
@@ -48,7 +47,7 @@ def parted(cells: Sequence[str]) -> list[tuple[str, str]]:
         run = run_alone(match["prefix"]) if match else ""
         if match and (run or match["prefix"] in datasets):
             parts.append((run or datasets[match["prefix"]], match["rest"]))
-        elif match and _is_time(match["rest"]):  # “A: Time (s)”: the sensor of this cart
+        elif match and holds_times(*head(match["rest"])):  # “A: Time (s)”: the sensor of this cart
             parts.append(("", match["rest"]))
         else:
             parts.append(_around(text))
@@ -57,34 +56,27 @@ def parted(cells: Sequence[str]) -> list[tuple[str, str]]:
 
 def _datasets(heads: Sequence[re.Match[str] | None]) -> dict[str, str]:
     """The prefixes that name no cart, each with the run that it is; one alone is no run."""
-    told = [match for match in heads if match]
-    prefixes = Counter(match["prefix"] for match in told)
-    if not told or len(told) < len(heads):
-        return {}
-    if len(prefixes) == 1:
-        return dict.fromkeys(prefixes, "")
-    parts = {prefix: [m["rest"] for m in told if m["prefix"] == prefix] for prefix in prefixes}
-    whole = all(any(map(_is_time, rests)) and _of_two(rests) for rests in parts.values())
-    return {prefix: prefix for prefix in prefixes} if whole else {}
+    parts: dict[str, list[tuple[str, str]]] = {}
+    for match in heads:
+        if match is None:
+            return {}
+        parts.setdefault(match["prefix"], []).append(head(match["rest"]))
+    if len(parts) == 1:
+        return dict.fromkeys(parts, "")
+    whole = all(any(holds_times(*one) for one in own) and _of_two(own) for own in parts.values())
+    return {prefix: prefix for prefix in parts} if whole else {}
 
 
-def _of_two(rests: Sequence[str]) -> bool:
+def _of_two(heads: Sequence[tuple[str, str]]) -> bool:
     """Whether two of the columns hold the same of two carts: then what stands before is a run."""
     seen: dict[str, set[str]] = {}
-    for rest in rests:
-        name, unit = head(rest)
-        whose = force_on(name)
-        what = None if whose is None and kind_of_unit(unit) != "force" else "force"
-        if what is None:
-            what, whose = quantity_of(name, unit)
-        if what and what != "time" and (whose or "").lower() not in ("x", *SIDEWAYS):
-            seen.setdefault(what, set()).add(whose or "")
+    for name, unit in heads:
+        what, whose = quantity_of(name, unit)
+        kind = "force" if is_force(name, unit) else what
+        whose = (force_on(name) or "") if kind == "force" else whose
+        if kind and kind != "time" and whose.lower() not in ("x", *SIDEWAYS):
+            seen.setdefault(kind, set()).add(whose)
     return any(len(owners) > 1 for owners in seen.values())
-
-
-def _is_time(text: str) -> bool:
-    name, unit = head(text)
-    return is_time(name) or kind_of_unit(unit) == "time"
 
 
 def _around(text: str) -> tuple[str, str]:

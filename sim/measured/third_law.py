@@ -15,7 +15,6 @@ from dataclasses import dataclass
 
 from sim.measured.aligned import aligned, push
 from sim.measured.refusal import FitError
-from sim.measured.track import Track
 from sim.measured.tracks import Measured
 
 QUIET = 0.1
@@ -68,7 +67,7 @@ def third_law(measured: Measured) -> Pair:
     t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
     if len(t) < 8:
         raise FitError("the two sensors did not read at the same time", "one log with both")
-    raw = tuple(_at(first, t)), tuple(_at(second, t))
+    raw = tuple(_at(first.t, first.value, t)), tuple(_at(second.t, second.value, t))
     zeros = _zero(raw[0]), _zero(raw[1])
     a, b = ([value - zero for value in values] for values, zero in zip(raw, zeros, strict=True))
     if phones:
@@ -115,7 +114,7 @@ def _apart(
     t: Sequence[float], a: Sequence[float], b: Sequence[float], ratio: float, lag: float
 ) -> tuple[float, float]:
     """Where B, as late as its clock is and as large as its scale, leaves A the most: t and N."""
-    moved = _at(Track("", tuple(t), tuple(b), ()), [time + lag for time in t])
+    moved = _at(t, b, [time + lag for time in t])
     pairs = [
         (time, y + ratio * x)
         for time, x, y in zip(t, a, moved, strict=True)
@@ -124,16 +123,15 @@ def _apart(
     return max(pairs, key=lambda pair: abs(pair[1]), default=(t[0], 0.0))
 
 
-def _at(track: Track, t: Sequence[float]) -> list[float]:
-    """Readings at these times; straight lines between them."""
-    values, k = [], 0
-    for time in t:
-        while k + 2 < len(track.t) and track.t[k + 1] < time:
+def _at(t: Sequence[float], values: Sequence[float], times: Sequence[float]) -> list[float]:
+    """Readings at these times, which rise; straight lines between those at t."""
+    found, k = [], 0
+    for time in times:
+        while k + 2 < len(t) and t[k + 1] < time:
             k += 1
-        span = track.t[k + 1] - track.t[k]
-        share = min(1.0, max(0.0, (time - track.t[k]) / span))
-        values.append(track.value[k] + share * (track.value[k + 1] - track.value[k]))
-    return values
+        share = min(1.0, max(0.0, (time - t[k]) / (t[k + 1] - t[k])))
+        found.append(values[k] + share * (values[k + 1] - values[k]))
+    return found
 
 
 def _zero(values: Sequence[float]) -> float:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Sequence
 
 from sim.measured.heads import SIDEWAYS, WORDS, longest_first, owner, quantity_of
+from sim.measured.units import kind_of_unit
 
 _LOWER = "a-zà-ÿа-я"
 _FORCE_WORD = re.compile(
@@ -46,6 +47,11 @@ def force_on(name: str) -> str | None:
     if not (match := _F.fullmatch(name)):
         return None
     return match["who"] or match["glued"] or owner(match["before"] or "") or ""
+
+
+def is_force(name: str, unit: str) -> bool:
+    """Whether a column holds forces, by its name or its unit."""
+    return force_on(name) is not None or kind_of_unit(unit) == "force"
 
 
 def place_of(name: str) -> str | None:

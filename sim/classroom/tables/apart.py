@@ -67,13 +67,13 @@ def parted(rows: Sequence[Row], columns: Columns) -> Parted:
     students = (row for row, kind in zip(rows, kinds, strict=True) if kind in (None, "student"))
     highest = _highest(students) if "sums" in kinds else {}
     found = Parted([])
+    kept = {"key": found.keys, "most": found.most, "student": found.students}
     for row, kind in zip(rows, kinds, strict=True):
         name = columns.named(row)
         if kind is None or (kind == "sums" and not _sums_up(row, name, highest)):
             found.students.append(row)
             continue
         found.notes.append((row, name, kind))
-        kept = {"key": found.keys, "most": found.most, "student": found.students}
         if kind != "sums":
             kept[kind].append(row)
     return found
@@ -87,13 +87,18 @@ def _kind(row: Row, columns: Columns, figures: frozenset[str] = FIGURES) -> Kind
         if beside or (word in NAMES_TOO and name != name.upper()):
             return "student"
         return "key" if word in KEY else "most"
-    return "sums" if not beside and _WITH_COUNT.sub("", word) in SUMS | figures else None
+    return "sums" if not beside and _alone(name) in SUMS | figures else None
+
+
+def _alone(name: str) -> str:
+    """The word of such a row without what stands behind it."""
+    return _WITH_COUNT.sub("", norm(name))
 
 
 def _sums_up(row: Row, name: str, highest: dict[int, Exact]) -> bool:
     """Whether they can be sums, at least the highest of each column: one may be called Sum."""
     marks = dict(_marks(row))
-    if _WITH_COUNT.sub("", norm(name)) in FIGURES | NAMES_OR_FIGURES:
+    if _alone(name) in FIGURES | NAMES_OR_FIGURES:
         return bool(marks)
     return bool(marks) and all(value >= highest.get(place, 0) for place, value in marks.items())
 

@@ -12,13 +12,13 @@ import itertools
 import re
 from collections.abc import Sequence
 
-from sim.measured.heads import is_time, quantity_of
+from sim.measured.heads import holds_times, quantity_of
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
 from sim.measured.runs import of_one_run, run_place
 from sim.measured.table import MOST_FAULTS, Column, Table, read_table
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
-from sim.measured.whose import are_velocities, cart_names, force_on, place_of
+from sim.measured.whose import are_velocities, cart_names, is_force, place_of
 
 _COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
 
@@ -61,7 +61,7 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
 
 
 def _time_column(table: Table) -> Column:
-    times = [c for c in table.columns if _is_time(c)]
+    times = [c for c in table.columns if holds_times(c.name, c.unit)]
     if times:  # a clock of whole seconds stands still between readings
         return next((column for column in times if _rises(column)), times[0])
     first = table.columns[0]
@@ -74,12 +74,8 @@ def _time_column(table: Table) -> Column:
 def _clock(table: Table, column: Column, first: Column) -> Column:
     """The times of a sensor that has a column of its own for them, to its left."""
     left = table.columns[: table.columns.index(column)]
-    times = [c for c in left if _is_time(c) and _rises(c)]
+    times = [c for c in left if holds_times(c.name, c.unit) and _rises(c)]
     return times[-1] if times else first
-
-
-def _is_time(column: Column) -> bool:
-    return is_time(column.name) or kind_of_unit(column.unit) == "time"
 
 
 def _rises(column: Column) -> bool:
@@ -89,8 +85,8 @@ def _rises(column: Column) -> bool:
 
 def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
     """The columns with forces, else those with positions."""
-    others = [column for column in table.columns if column is not time and not _is_time(column)]
-    forces = [c for c in others if _is_force(c)]
+    others = [c for c in table.columns if c is not time and not holds_times(c.name, c.unit)]
+    forces = [c for c in others if is_force(c.name, c.unit)]
     if len(forces) >= 2:
         return _not_three(table, forces, "force sensors"), "force"
     places = [c for c in others if _is_place(c)]
@@ -103,10 +99,6 @@ def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
         _no_velocities(table, others)
         places = [c for c in others if not c.unit or kind_of_unit(c.unit) == "length"]
     return _not_three(table, places, "carts"), "length"
-
-
-def _is_force(column: Column) -> bool:
-    return force_on(column.name) is not None or kind_of_unit(column.unit) == "force"
 
 
 def _is_place(column: Column) -> bool:

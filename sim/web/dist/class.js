@@ -155,13 +155,9 @@
     }
     toldOfTables() {
       const { groups } = this;
-      const tables = this.tables.map((table) => ({ ...table, group: this.two ? table.group : 0 }));
-      tables.sort((one, other) => one.group - other.group);
-      return {
-        kind: "class",
-        tables: tables.map((table) => ({ ...table, group: groups[table.group] })),
-        most: this.most
-      };
+      const of = (table) => this.two ? table.group : 0;
+      const tables = [...this.tables].sort((one, other) => of(one) - of(other)).map((table) => ({ ...table, group: groups[of(table)] }));
+      return { kind: "class", tables, most: this.most };
     }
     toldOfAll() {
       return {

@@ -115,13 +115,11 @@ export class Classroom {
   /** The same of the tables of marks, those of the first group first. @returns {Record<string, unknown>} */
   toldOfTables() {
     const { groups } = this;
-    const tables = this.tables.map((table) => ({ ...table, group: this.two ? table.group : 0 }));
-    tables.sort((one, other) => one.group - other.group);
-    return {
-      kind: "class",
-      tables: tables.map((table) => ({ ...table, group: groups[table.group] })),
-      most: this.most,
-    };
+    const of = (/** @type {Table} */ table) => (this.two ? table.group : 0);
+    const tables = [...this.tables]
+      .sort((one, other) => of(one) - of(other))
+      .map((table) => ({ ...table, group: groups[of(table)] }));
+    return { kind: "class", tables, most: this.most };
   }
 
   /** Both reports, as far as there is something of each. @returns {Record<string, unknown>} */
