@@ -141,7 +141,7 @@ def _arrows(
         return None
     return Predict(
         kind="arrows",
-        ask=ask or said("How long is each force arrow when the bumpers are squeezed the most?"),
+        ask=ask or said("How long is each force arrow when the two push hardest on each other?"),
         pairs=tuple(pair for pair in pairs if pair is not None),
     )
 
