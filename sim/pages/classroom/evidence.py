@@ -39,7 +39,7 @@ def evidence_block(block: Block, lesson: Lesson, *, first_line: int) -> str:
     """The table as HTML; raises `AuthorError`."""
     source = load_block(block, lesson.file, first_line=first_line)
     wanted = source.plain.get("show")
-    if set(source.plain) != {"show"} or wanted not in SHOWN:
+    if set(source.plain) != {"show"} or not isinstance(wanted, str) or wanted not in SHOWN:
         hint = f"show: one of {', '.join(SHOWN)}"
         message = "an evidence block shows one table of the paper"
         raise AuthorError([Finding(lesson.file, *source.place(()), "required", message, hint)])

@@ -63,7 +63,7 @@ def _hidden(text: str) -> Iterator[tuple[Name, Value]]:
         if block.name == "question":
             identity = _identity(text, block)
             for value in values(text, block):
-                if value.path[0] in KEYS:
+                if value.path and value.path[0] in KEYS:  # a block of bare words has no path
                     yield (identity, *value.path), value
 
 
