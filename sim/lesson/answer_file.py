@@ -27,7 +27,8 @@ _HASH = re.compile(r"[0-9a-f]{12}", re.ASCII)
 _TYPE = re.compile(r"[a-z][a-z-]{2,23}", re.ASCII)
 _TIME = re.compile(r"\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z", re.ASCII)
 _NAME = re.compile(r"[\w.+-]{1,64}", re.ASCII)
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f#@]")
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]")
+_PART_OF_KEYS = re.compile(r"[#@]")  # a lesson may have them in its name, a code word may not
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
 TEXTS = ("unit", "said", "asked", "sure", "locked", "why", "now")
 FOUND_FORCE, CHALLENGE = "found-force", "challenge"  # types of what was done with a run
@@ -90,7 +91,10 @@ def read_answer_file(text: str) -> AnswerFile:
     content = _table(text)
     wanted = ("site", "lesson", "lessonHash", "student", "created", "saved")
     if not all(isinstance(content.get(name), str) for name in wanted) or any(
-        len(content[name]) > 200 or _CONTROL.search(content[name]) for name in wanted
+        len(content[name]) > 200
+        or _CONTROL.search(content[name])
+        or (name in ("site", "student") and _PART_OF_KEYS.search(content[name]))
+        for name in wanted
     ):
         raise AnswerFileError("this file is damaged: it does not say whose answers it holds")
     if content.get("form") not in FORMS:

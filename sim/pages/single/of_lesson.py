@@ -15,10 +15,11 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
-from sim.pages.language import ENGLISH, mark, of_page, words
+from sim.pages.language import ENGLISH, mark, of_page, speaking, words
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE, policy
 from sim.pages.site_files import ASSETS, FILM
+from sim.pages.watchdog import watchdog
 
 _LOOK = """\
 html { font-size: 125%; } body { margin: 0; }
@@ -42,6 +43,7 @@ _PAGE = """\
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="carts-site" content="{site_id}"><meta name="carts-page" content="{page_id}">
 <title>{title}</title><link rel="icon" href="data:,">
+<script>{watching}</script>
 {styles}
 </head>
 <body dir="ltr" data-md-color-scheme="default"
@@ -80,11 +82,15 @@ def single_lesson(
     data = re.findall(r'<script type="application/json" id="carts-lesson">.*?</script>', text, re.S)
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
     language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
+    said = words(of_page(None, "", language))
+    with speaking(said):
+        watching = watchdog()  # what waits for a run is closed by its class, as in the site
     return _PAGE.format(
         language=language,
-        made=html.escape(words(of_page(None, "", language)).get(_MADE, _MADE), quote=False),
+        made=html.escape(said.get(_MADE, _MADE), quote=False),
+        watching=watching,
         kinds=_first(r'<html [^>]*class="no-js *([^"]*)"', text),
-        policy=policy(styles, scripts, {"font-src": "data:"}),
+        policy=policy(styles, [watching, *scripts], {"font-src": "data:"}),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),
         title=_first(r"<title>(.*?)</title>", text),

@@ -250,8 +250,8 @@
   }
   function together(old, young) {
     const said = Object.entries(young).filter(([, part2]) => (part2 ?? "") !== "");
-    const both = { ...young, ...old, ...Object.fromEntries(said) };
-    return withEarlier(both, old.earlier, young.earlier);
+    const both2 = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both2, old.earlier, young.earlier);
   }
   function sameAnswer(a, b) {
     return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
@@ -269,6 +269,85 @@
     const all = [...found2.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
+  }
+
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var OURS = "carts";
+  var BROWSER = () => localStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function forgetTab() {
+    try {
+      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
+    } catch {
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/brought-over.js
+  var marked = (site) => `carts-database:${site}`;
+  async function withTexts(store, site) {
+    const texts = textStore(site);
+    if (!texts) return store;
+    retain(marked(site), true, BROWSER);
+    if ((await texts.entries()).length === 0) return store;
+    const locks = globalThis.navigator?.locks;
+    const take = () => takeOver(store, texts);
+    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    });
+    return store;
+  }
+  function hasDatabase(site) {
+    return recall(marked(site), BROWSER) === true;
+  }
+  async function takeOver(store, texts) {
+    for (const [key, text] of await texts.entries()) {
+      if (text === null) continue;
+      await store.put(key, both(await store.get(key), text), true);
+      await texts.remove(key);
+    }
+  }
+  function both(kept, text) {
+    if (kept === void 0 || kept === null) return text;
+    if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text);
+    return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
   }
 
   // src/shared/newest-first.js
@@ -448,32 +527,6 @@
     };
   }
 
-  // src/shared/text-store.js
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => {
-      try {
-        return JSON.parse(localStorage.getItem(before + key) ?? "null");
-      } catch {
-        return null;
-      }
-    };
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
-
   // src/shared/storage.js
   var READINGS = "-measured";
   var STUDENT = "student";
@@ -508,10 +561,12 @@
   }
   async function openOnce(site) {
     try {
-      return telling(sheltered(await indexed(`carts:${site}`), site), site);
+      const base = await withTexts(await indexed(`carts:${site}`), site);
+      return telling(sheltered(base, site), site);
     } catch {
       const texts = textStore(site);
-      return telling(texts ? sheltered(texts, site) : memory(site), site);
+      const behind = hasDatabase(site);
+      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
     }
   }
   function place() {
@@ -522,29 +577,6 @@
       site: cartsSite ?? meta("carts-site") ?? "site",
       page: cartsPage ?? meta("carts-page") ?? path2
     };
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  var OURS = "carts";
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function forgetTab() {
-    try {
-      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
-    } catch {
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
   }
 
   // src/answers/optional.js
@@ -609,9 +641,9 @@
       const mine = student === this.student;
       const theirs = mine && this.store ? this.store : forStudent(this.all, student);
       const here = new Map(await theirs.entries());
-      const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) })).filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
-      await Promise.all(changed.map(({ key, both }) => theirs.put(key, both)));
-      for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
+      const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(entry, here.get(key)) })).filter(({ old, both: both2 }) => JSON.stringify(both2) !== JSON.stringify(old));
+      await Promise.all(changed.map(({ key, both: both2 }) => theirs.put(key, both2)));
+      for (const { key, both: both2 } of mine ? changed : []) this.#known.set(key, both2);
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
       for (const [key] of mine ? found2 : []) {
@@ -693,7 +725,7 @@
     }
     async #read() {
       const found2 = await this.store?.entries().catch(() => null);
-      this.unread = !found2;
+      this.unread = !found2 || this.all?.behind === true;
       for (const [key, entry] of found2 ?? []) {
         const known2 = this.#known.get(key);
         if (!known2 || String(known2.last ?? "") <= String(entry?.last ?? "")) {
@@ -1997,9 +2029,9 @@
   };
   var SHOW_AFTER = 3;
   var Feedback = class {
-    constructor(root, attempt, marked = () => {
+    constructor(root, attempt, marked2 = () => {
     }) {
-      this.marked = marked;
+      this.marked = marked2;
       this.root = root;
       this.place = need(root, ".carts-q-feedback");
       root.querySelector(".carts-q-check")?.addEventListener("click", () => {

@@ -1672,7 +1672,7 @@
     link: tr("magnets"),
     apart: true,
     stored: tr("between the magnets"),
-    phrase: (_2, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    phrase: (_2, { both: both2 }) => [tr("magnets on {bodies}, like poles facing", { bodies: both2 })],
     pieces({ between: between2 }, { key, layout, face: face2 }) {
       const [a2, b2] = between2 ?? ["", ""];
       return [
@@ -1978,8 +1978,8 @@
     // else an impulse: no force to be drawn
     stored: tr("in the squeezed spring"),
     acts: ({ numbers: { at: at3 = 0, stiffness } }, t3) => t3 < at3 || stiffness !== void 0,
-    phrase: ({ numbers: { energy = 0, at: at3 = 0, stiffness } }, { both, seen }) => [
-      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
+    phrase: ({ numbers: { energy = 0, at: at3 = 0, stiffness } }, { both: both2, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both2 }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both2 }),
       seen(`${short(energy)} J`),
       stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at3) })
@@ -2025,10 +2025,10 @@
     link: tr("spring"),
     stored: tr("in the spring"),
     warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
-    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both: both2, seen }) {
       const natural = tr("natural length {length} m", { length: short(length) });
       return [
-        tr("a spring between {bodies}", { bodies: both }),
+        tr("a spring between {bodies}", { bodies: both2 }),
         damping ? tr("damped") : "",
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
@@ -3746,10 +3746,20 @@
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }
+  function merged(a2, b2) {
+    if (!a2) return b2;
+    if (!b2) return a2;
+    const [old, young] = String(a2.last ?? "") <= String(b2.last ?? "") ? [a2, b2] : [b2, a2];
+    const first = [a2.first, b2.first].filter(Boolean).sort()[0] ?? null;
+    if (sameAnswer(old, young)) return { ...together2(old, young), first };
+    const cleared = isEmpty(young.value) && !isEmpty(old.value);
+    const [loser, winner] = cleared ? [young, old] : [old, young];
+    return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
+  }
   function together2(old, young) {
     const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
-    const both = { ...young, ...old, ...Object.fromEntries(said) };
-    return withEarlier(both, old.earlier, young.earlier);
+    const both2 = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both2, old.earlier, young.earlier);
   }
   function sameAnswer(a2, b2) {
     return a2.hash === b2.hash && JSON.stringify(a2.value) === JSON.stringify(b2.value);
@@ -3767,6 +3777,78 @@
     const all = [...found3.values()];
     all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
     return all.length ? { ...entry2, earlier: all.slice(-MOST_EARLIER) } : entry2;
+  }
+
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var BROWSER = () => localStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/brought-over.js
+  var marked = (site) => `carts-database:${site}`;
+  async function withTexts(store, site) {
+    const texts = textStore(site);
+    if (!texts) return store;
+    retain(marked(site), true, BROWSER);
+    if ((await texts.entries()).length === 0) return store;
+    const locks = globalThis.navigator?.locks;
+    const take = () => takeOver(store, texts);
+    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    });
+    return store;
+  }
+  function hasDatabase(site) {
+    return recall(marked(site), BROWSER) === true;
+  }
+  async function takeOver(store, texts) {
+    for (const [key, text] of await texts.entries()) {
+      if (text === null) continue;
+      await store.put(key, both(await store.get(key), text), true);
+      await texts.remove(key);
+    }
+  }
+  function both(kept, text) {
+    if (kept === void 0 || kept === null) return text;
+    if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text);
+    return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
   }
 
   // src/shared/newest-first.js
@@ -3946,32 +4028,6 @@
     };
   }
 
-  // src/shared/text-store.js
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => {
-      try {
-        return JSON.parse(localStorage.getItem(before + key) ?? "null");
-      } catch {
-        return null;
-      }
-    };
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
-
   // src/shared/storage.js
   var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
@@ -4003,10 +4059,12 @@
   }
   async function openOnce(site) {
     try {
-      return telling(sheltered(await indexed(`carts:${site}`), site), site);
+      const base = await withTexts(await indexed(`carts:${site}`), site);
+      return telling(sheltered(base, site), site);
     } catch {
       const texts = textStore(site);
-      return telling(texts ? sheltered(texts, site) : memory(site), site);
+      const behind = hasDatabase(site);
+      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
     }
   }
   function place2() {
@@ -4884,8 +4942,8 @@
       )) {
         if (!yours && !theirs) continue;
         const said = (yes) => yes ? tr("yes") : tr("no");
-        const both = { feature, yours: said(yours), theirs: said(theirs) };
-        list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));
+        const both2 = { feature, yours: said(yours), theirs: said(theirs) };
+        list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both2)));
       }
       return [html("p", "", seen.title), list];
     }
@@ -5319,11 +5377,11 @@
       place4.replaceChildren(...this.form.compare(run));
       const { before, why } = this.#entry;
       if (before) {
-        const both = tr("First you said: {first}. After talking you said: {second}.", {
+        const both2 = tr("First you said: {first}. After talking you said: {second}.", {
           first: before.said.replace(/[.。]$/, ""),
           second: this.form.said.replace(/[.。]$/, "")
         });
-        place4.append(html("p", "", both));
+        place4.append(html("p", "", both2));
       }
       const once = this.form.once?.draw(this.#entry.now ?? null, (now) => {
         this.#entry.now = now;
@@ -5437,22 +5495,6 @@
       };
       document.head.append(script);
     });
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
   }
 
   // src/scene/time/watch.js
@@ -5692,9 +5734,9 @@
   }
   function ratioWords({ stepped, exact }) {
     const ratio = stepped / exact;
-    const both = { stepped: duration(stepped), exact: duration(exact) };
-    return ratio >= 1 ? tr("{stepped}, {ratio} times the exact run’s {exact}", { ...both, ratio: short(ratio, 2) }) : tr("{stepped}; the exact run takes {ratio} times as long, {exact}", {
-      ...both,
+    const both2 = { stepped: duration(stepped), exact: duration(exact) };
+    return ratio >= 1 ? tr("{stepped}, {ratio} times the exact run’s {exact}", { ...both2, ratio: short(ratio, 2) }) : tr("{stepped}; the exact run takes {ratio} times as long, {exact}", {
+      ...both2,
       ratio: short(1 / ratio, 2)
     });
   }

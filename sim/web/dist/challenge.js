@@ -69,6 +69,7 @@
 
   // src/shared/tab.js
   var TAB = () => sessionStorage;
+  var BROWSER = () => localStorage;
   function recall(key, where = TAB) {
     try {
       return JSON.parse(where().getItem(key) ?? "null");
@@ -127,10 +128,20 @@
     const other = opened2 || old.hash && value2.hash && old.hash !== value2.hash;
     return withEarlier(value2, old.earlier, value2.earlier, other ? alone(old) : []);
   }
+  function merged(a, b) {
+    if (!a) return b;
+    if (!b) return a;
+    const [old, young] = String(a.last ?? "") <= String(b.last ?? "") ? [a, b] : [b, a];
+    const first = [a.first, b.first].filter(Boolean).sort()[0] ?? null;
+    if (sameAnswer(old, young)) return { ...together(old, young), first };
+    const cleared = isEmpty(young.value) && !isEmpty(old.value);
+    const [loser, winner] = cleared ? [young, old] : [old, young];
+    return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
+  }
   function together(old, young) {
     const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
-    const both = { ...young, ...old, ...Object.fromEntries(said) };
-    return withEarlier(both, old.earlier, young.earlier);
+    const both2 = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both2, old.earlier, young.earlier);
   }
   function sameAnswer(a, b) {
     return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
@@ -148,6 +159,61 @@
     const all = [...found2.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value2) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value2))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/brought-over.js
+  var marked = (site) => `carts-database:${site}`;
+  async function withTexts(store, site) {
+    const texts = textStore(site);
+    if (!texts) return store;
+    retain(marked(site), true, BROWSER);
+    if ((await texts.entries()).length === 0) return store;
+    const locks = globalThis.navigator?.locks;
+    const take = () => takeOver(store, texts);
+    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    });
+    return store;
+  }
+  function hasDatabase(site) {
+    return recall(marked(site), BROWSER) === true;
+  }
+  async function takeOver(store, texts) {
+    for (const [key, text] of await texts.entries()) {
+      if (text === null) continue;
+      await store.put(key, both(await store.get(key), text), true);
+      await texts.remove(key);
+    }
+  }
+  function both(kept2, text) {
+    if (kept2 === void 0 || kept2 === null) return text;
+    if ("type" in Object(kept2) && "type" in Object(text)) return merged(kept2, text);
+    return String(kept2.last ?? "") > String(text.last ?? "") ? kept2 : text;
   }
 
   // src/shared/newest-first.js
@@ -327,32 +393,6 @@
     };
   }
 
-  // src/shared/text-store.js
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => {
-      try {
-        return JSON.parse(localStorage.getItem(before + key) ?? "null");
-      } catch {
-        return null;
-      }
-    };
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value2) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value2))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
-
   // src/shared/storage.js
   var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
@@ -384,10 +424,12 @@
   }
   async function openOnce(site) {
     try {
-      return telling(sheltered(await indexed(`carts:${site}`), site), site);
+      const base = await withTexts(await indexed(`carts:${site}`), site);
+      return telling(sheltered(base, site), site);
     } catch {
       const texts = textStore(site);
-      return telling(texts ? sheltered(texts, site) : memory(site), site);
+      const behind = hasDatabase(site);
+      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
     }
   }
   function place() {

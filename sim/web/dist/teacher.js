@@ -681,6 +681,23 @@
     );
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var BROWSER = () => localStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/teach/door.js
   var OPEN = "carts-teach";
 
@@ -702,10 +719,20 @@
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }
+  function merged(a, b) {
+    if (!a) return b;
+    if (!b) return a;
+    const [old, young] = String(a.last ?? "") <= String(b.last ?? "") ? [a, b] : [b, a];
+    const first = [a.first, b.first].filter(Boolean).sort()[0] ?? null;
+    if (sameAnswer(old, young)) return { ...together(old, young), first };
+    const cleared = isEmpty(young.value) && !isEmpty(old.value);
+    const [loser, winner] = cleared ? [young, old] : [old, young];
+    return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
+  }
   function together(old, young) {
     const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
-    const both = { ...young, ...old, ...Object.fromEntries(said) };
-    return withEarlier(both, old.earlier, young.earlier);
+    const both2 = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both2, old.earlier, young.earlier);
   }
   function sameAnswer(a, b) {
     return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
@@ -723,6 +750,61 @@
     const all = [...found.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/brought-over.js
+  var marked = (site) => `carts-database:${site}`;
+  async function withTexts(store, site) {
+    const texts = textStore(site);
+    if (!texts) return store;
+    retain(marked(site), true, BROWSER);
+    if ((await texts.entries()).length === 0) return store;
+    const locks = globalThis.navigator?.locks;
+    const take = () => takeOver(store, texts);
+    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    });
+    return store;
+  }
+  function hasDatabase(site) {
+    return recall(marked(site), BROWSER) === true;
+  }
+  async function takeOver(store, texts) {
+    for (const [key, text2] of await texts.entries()) {
+      if (text2 === null) continue;
+      await store.put(key, both(await store.get(key), text2), true);
+      await texts.remove(key);
+    }
+  }
+  function both(kept, text2) {
+    if (kept === void 0 || kept === null) return text2;
+    if ("type" in Object(kept) && "type" in Object(text2)) return merged(kept, text2);
+    return String(kept.last ?? "") > String(text2.last ?? "") ? kept : text2;
   }
 
   // src/shared/newest-first.js
@@ -902,32 +984,6 @@
     };
   }
 
-  // src/shared/text-store.js
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => {
-      try {
-        return JSON.parse(localStorage.getItem(before + key) ?? "null");
-      } catch {
-        return null;
-      }
-    };
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
-
   // src/shared/storage.js
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
@@ -937,10 +993,12 @@
   }
   async function openOnce(site) {
     try {
-      return telling(sheltered(await indexed(`carts:${site}`), site), site);
+      const base = await withTexts(await indexed(`carts:${site}`), site);
+      return telling(sheltered(base, site), site);
     } catch {
       const texts = textStore(site);
-      return telling(texts ? sheltered(texts, site) : memory(site), site);
+      const behind = hasDatabase(site);
+      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
     }
   }
   function place() {
@@ -1736,7 +1794,7 @@ ${table2(facts)}
     link: tr("magnets"),
     apart: true,
     stored: tr("between the magnets"),
-    phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    phrase: (_, { both: both2 }) => [tr("magnets on {bodies}, like poles facing", { bodies: both2 })],
     pieces({ between: between2 }, { key, layout, face }) {
       const [a, b] = between2 ?? ["", ""];
       return [
@@ -1937,8 +1995,8 @@ ${table2(facts)}
     // else an impulse: no force to be drawn
     stored: tr("in the squeezed spring"),
     acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
-    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen: seen2 }) => [
-      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both: both2, seen: seen2 }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both2 }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both2 }),
       seen2(`${short(energy)} J`),
       stiffness === void 0 ? "" : seen2(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
@@ -1984,10 +2042,10 @@ ${table2(facts)}
     link: tr("spring"),
     stored: tr("in the spring"),
     warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
-    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen: seen2 }) {
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both: both2, seen: seen2 }) {
       const natural = tr("natural length {length} m", { length: short(length) });
       return [
-        tr("a spring between {bodies}", { bodies: both }),
+        tr("a spring between {bodies}", { bodies: both2 }),
         damping ? tr("damped") : "",
         seen2(`${short(stiffness)} N/m, ${natural}`)
       ];

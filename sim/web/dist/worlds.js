@@ -136,6 +136,23 @@
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var BROWSER = () => localStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/scene/time/watch.js
   var WATCHED = "carts-watched";
 
@@ -558,7 +575,7 @@
     link: tr("magnets"),
     apart: true,
     stored: tr("between the magnets"),
-    phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    phrase: (_, { both: both2 }) => [tr("magnets on {bodies}, like poles facing", { bodies: both2 })],
     pieces({ between }, { key, layout, face: face2 }) {
       const [a, b] = between ?? ["", ""];
       return [
@@ -675,8 +692,8 @@
     // else an impulse: no force to be drawn
     stored: tr("in the squeezed spring"),
     acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
-    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
-      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both: both2, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both2 }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both2 }),
       seen(`${short(energy)} J`),
       stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
@@ -722,10 +739,10 @@
     link: tr("spring"),
     stored: tr("in the spring"),
     warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
-    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both: both2, seen }) {
       const natural = tr("natural length {length} m", { length: short(length) });
       return [
-        tr("a spring between {bodies}", { bodies: both }),
+        tr("a spring between {bodies}", { bodies: both2 }),
         damping ? tr("damped") : "",
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
@@ -2275,10 +2292,20 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     const other = opened2 || old.hash && value.hash && old.hash !== value.hash;
     return withEarlier(value, old.earlier, value.earlier, other ? alone(old) : []);
   }
+  function merged(a, b) {
+    if (!a) return b;
+    if (!b) return a;
+    const [old, young] = String(a.last ?? "") <= String(b.last ?? "") ? [a, b] : [b, a];
+    const first = [a.first, b.first].filter(Boolean).sort()[0] ?? null;
+    if (sameAnswer(old, young)) return { ...together(old, young), first };
+    const cleared = isEmpty(young.value) && !isEmpty(old.value);
+    const [loser, winner] = cleared ? [young, old] : [old, young];
+    return withEarlier({ ...winner, first }, old.earlier, young.earlier, alone(loser));
+  }
   function together(old, young) {
     const said = Object.entries(young).filter(([, part]) => (part ?? "") !== "");
-    const both = { ...young, ...old, ...Object.fromEntries(said) };
-    return withEarlier(both, old.earlier, young.earlier);
+    const both2 = { ...young, ...old, ...Object.fromEntries(said) };
+    return withEarlier(both2, old.earlier, young.earlier);
   }
   function sameAnswer(a, b) {
     return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
@@ -2296,6 +2323,61 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     const all = [...found2.values()];
     all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => {
+      try {
+        return JSON.parse(localStorage.getItem(before + key) ?? "null");
+      } catch {
+        return null;
+      }
+    };
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/brought-over.js
+  var marked = (site) => `carts-database:${site}`;
+  async function withTexts(store, site) {
+    const texts = textStore(site);
+    if (!texts) return store;
+    retain(marked(site), true, BROWSER);
+    if ((await texts.entries()).length === 0) return store;
+    const locks = globalThis.navigator?.locks;
+    const take = () => takeOver(store, texts);
+    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    });
+    return store;
+  }
+  function hasDatabase(site) {
+    return recall(marked(site), BROWSER) === true;
+  }
+  async function takeOver(store, texts) {
+    for (const [key, text] of await texts.entries()) {
+      if (text === null) continue;
+      await store.put(key, both(await store.get(key), text), true);
+      await texts.remove(key);
+    }
+  }
+  function both(kept, text) {
+    if (kept === void 0 || kept === null) return text;
+    if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text);
+    return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
   }
 
   // src/shared/newest-first.js
@@ -2475,32 +2557,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     };
   }
 
-  // src/shared/text-store.js
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => {
-      try {
-        return JSON.parse(localStorage.getItem(before + key) ?? "null");
-      } catch {
-        return null;
-      }
-    };
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
-
   // src/shared/storage.js
   var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
@@ -2532,10 +2588,12 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
   async function openOnce(site) {
     try {
-      return telling(sheltered(await indexed(`carts:${site}`), site), site);
+      const base = await withTexts(await indexed(`carts:${site}`), site);
+      return telling(sheltered(base, site), site);
     } catch {
       const texts = textStore(site);
-      return telling(texts ? sheltered(texts, site) : memory(site), site);
+      const behind = hasDatabase(site);
+      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
     }
   }
   function place2() {

@@ -29,7 +29,11 @@ IDBFactory.prototype.open = function (...asked) {{
 }};"""
 
 
-def again_with(page: Page, script: str) -> Page:
+def again_with(page: Page, script: str, address: str = "") -> Page:
+    """The page, or a new one at this address, with the script before all of its own."""
     page.add_init_script(script)
-    page.reload()
+    if address:
+        page.goto(address)
+    else:
+        page.reload()
     return ready(page)

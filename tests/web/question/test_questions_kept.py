@@ -138,6 +138,26 @@ def test_without_a_database_answers_are_kept_as_texts(
     expect(page.locator("#why textarea")).to_have_value("kept")
 
 
+def test_what_was_kept_as_text_while_the_database_was_closed_comes_back_with_it(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    first = open_page(question_site / "kinds.html")
+    ready(first).locator("#why textarea").fill("before")
+    saved(first, "why")
+    page = again_with(first.context.new_page(), NO_DATABASE, first.url)
+    expect(page.locator(".carts-bar-warning")).to_contain_text("could not be opened")
+    page.locator("#why textarea").fill("between")
+    saved(page, "why")
+    page.get_by_label("They are equal").check()
+    page.close()
+    first.reload()
+    expect(ready(first).locator("#why textarea")).to_have_value("between")
+    expect(first.get_by_label("They are equal")).to_be_checked()
+    kept = [item["value"] for item in saved_file(first)["items"] if item["id"] == "why"]
+    assert kept == ["before", "between"]
+    assert first.evaluate("() => Object.keys(localStorage).filter((k) => k.includes('#'))") == []
+
+
 @pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
 def test_where_nothing_can_be_kept_the_page_says_so_and_still_saves_a_file(
     open_page: OpenPage, question_site: Path, script: str

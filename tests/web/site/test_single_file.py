@@ -41,6 +41,31 @@ until: 3 s
 ```
 """
 
+WAITS = """# It waits
+
+```scene
+id: hits
+carts:
+  A: {mass: 1 kg, position: 0.4 m, velocity: 0.6 m/s}
+  B: {mass: 1 kg, position: 1.3 m}
+until: 3 s
+predict:
+  choice: [A comes to rest, A goes on]
+```
+
+```question
+id: told
+type: single
+ask: Who came to rest?
+options: [{text: A did, correct: true}, {text: B did}]
+after: hits
+```
+
+!!! after "What was it?"
+
+    The striking cart stands.
+"""
+
 
 def write(arguments: list[str]) -> tuple[int, str]:
     before = Path.cwd()
@@ -66,27 +91,47 @@ def test_a_file_alone_in_a_folder_is_a_live_scene(open_page: OpenPage, tmp_path:
     assert before != after
 
 
+@pytest.fixture(scope="module")
+def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the one-file lessons of a new site, and one more that reads films."""
+    folder = tmp_path_factory.mktemp("single")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CARTS_CACHE", str(default_cache(ROOT)))
+        patch.chdir(folder)
+        made = CliRunner().invoke(main, ["new", "fork"])
+        assert made.exit_code == 0, made.output
+        lessons = folder / "fork" / "worksheets"
+        ours = (ROOT / "worksheets" / "real-carts.md").read_text(encoding="utf-8")
+        block = re.search(r"^```measured\n.*?^```\n", ours, re.DOTALL | re.MULTILINE)
+        assert block is not None
+        (lessons / "film.md").write_text(f"# A film\n\n{block[0]}", encoding="utf-8")
+        (lessons / "waits.md").write_text(WAITS, encoding="utf-8")
+        shutil.copytree(ROOT / "worksheets" / "data", lessons / "data")
+        patch.chdir(folder / "fork")
+        packed = CliRunner().invoke(main, ["pack", "--single", "--out", "../lessons.zip"])
+        assert packed.exit_code == 0, packed.output
+    with zipfile.ZipFile(folder / "lessons.zip") as archive:
+        archive.extractall(folder / "alone")
+    return folder / "alone"
+
+
+@pytest.mark.browser
+def test_what_waits_for_a_run_waits_in_one_file_too(open_page: OpenPage, alone: Path) -> None:
+    page = open_page(alone / "waits.html")
+    question = page.locator("#told")
+    expect(question.locator(".carts-q-waits")).to_be_visible()
+    expect(question.get_by_text("Who came to rest?")).to_be_hidden()
+    expect(page.get_by_text("The striking cart stands.")).to_be_hidden()
+    expect(page.locator("carts-scene")).to_have_attribute("data-state", "live", timeout=60_000)
+    expect(page.locator(".carts-watchdog")).to_have_count(0)
+
+
 @pytest.mark.browser
 @pytest.mark.one_browser
 def test_a_lesson_of_real_carts_alone_in_a_folder_reads_its_film(
-    open_page: OpenPage, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    open_page: OpenPage, alone: Path
 ) -> None:
-    monkeypatch.setenv("CARTS_CACHE", str(default_cache(ROOT)))
-    monkeypatch.chdir(tmp_path)
-    made = CliRunner().invoke(main, ["new", "fork"])
-    assert made.exit_code == 0, made.output
-    lessons = tmp_path / "fork" / "worksheets"
-    ours = (ROOT / "worksheets" / "real-carts.md").read_text(encoding="utf-8")
-    block = re.search(r"^```measured\n.*?^```\n", ours, re.DOTALL | re.MULTILINE)
-    assert block is not None
-    (lessons / "film.md").write_text(f"# A film\n\n{block[0]}", encoding="utf-8")
-    shutil.copytree(ROOT / "worksheets" / "data", lessons / "data")
-    monkeypatch.chdir(tmp_path / "fork")
-    packed = CliRunner().invoke(main, ["pack", "--single", "--out", "../lessons.zip"])
-    assert packed.exit_code == 0, packed.output
-    with zipfile.ZipFile(tmp_path / "lessons.zip") as archive:
-        alone = Path(archive.extract("film.html", tmp_path / "alone"))
-    page = open_page(alone)
+    page = open_page(alone / "film.html")
     film = page.locator("carts-measured").first
     expect(film).to_have_attribute("data-state", "live", timeout=60_000)
     expect(film.locator(".carts-measured-figures path").first).to_be_attached()

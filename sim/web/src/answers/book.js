@@ -188,7 +188,7 @@ export class Book extends EventTarget {
 
   async #read() {
     const found = await this.store?.entries().catch(() => null);
-    this.unread = !found;
+    this.unread = !found || this.all?.behind === true;
     for (const [key, entry] of found ?? []) {
       const known = this.#known.get(key);
       if (!known || String(known.last ?? "") <= String(entry?.last ?? "")) {

@@ -30,7 +30,7 @@ export function makeFiles(entries, { site, student }, now) {
   const groups = new Map();
   for (const [key, entry] of entries) {
     if (!entry || typeof entry !== "object" || typeof entry.id !== "string") continue;
-    const page = key.split("#")[0] ?? "";
+    const page = key.slice(0, key.lastIndexOf("#")); // a lesson may have a # in its name, an id has none
     const form = FORMS.includes(entry.form) ? entry.form : "worksheet";
     const lesson = entry.lesson ?? page.split("/").pop() ?? "page";
     const name = `${page} ${form}`;
@@ -150,10 +150,11 @@ function wrong(content, site) {
   }
   if (content.site !== site) return tr("This file belongs to another site.");
   const texts = [content.lesson, content.student, content.page].every(
-    (text) => typeof text === "string" && text.length <= 200 && !/[\p{Cc}#@]/u.test(text),
+    (text) => typeof text === "string" && text.length <= 200 && !/\p{Cc}/u.test(text),
   );
+  const foreign = /[#@]/.test(content.student) || /^@/.test(content.page); // keys of others begin so
   const hash = content.lessonHash === "" || HASH.test(String(content.lessonHash));
-  if (!texts || !hash || !content.page || !FORMS.includes(content.form)) {
+  if (!texts || foreign || !hash || !content.page || !FORMS.includes(content.form)) {
     return tr("This file is damaged. Nothing was taken from it.");
   }
   if (!Array.isArray(content.items) || content.items.length > MOST_ITEMS) {

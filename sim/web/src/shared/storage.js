@@ -7,6 +7,7 @@
  */
 
 import { stamped } from "../answers/outline.js";
+import { hasDatabase, withTexts } from "./brought-over.js";
 import { indexed, SETTLED } from "./indexed-store.js";
 import { memory, sheltered } from "./shelter.js";
 import { telling } from "./tabs.js";
@@ -19,7 +20,8 @@ const STUDENT = "student"; // the key under which the code word of who works her
 /**
  * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`. `alone`: the
  * caller knows what is kept under the key and has already moved earlier answers: one step less to wait.
- * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory",
+ * `behind`: what was kept before lies in a database that does not open now.
+ * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory", behind?: boolean,
  *   get: (key: string) => Promise<any>, put: (key: string, value: unknown, alone?: boolean) => Promise<void>,
  *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Opened
  * `hear`: what to do when another tab, or another script of this page, has kept something under a key, or forgotten it.
@@ -80,10 +82,12 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    return telling(sheltered(await indexed(`carts:${site}`), site), site);
+    const base = await withTexts(await indexed(`carts:${site}`), site);
+    return telling(sheltered(base, site), site);
   } catch {
     const texts = textStore(site);
-    return telling(texts ? sheltered(texts, site) : memory(site), site);
+    const behind = hasDatabase(site);
+    return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
   }
 }
 
