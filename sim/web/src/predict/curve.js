@@ -114,7 +114,7 @@ export class CurveForm {
             cart: this.cart,
           })
         : tr(
-            "Way of {cart} from the start: dashed is yours, solid is the run. Only the shape counts.",
+            "Displacement of {cart} from the start: dashed is yours, solid is the run. Only the shape counts.",
             {
               cart: this.cart,
             },
