@@ -853,7 +853,7 @@
     const groups = /* @__PURE__ */ new Map();
     for (const [key, entry] of entries) {
       if (!entry || typeof entry !== "object" || typeof entry.id !== "string") continue;
-      const page = key.split("#")[0] ?? "";
+      const page = key.slice(0, key.lastIndexOf("#"));
       const form2 = FORMS2.includes(entry.form) ? entry.form : "worksheet";
       const lesson = entry.lesson ?? page.split("/").pop() ?? "page";
       const name = `${page} ${form2}`;
@@ -954,10 +954,11 @@
     }
     if (content.site !== site) return tr("This file belongs to another site.");
     const texts = [content.lesson, content.student, content.page].every(
-      (text) => typeof text === "string" && text.length <= 200 && !/[\p{Cc}#@]/u.test(text)
+      (text) => typeof text === "string" && text.length <= 200 && !new RegExp("\\p{Cc}", "u").test(text)
     );
+    const foreign = /[#@]/.test(content.student) || /^@/.test(content.page);
     const hash2 = content.lessonHash === "" || HASH.test(String(content.lessonHash));
-    if (!texts || !hash2 || !content.page || !FORMS2.includes(content.form)) {
+    if (!texts || foreign || !hash2 || !content.page || !FORMS2.includes(content.form)) {
       return tr("This file is damaged. Nothing was taken from it.");
     }
     if (!Array.isArray(content.items) || content.items.length > MOST_ITEMS) {

@@ -4970,7 +4970,7 @@
       const title = this.quantity === "v" ? tr("Velocity of {cart}: dashed is yours, solid is the run. Only the shape counts.", {
         cart: this.cart
       }) : tr(
-        "Way of {cart} from the start: dashed is yours, solid is the run. Only the shape counts.",
+        "Displacement of {cart} from the start: dashed is yours, solid is the run. Only the shape counts.",
         {
           cart: this.cart
         }

@@ -333,6 +333,7 @@
         known ? tr("The truth lies between these bounds, for the inputs as they are given.") : tr("No bound for the end: {why}.", { why: told(reason) }),
         order === "proved" ? tr("The order of the events is proved.") : known && tr("Their order is not: {why}.", { why: told(reason) }),
         band && tr("The inputs have a tolerance: the graphs of x and v show as a band what it allows."),
+        this.view.baked.fence.camera && tr("Places and velocities are those on the track, not those that the moving camera sees."),
         tr("That took {ratio} times as long as the run.", {
           ratio: short(seconds.proof / seconds.exact, 2)
         })

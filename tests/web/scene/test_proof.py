@@ -54,6 +54,19 @@ def test_a_page_carries_and_reads_nothing_of_a_proof_before_it_is_asked_for(
 
 
 @pytest.mark.one_browser
+def test_beside_a_moving_camera_it_says_whose_places_are_proved(
+    open_page: OpenPage, site: Path
+) -> None:
+    lesson = site / "worksheets" / "newtons-first-law.html"
+    page = live(open_page(lesson, folder=site), "moving-camera")
+    page.locator("#moving-camera .carts-how > summary").click()
+    page.locator("#moving-camera .carts-play").click()  # what was not watched is not proved
+    page.locator("#moving-camera .carts-proof-go").click(timeout=PROVED)
+    note = page.locator("#moving-camera .carts-proof-note")
+    expect(note).to_contain_text("those on the track", timeout=PROVED)
+
+
+@pytest.mark.one_browser
 def test_the_page_proves_what_the_program_proves_and_draws_what_tolerances_allow(
     open_page: OpenPage, site: Path
 ) -> None:

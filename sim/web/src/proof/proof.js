@@ -107,6 +107,8 @@ export class Proof {
         : known && tr("Their order is not: {why}.", { why: told(reason) }),
       band &&
         tr("The inputs have a tolerance: the graphs of x and v show as a band what it allows."),
+      this.view.baked.fence.camera &&
+        tr("Places and velocities are those on the track, not those that the moving camera sees."),
       tr("That took {ratio} times as long as the run.", {
         ratio: short(seconds.proof / seconds.exact, 2),
       }),
