@@ -26,7 +26,7 @@ from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
-from sim.pages import effect_pages, lessons_only
+from sim.pages import effect_pages, lessons_only, usual_settings
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding, SiteError
 from sim.pages.joined_files import (
@@ -55,7 +55,7 @@ log = logging.getLogger("mkdocs.plugins.carts")
 class CartsConfig(Config):  # type: ignore[no-untyped-call]
     """Settings in mkdocs.yml under `plugins: - carts:`."""
 
-    lessons = c.Type(str, default="worksheets")  # folder of the lessons, beside mkdocs.yml
+    lessons = c.Type(str, default="worksheets")  # their folder, and no other
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
     teacher_word = c.Type(str, default="")  # that opens it; empty: a click does
     teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
@@ -94,8 +94,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self.folder = root / self.config.lessons
         self.build.lessons = self.folder
         self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
-        if self.lessons_only:
-            lessons_only.fill_in(config)
+        usual_settings.fill_in(config)
         self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = lessons_in(self.folder)
         self.build.languages = Languages.of(self.folder, root, self.lessons, _report)
