@@ -44,7 +44,7 @@ from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
 from sim.pages.site_id import facts_of
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
-from sim.pages.text.lesson_places import JOINING
+from sim.pages.text.lesson_places import JOINING, check_folder
 from sim.pages.text.page_meta import tell_theme
 from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
@@ -88,6 +88,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             config.theme.static_templates.clear()
         else:
             with _stopping():
+                check_folder(self.config.lessons)
                 site_id = str(facts_of(config.extra).get("site_id"))
                 self.build = SiteBuild(root, audience, site_id, _report)
         self.late: dict[str, dict[str, str]] = {}

@@ -22,7 +22,7 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     from sim.pages.findings import Finding, SiteError
     from sim.pages.single.all_inside import runtime_scripts
     from sim.pages.single.of_lesson import single_lesson
-    from sim.pages.text.lesson_places import page_of
+    from sim.pages.text.lesson_places import LESSONS, page_of
 
     builds: list[SiteBuild] = []
     files: dict[str, bytes] = {}
@@ -35,7 +35,7 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
             ctx.exit(1)
         packed: dict[frozenset[str], list[str]] = {}
         for name, packages in sorted(builds[0].asked.items()):
-            if not name.startswith("worksheets/") or name in builds[0].languages.made:
+            if not name.startswith(f"{LESSONS}/") or name in builds[0].languages.made:
                 continue  # a translation that is made of a catalogue is in the whole site
             if packages not in packed:
                 try:
@@ -44,9 +44,14 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
                     raise click.ClickException(str(error)) from error
             page = site / page_of(name)
             text = single_lesson(name, site, packed[packages], missing.setdefault)
-            inside = page.relative_to(site / "worksheets").as_posix()
+            inside = page.relative_to(site / LESSONS).as_posix()
             files[inside] = text.encode()
             click.echo(f"  {inside}: {len(files[inside]) / 1e6:.1f} MB")
+    if not files:
+        raise click.ClickException(
+            f"There is no lesson in {LESSONS}/, so there is no zip. Write one: "
+            "carts new first-lesson"
+        )
     if missing:
         report([*missing])
         click.echo("What is named above is not in the site, so there is no zip.", err=True)
