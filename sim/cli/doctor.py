@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -16,6 +17,7 @@ from typing import Literal
 import click
 
 from sim import __version__
+from sim.cli import starter_files
 from sim.cli.site import site_folder
 from sim.pages.text.lesson_list import lessons_in
 from sim.pages.text.lesson_places import LESSONS
@@ -25,6 +27,8 @@ OLDEST = (3, 11, 5)
 
 ROOM = 300e6
 """Bytes that a build may need: the site, its zip and what lies between."""
+
+WORKFLOW = starter_files.SITE["lessons.yml"]
 
 State = Literal["ok", "note", "bad"]
 MARKS: dict[State, str] = {"ok": "✓", "note": "·", "bad": "✗"}
@@ -143,6 +147,7 @@ def _site(here: Path) -> Iterator[Line]:
             "note", "site_id is that of the project", "give your site its own, in mkdocs.yml"
         )
     yield _age(site.made_with)
+    yield from _workflow(here)
 
 
 def _age(made_with: str) -> Line:
@@ -155,3 +160,19 @@ def _age(made_with: str) -> Line:
         text = f"made with version {made_with}, and {__version__} is installed"
         return Line("note", text, "it goes on working; write the new number behind made_with:")
     return Line("ok", "made with this version")
+
+
+def _workflow(here: Path) -> Iterator[Line]:
+    """The version that GitHub is to set up, where it is not the one that is installed."""
+    try:
+        lines = (here / WORKFLOW).read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return
+    right = f'write "newtons-carts=={starter_files.series()}.*" there, or GitHub builds with {{}}'
+    for number, line in enumerate(lines, 1):
+        pin = re.search(r"newtons-carts(?:\[[^]]*\])?\s*==\s*([\d.]*\d)", line.split("#")[0])
+        if pin and not f"{__version__}.".startswith(f"{pin[1]}."):
+            what = f"{WORKFLOW}:{number} sets up version {pin[1]}, and {__version__} is installed"
+            ahead = site_folder.newer(pin[1], __version__)
+            help_ = "pip install --upgrade newtons-carts" if ahead else right.format(pin[1])
+            yield Line("note", what, help_)

@@ -45,7 +45,7 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
     if like and kind == "bank":
         raise click.UsageError("--like is for lessons.")
     if kind == "site":
-        _site(Path(name), title, like)
+        _site(name, title, like)
         return
     if not re.fullmatch(r"[a-z][a-z0-9-]{1,40}", name):
         raise click.UsageError("NAME has small letters, digits and hyphens: carts new two-trains")
@@ -65,8 +65,8 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
     click.echo(f"{next(iter(files))} is written. {what}")
 
 
-def _site(folder: Path, title: str | None, like: str | None) -> None:
-    folder = Path.cwd() / folder.expanduser()
+def _site(typed: str, title: str | None, like: str | None) -> None:
+    folder = Path.cwd() / Path(typed).expanduser()
     name = folder.resolve().name
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise click.ClickException(
@@ -79,7 +79,8 @@ def _site(folder: Path, title: str | None, like: str | None) -> None:
     click.echo(f"The site “{title}” is written into the folder {folder}:")
     for path in sorted(files):
         click.echo(f"  {path}")
-    click.echo(f'Now: cd "{name}"' if " " in name else f"Now: cd {name}")
+    way = str(folder) if typed.startswith("~") else typed  # in quotes ~ would be a name
+    click.echo(f"Now: cd {way}" if re.fullmatch(r"[\w./\\:-]+", way) else f'Now: cd "{way}"')
     click.echo("Then: carts serve   (shows the pages while you write)")
 
 

@@ -26,13 +26,17 @@ EDITOR_SETTINGS, EDITOR_SCHEMA = ".vscode/settings.json", ".vscode/scene.schema.
 
 def site_files(title: str, site_id: str) -> dict[str, str]:
     """The texts of a new site by path, without lessons."""
-    series = ".".join(__version__.split(".")[:2])
-    words = {"SITE_ID": site_id, "VERSION": __version__, "SERIES": series}
+    words = {"SITE_ID": site_id, "VERSION": __version__, "SERIES": series()}
     filled = {
         path: _filled(name, title if name == "README.md" else quoted(title), words)
         for name, path in SITE.items()
     }
     return filled | editor_files()
+
+
+def series() -> str:
+    """The first two numbers of the version: what is later in them a site takes by itself."""
+    return ".".join(__version__.split(".")[:2])
 
 
 def editor_files() -> dict[str, str]:

@@ -1,13 +1,11 @@
-"""A site of nothing but mkdocs.yml and worksheets/: what its author did not write comes from here.
+"""A site of nothing but mkdocs.yml and worksheets/: pages that its author did not write.
 
-Such a site says `docs_dir: worksheets`. It gets the theme's usual look and the usual Markdown, so
-that a later version can better them; a home page that lists the lessons; and the page "Class
-results" where its navigation names one. What stands in mkdocs.yml wins.
+Such a site says `docs_dir: worksheets`. It gets a home page that lists the lessons; and the page
+"Class results" where its navigation names one. Look and Markdown: `usual_settings.py`.
 """
 
 from __future__ import annotations
 
-import logging
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -23,35 +21,6 @@ from sim.pages.text.sections import title_of
 
 HOME = "index.md"
 CLASS_RESULTS = "class-results.md"
-
-FEATURES = ["navigation.tabs", "navigation.footer", "toc.follow"]
-PALETTE = [
-    {
-        "media": f"(prefers-color-scheme: {scheme})",
-        "scheme": name,
-        "primary": "custom",
-        "accent": "custom",
-        "toggle": {"icon": f"material/weather-{icon}", "name": other},
-    }
-    for scheme, name, icon, other in (
-        ("light", "default", "night", "Dark"),
-        ("dark", "slate", "sunny", "Light"),
-    )
-]
-EXTENSIONS: Mapping[str, Mapping[str, Any]] = {
-    "admonition": {},
-    "attr_list": {},
-    "def_list": {},
-    "footnotes": {},
-    "md_in_html": {},
-    "pymdownx.arithmatex": {"generic": True},
-    "pymdownx.details": {},
-    "pymdownx.superfences": {},
-    "sane_lists": {},
-    "tables": {"use_align_attribute": True},
-    "toc": {"permalink": True, "permalink_title": ""},
-}
-"""As in this project's own mkdocs.yml; a test holds the two together."""
 
 _CLASS_PAGE = """\
 ---
@@ -82,23 +51,6 @@ def _class_page() -> str:
         ),
         script=tr("This part needs JavaScript. On the command line “carts class” does the same."),
     )
-
-
-def fill_in(config: Any) -> None:
-    """Give the settings of the generator (MkDocs' object) what mkdocs.yml does not say."""
-    theme = config.theme
-    theme["font"] = False  # ours come with the site; others would be fetched
-    theme["features"] = theme.get("features") or FEATURES
-    theme["palette"] = theme.get("palette") or PALETTE
-    for name, settings in EXTENSIONS.items():
-        if name not in config.markdown_extensions:
-            config.markdown_extensions.append(name)
-        config.mdx_configs[name] = {**settings, **(config.mdx_configs.get(name) or {})}
-    config.extra.setdefault("generator", False)
-    for part in (config.validation.links, config.validation.nav):
-        part.absolute_links = logging.WARNING
-    config.validation.links.unrecognized_links = logging.WARNING
-    config.validation.links.anchors = logging.WARNING
 
 
 def ready_page(name: str, title: str, about: str, lessons: Mapping[str, Path]) -> str | None:

@@ -26,7 +26,7 @@ from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
-from sim.pages import effect_pages, lessons_only
+from sim.pages import effect_pages, lessons_only, usual_settings
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding, SiteError
 from sim.pages.joined_files import (
@@ -44,7 +44,7 @@ from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
 from sim.pages.site_id import facts_of
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
-from sim.pages.text.lesson_places import JOINING
+from sim.pages.text.lesson_places import JOINING, check_folder
 from sim.pages.text.page_meta import tell_theme
 from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
@@ -55,7 +55,7 @@ log = logging.getLogger("mkdocs.plugins.carts")
 class CartsConfig(Config):  # type: ignore[no-untyped-call]
     """Settings in mkdocs.yml under `plugins: - carts:`."""
 
-    lessons = c.Type(str, default="worksheets")  # folder of the lessons, beside mkdocs.yml
+    lessons = c.Type(str, default="worksheets")  # their folder, and no other
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
     teacher_word = c.Type(str, default="")  # that opens it; empty: a click does
     teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
@@ -88,14 +88,14 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             config.theme.static_templates.clear()
         else:
             with _stopping():
+                check_folder(self.config.lessons)
                 site_id = str(facts_of(config.extra).get("site_id"))
                 self.build = SiteBuild(root, audience, site_id, _report)
         self.late: dict[str, dict[str, str]] = {}
         self.folder = root / self.config.lessons
         self.build.lessons = self.folder
         self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
-        if self.lessons_only:
-            lessons_only.fill_in(config)
+        usual_settings.fill_in(config)
         self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = lessons_in(self.folder)
         self.build.languages = Languages.of(self.folder, root, self.lessons, _report)

@@ -191,7 +191,7 @@ class SiteBuild:
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
         if self.hosting:
             lessons = {n: self.asked[n] for n in self.needs if self._is_lesson(n)}
-            to_download.write_shells(site, lessons, self.root, report)
+            to_download.write_shells(site, lessons, self.root, report, self.report)
             self.hosting.write(site, self.site_id)  # the last: it lists all files
 
     def _keys_in_order(self) -> list[str]:

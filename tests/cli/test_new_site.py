@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.starter_files import quoted, site_id_of
-from sim.pages import lessons_only
+from sim.pages import lessons_only, usual_settings
 from sim.pages.check import USUAL_PLACES, check_paths
 
 ROOT = Path(__file__).parents[2]
@@ -129,14 +129,14 @@ def test_a_site_of_lessons_alone_gets_the_markdown_and_the_look_of_this_one() ->
     extensions = {}
     for item in ours["markdown_extensions"]:
         extensions |= item if isinstance(item, dict) else {item: {}}
-    assert extensions == dict(lessons_only.EXTENSIONS)
-    assert ours["theme"]["palette"] == lessons_only.PALETTE
-    assert set(lessons_only.FEATURES) <= set(ours["theme"]["features"])
+    assert extensions == dict(usual_settings.EXTENSIONS)
+    assert ours["theme"]["palette"] == usual_settings.PALETTE
+    assert set(usual_settings.FEATURES) <= set(ours["theme"]["features"])
 
 
 def test_no_heading_says_in_english_what_its_link_is() -> None:
     """The headings of lessons in other languages had title="Permanent link"."""
-    configs = {"toc": lessons_only.EXTENSIONS["toc"]}
+    configs = {"toc": usual_settings.EXTENSIONS["toc"]}
     made = markdown.markdown("# Isaac", extensions=["toc"], extension_configs=configs)
     assert 'class="headerlink"' in made
     assert "title=" not in made
@@ -173,7 +173,7 @@ def test_the_home_page_shows_a_title_as_it_was_typed(title: str, empty: Path) ->
     text = lessons_only.ready_page("index.md", title, title, {"a/": lesson}) or ""
     page = markdown.markdown(
         text.split("---\n")[-1],
-        extensions=list(lessons_only.EXTENSIONS),
-        extension_configs={**lessons_only.EXTENSIONS, "toc": {}},
+        extensions=list(usual_settings.EXTENSIONS),
+        extension_configs={**usual_settings.EXTENSIONS, "toc": {}},
     )
     assert html.unescape(re.sub(r"<[^>]*>", "", page)).split("\n") == [title] * 3

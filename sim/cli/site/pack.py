@@ -78,7 +78,7 @@ def command(
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "site"
         settings: dict[str, object] = {"teacher_mode": teacher or bool(teacher_word)}
-        if teacher_word:
+        if teacher or teacher_word:  # --teacher alone asks for no word, whatever mkdocs.yml says
             settings["teacher_word"] = teacher_word
         hosted = kind != "stick"
         site = build_site(here.root, hosted=hosted, strict=True, site_dir=place, settings=settings)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from sim.cli.check import report
 from sim.cli.site.build import build_site
 from sim.cli.site.site_folder import SiteFolder
 
@@ -18,13 +19,14 @@ if TYPE_CHECKING:
 def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     """Build the site and write its lessons, one file each, into the zip `out`."""
     from sim.cli.site.pack import size_of, write_zip
-    from sim.pages.findings import SiteError
+    from sim.pages.findings import Finding, SiteError
     from sim.pages.single.all_inside import runtime_scripts
     from sim.pages.single.of_lesson import single_lesson
-    from sim.pages.text.lesson_places import page_of
+    from sim.pages.text.lesson_places import LESSONS, page_of
 
     builds: list[SiteBuild] = []
     files: dict[str, bytes] = {}
+    missing: dict[Finding, None] = {}
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "site"
         site = build_site(here.root, hosted=False, strict=True, site_dir=place, seen=builds.append)
@@ -33,7 +35,7 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
             ctx.exit(1)
         packed: dict[frozenset[str], list[str]] = {}
         for name, packages in sorted(builds[0].asked.items()):
-            if not name.startswith("worksheets/") or name in builds[0].languages.made:
+            if not name.startswith(f"{LESSONS}/") or name in builds[0].languages.made:
                 continue  # a translation that is made of a catalogue is in the whole site
             if packages not in packed:
                 try:
@@ -41,9 +43,18 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
                 except SiteError as error:
                     raise click.ClickException(str(error)) from error
             page = site / page_of(name)
-            text = single_lesson(page, site, packed[packages])
-            inside = page.relative_to(site / "worksheets").as_posix()
+            text = single_lesson(name, site, packed[packages], missing.setdefault)
+            inside = page.relative_to(site / LESSONS).as_posix()
             files[inside] = text.encode()
             click.echo(f"  {inside}: {len(files[inside]) / 1e6:.1f} MB")
+    if not files:
+        raise click.ClickException(
+            f"There is no lesson in {LESSONS}/, so there is no zip. Write one: "
+            "carts new first-lesson"
+        )
+    if missing:
+        report([*missing])
+        click.echo("What is named above is not in the site, so there is no zip.", err=True)
+        ctx.exit(1)
     write_zip(files, out)
     click.echo(f"{out}: {size_of(out)}. Each file is a whole lesson and needs no other.")

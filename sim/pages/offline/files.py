@@ -9,7 +9,13 @@ from pathlib import Path
 from typing import Any
 
 WORKER = "sw.js"
-LEFT_OUT = re.compile(r"sw\.js|sitemap\.xml(\.gz)?|.*\.map|CNAME|\.nojekyll")
+LEFT_OUT = re.compile(
+    r"sw\.js|sitemap\.xml(\.gz)?|.*\.map|CNAME|_headers|_redirects|_config\.yml|robots\.txt"
+    r"|(?:.*/)?\..*"  # hidden files and folders: .nojekyll, .DS_Store, .git/
+)
+"""What is for a server or nobody. Many servers answer 404 for it, and of a list with one such file
+in it a browser keeps nothing at all."""
+
 FEW = re.compile(
     r"assets/carts/(?:runtime/(?:numpy|scipy|python-more|newtons_carts_)"
     r"|lessons/|prepared/|download/|teacher\.|class|film|measured)"

@@ -11,13 +11,14 @@ import html
 import json
 import mimetypes
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from urllib.parse import unquote
 
+from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH, mark, of_page, speaking, words
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE, policy
+from sim.pages.single.beside import Beside, is_far
 from sim.pages.site_files import ASSETS, FILM
 from sim.pages.watchdog import watchdog
 
@@ -35,6 +36,7 @@ follow();
 """
 _ONLY_IN_A_SITE = ("iframe-worker", "teacher", "hosted.js", "offline.js")
 _WITH_PYTHON = ("/carts.js", "/measured.js", "/law.js")
+_NOTHING = "data:,"  # in the place of a picture that the site has not: its words are shown
 _MADE = mark("Made with Newton's Carts. Licences")
 _PAGE = """\
 <!doctype html>
@@ -58,27 +60,34 @@ _PAGE = """\
 
 
 def single_lesson(
-    page: Path, site: Path, runtime: Iterable[str], elsewhere: Mapping[str, str] | None = None
+    lesson: str,
+    site: Path,
+    runtime: Iterable[str],
+    report: Callable[[Finding], None],
+    elsewhere: Mapping[str, str] | None = None,
 ) -> str:
-    """The file for the built page; `runtime`: scripts of a runtime that has what the page needs.
+    """The file for the page of `lesson`; `runtime`: scripts of one that has what the page needs.
 
+    `report` is told of what the page names and the site has not: the file is without it.
     `elsewhere`: scripts that are put in later, with their addresses: `data-from` names them.
     """
+    beside = Beside(site, lesson, report)
+    page = beside.page
     text = page.read_text(encoding="utf-8")
-    sheets = [
-        _beside(page, href) for href in re.findall(r'<link rel="stylesheet" href="(.+?)"', text)
-    ]
-    styles = [_LOOK, *(_with_files(sheet) for sheet in sheets)]
+    sheets = re.findall(r'<link rel="stylesheet" href="(.+?)"', text)
+    found = (beside.at(page, href) for href in sheets if not is_far(href))
+    styles = [_LOOK, *(_with_files(sheet, beside) for sheet in found if sheet)]
     ours = re.findall(rf'<script src="([^"]*{ASSETS}[^"]+)"', text)
     sources = [
         src for src in dict.fromkeys(ours) if not any(name in src for name in _ONLY_IN_A_SITE)
     ]
     live = any(src.endswith(_WITH_PYTHON) for src in sources)
-    scripts = [_DARK, INSIDE, *(runtime if live else ()), *_prepared(text, site)]
-    for src in sources:
-        if src.endswith("/measured.js"):  # in one file nothing can be asked for later
-            scripts.append(_beside(page, src).with_name(FILM).read_text(encoding="utf-8"))
-        scripts.append(_beside(page, src).read_text(encoding="utf-8"))
+    scripts = [_DARK, INSIDE, *(runtime if live else ()), *_prepared(text, beside)]
+    for script in (beside.at(page, src) for src in sources):
+        if script and script.name == "measured.js":  # in one file nothing is asked for later
+            scripts.append(script.with_name(FILM).read_text(encoding="utf-8"))
+        if script:
+            scripts.append(script.read_text(encoding="utf-8"))
     data = re.findall(r'<script type="application/json" id="carts-lesson">.*?</script>', text, re.S)
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
     language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
@@ -95,21 +104,23 @@ def single_lesson(
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),
         title=_first(r"<title>(.*?)</title>", text),
         styles="\n".join(f"<style>{style}</style>" for style in styles),
-        article=_article(text, page),
+        article=_article(text, beside),
         licences=html.escape(licences),
         data="\n".join(data),
         scripts="\n".join(_script(script, elsewhere or {}) for script in scripts),
     )
 
 
-def _prepared(text: str, site: Path) -> list[str]:
+def _prepared(text: str, beside: Beside) -> list[str]:
     """The scripts with the runs that were prepared for the scenes of the page."""
     tables = re.findall(r'<carts-scene[^>]* data-prepared="([^"]*)"', text)
     names = [part["src"] for table in tables for part in json.loads(html.unescape(table))["parts"]]
-    return [(site / ASSETS / PREPARED / name).read_text(encoding="ascii") for name in names]
+    folder = beside.site / ASSETS / PREPARED
+    found = (beside.at(folder / "here", str(name)) for name in names)
+    return [script.read_text(encoding="utf-8") for script in found if script]
 
 
-def _article(text: str, page: Path) -> str:
+def _article(text: str, beside: Beside) -> str:
     """The text of the page, its pictures inside; links to other pages are only words here."""
     start, end = text.index("<article"), text.rindex("</article>") + len("</article>")
     article = re.sub(
@@ -121,29 +132,27 @@ def _article(text: str, page: Path) -> str:
     article = re.sub(r"<a [^>]*md-content__button.*?</a>", "", article, flags=re.S)
 
     def picture(match: re.Match[str]) -> str:
-        return f"{match[1]}{_data(_beside(page, match[2]))}{match[3]}"
+        if is_far(match[2]):
+            return match[0]
+        file = beside.at(beside.page, match[2])
+        return f"{match[1]}{_data(file) if file else _NOTHING}{match[3]}"
 
-    article = re.sub(r'(<img [^>]*src=")(?!data:|https?:)([^"]+)(")', picture, article)
+    article = re.sub(r'(<img [^>]*src=")([^"]+)(")', picture, article)
     return re.sub(r'(<a [^>]*?)\s?href="(?!#|https?:|mailto:)[^"]*"', r"\1", article)
 
 
-def _with_files(sheet: Path) -> str:
+def _with_files(sheet: Path, beside: Beside) -> str:
     """A style sheet with its fonts and pictures inside."""
 
     def inside(match: re.Match[str]) -> str:
-        target = match[1].strip("\"'")
-        return (
-            match[0]
-            if target.startswith(("data:", "#"))
-            else f"url({_data(_beside(sheet, target))})"
-        )
+        target = match[1].strip().strip("\"'")
+        if target.startswith("#") or is_far(target):
+            return match[0]
+        file = beside.at(sheet, target)
+        return f"url({_data(file) if file else _NOTHING})"
 
     text = sheet.read_text(encoding="utf-8")
     return re.sub(r"/\*# sourceMappingURL.*?\*/", "", re.sub(r"url\(([^)]+)\)", inside, text))
-
-
-def _beside(file: Path, address: str) -> Path:
-    return (file.parent / unquote(html.unescape(address)).split("?")[0].split("#")[0]).resolve()
 
 
 def _data(path: Path) -> str:

@@ -12,12 +12,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from urllib.parse import quote
 
-from sim.pages.findings import SiteError
+from sim.pages.findings import Finding, SiteError
 from sim.pages.single.all_inside import runtime_files
 from sim.pages.single.of_lesson import single_lesson
 from sim.pages.site_files import ASSETS
 from sim.pages.teach.doors import END
-from sim.pages.text.lesson_places import page_of
 
 FOLDER = "download/"
 """Beside the page's scripts. The shells are text there, no pages to be opened or listed."""
@@ -32,9 +31,17 @@ def with_place(html: str, assets: str, *, lesson: str, kept: bool) -> str:
 
 
 def write_shells(
-    site: Path, lessons: Mapping[str, frozenset[str]], root: Path, report: Callable[[str], None]
+    site: Path,
+    lessons: Mapping[str, frozenset[str]],
+    root: Path,
+    report: Callable[[str], None],
+    told: Callable[[Finding], None],
 ) -> None:
-    """Write the shells of `lessons` (packages by page) into the built site: none without Python."""
+    """Write the shells of `lessons` (packages by page) into the built site: none without Python.
+
+    `told`: what pages name and the site has not, each once.
+    """
+    missing: dict[Finding, None] = {}
     assets = site / ASSETS
     folder = assets / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
@@ -49,9 +56,11 @@ def write_shells(
                 runtimes[packages] = runtime_files(packages, root, report)
             except SiteError:
                 return  # it cannot be had here; the pages of this site say so themselves
-        page = site / page_of(name)
-        text = single_lesson(page, site, runtimes[packages].values(), own)
+        scripts = runtimes[packages].values()
+        text = single_lesson(name, site, scripts, missing.setdefault, own)
         (folder / _file(name)).write_text(text, encoding="utf-8", newline="\n")
+    for finding in missing:
+        told(finding)
 
 
 def _file(name: str) -> str:

@@ -6,17 +6,27 @@ import posixpath
 from pathlib import Path
 
 from sim.pages.effect_pages import SCENES
+from sim.pages.findings import SiteError
 from sim.pages.language import LANGUAGES
 from sim.pages.scene_block import Lesson
 
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 BANK_FOLDER = "banks"
 LESSONS = "worksheets"
-"""The usual folder of lessons."""
+"""The folder of lessons. Commands read them from there, so a site can name no other."""
 
 JOINING = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf")
 """What joins the site from a folder of lessons beside them. Other files may be for teachers alone:
 banks hold keys, tables hold names."""
+
+
+def check_folder(name: str) -> None:
+    """Raises `SiteError` where mkdocs.yml names another folder of lessons than there is."""
+    if name != LESSONS:
+        raise SiteError(
+            f"mkdocs.yml: error: carts: lessons: {name}: lessons are read from {LESSONS}/ alone\n"
+            f"  hint: call the folder {LESSONS} and remove the line"
+        )
 
 
 def described(lesson: Path, root: Path) -> Lesson:
