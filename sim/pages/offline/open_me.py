@@ -18,7 +18,7 @@ from sim.pages.language import ENGLISH, mark, speaking, tr_html, words
 NAME = "OPEN ME.html"
 _SCRIPT = Path(sim.__file__).parent / "web" / "site" / "open-me.js"
 
-_STYLE = """\
+STYLE = """\
 body { margin: 0 auto; padding: 1.5rem 1rem; max-width: 40rem; background: #fff; color: #1a1a1a;
   font: 1.1rem/1.55 system-ui, "Segoe UI", Roboto, Arial, sans-serif; }
 h1 { font-size: 1.6rem; line-height: 1.25; }
@@ -148,9 +148,9 @@ def open_me(title: str, language: str = ENGLISH) -> str:
     return _PAGE.format(
         language=language,
         title=html.escape(title),
-        style=_STYLE,
+        style=STYLE,
         script=script,
-        policy=_policy(_STYLE, script),
+        policy=policy(STYLE, script),
         **told,
     )
 
@@ -159,7 +159,9 @@ def _bold(text: str) -> str:
     return re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", str(text))
 
 
-def _policy(style: str, script: str) -> str:
+def policy(style: str, script: str) -> str:
+    """The Content-Security-Policy of a page that has one style and one script in itself."""
+
     def named(text: str) -> str:
         digest = hashlib.sha256(text.encode()).digest()
         return f"'sha256-{base64.b64encode(digest).decode()}'"
