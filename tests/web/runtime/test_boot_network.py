@@ -8,16 +8,21 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import write_page
 from tests.web.runtime.booted import TOLD_WITHIN, booted
+from tests.web.scene.given.widget_site import LIVE, widget_site
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
+
+__all__ = ["widget_site"]  # a fixture
 
 HELD = 6.0  # s; longer than the page is told to wait for what does not come over a network
 PATIENCE = '<script src="patience.js"></script>'
@@ -51,8 +56,8 @@ class Network:
         return any(part in name and self.asked[name] <= n for part, n in self.drops.items())
 
 
-@pytest.fixture
-def network(boot_site: Path) -> Iterator[Network]:
+@contextmanager
+def serving(folder: Path) -> Iterator[Network]:
     state = Network()
 
     class Handler(http.server.SimpleHTTPRequestHandler):
@@ -72,12 +77,18 @@ def network(boot_site: Path) -> Iterator[Network]:
             finally:
                 state.over()
 
-    made = functools.partial(Handler, directory=str(boot_site))
+    made = functools.partial(Handler, directory=str(folder))
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), made) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         state.address = f"http://127.0.0.1:{server.server_address[1]}"
         yield state
         server.shutdown()
+
+
+@pytest.fixture
+def network(boot_site: Path) -> Iterator[Network]:
+    with serving(boot_site) as state:
+        yield state
 
 
 def test_a_request_that_was_dropped_is_made_again(open_page: OpenPage, network: Network) -> None:
@@ -116,3 +127,15 @@ def test_a_slow_network_is_told_and_waited_for(
     assert result.get("start") == "snapshot", result
     stages = page.evaluate("window.progress.map(({ stage }) => stage)")
     assert "slow-line" in stages
+
+
+def test_a_scene_says_that_the_network_is_slow_until_python_is_there(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    with serving(widget_site) as network:
+        network.held = "memory.snapshot"
+        page = open_page(f"{network.address}/coasting.html")
+        note = page.locator("#coasting .carts-note")
+        expect(note).to_contain_text("The network is slow")
+        expect(page.locator("#coasting")).to_have_attribute("data-state", "live", timeout=LIVE)
+        expect(note).to_be_hidden()
