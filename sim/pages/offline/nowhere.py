@@ -36,8 +36,8 @@ _PAGE = """\
 <body><main>
 <h1>{heading}</h1>
 <p>{why}</p>
-<p id="home" hidden><a class="go" href="index.html">{home}</a></p>
 <p>{back}</p>
+<p id="home" hidden><a class="go" href="index.html">{home}</a></p>
 </main>
 <script>{script}</script>
 </body></html>
