@@ -1,21 +1,24 @@
-(function () {
-  // This page stands at an address that is not there, at any depth: the nearest folder above it that
-  // has our picture is the site. Plain old JavaScript, as it asks for no script of ours.
-  var steps = location.pathname.split("/");
+// This page stands at an address that is not there, at any depth: the nearest folder above it that has
+// our picture is the site. Where none has, whoever reads is told to go back.
+
+(() => {
+  const home = /** @type {HTMLElement} */ (document.getElementById("home"));
+  const link = /** @type {HTMLAnchorElement} */ (home.firstChild);
+  const steps = location.pathname.split("/");
+
+  /** @param {number} depth */
   function look(depth) {
-    if (depth < 1) return; // whoever reads is told to go back
-    var folder = steps.slice(0, depth).join("/");
-    var root = location.protocol + "//" + location.host + folder + "/";
-    var picture = new Image();
-    picture.onload = function () {
-      var home = document.getElementById("home");
-      home.firstChild.href = root + "index.html";
+    if (depth < 1) return;
+    // The host is named: a path that begins with two slashes would else lead to another.
+    const root = `${location.protocol}//${location.host}${steps.slice(0, depth).join("/")}/`;
+    const picture = new Image();
+    picture.onload = () => {
+      link.href = `${root}index.html`;
       home.hidden = false;
     };
-    picture.onerror = function () {
-      look(depth - 1);
-    };
-    picture.src = root + "@@PICTURE@@";
+    picture.onerror = () => look(depth - 1);
+    picture.src = `${root}@@PICTURE@@`;
   }
+
   look(steps.length - 1);
 })();
