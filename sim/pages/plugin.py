@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Literal
-from urllib.parse import urlsplit
 
 from jinja2 import Environment
 from mkdocs.config import config_options as c
@@ -36,7 +35,7 @@ from sim.pages.joined_files import (
     put_ready_pages,
 )
 from sim.pages.language import ENGLISH
-from sim.pages.offline import Hosting
+from sim.pages.offline import Hosting, nowhere
 from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
@@ -103,6 +102,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             all_ = [*self.lessons, *self.build.languages.paths]
             config.nav = effect_pages.with_effects(with_lessons(config.nav, self.folder, all_))
         if audience == "hosted":
+            with _stopping():
+                config.site_url = config.site_url or nowhere.address_told()
             about, address = config.site_description or "", config.site_url or ""
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
         if self.config.teacher_mode:
@@ -219,9 +220,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         """Policy of the pages that no Markdown file stands behind."""
         if not template_name.endswith(".html"):
             return output_content
-        offline = self.build.audience == "offline"
-        base = "" if offline else urlsplit(config.site_url or "/").path
-        return self.build.finished(output_content, base + ASSETS)
+        return nowhere.finished(self.build, output_content, config.site_url or "")
 
     @event_priority(-100)  # after the search index has been written
     def on_post_build(self, *, config: MkDocsConfig) -> None:

@@ -29,6 +29,19 @@ _WORDS = {
         "A part of this page is missing or damaged and does not work; your answers are kept. "
         "Copy the whole folder again."
     ),
+    # On a page of a web server there is no folder to copy.
+    "missing web": mark(
+        "A part of this page did not come: nothing works here, and nothing you type is kept. "
+        "The network was interrupted, or this site was renewed: load the page again."
+    ),
+    "broken web": mark(
+        "This page does not work here, and nothing you type is kept: this browser is too old, "
+        "or a file of the page is damaged. Load the page again, or try a newer browser."
+    ),
+    "part web": mark(
+        "A part of this page did not come and does not work; your answers are kept. "
+        "Load the page again."
+    ),
     "slow": mark("This page is still loading. Nothing you type is kept before it is there."),
 }
 

@@ -20,8 +20,8 @@ STATE = "document.documentElement?.dataset.python ?? ''"
 TOLD = """[...document.querySelectorAll(
   "[role=alert], [role=status], .carts-note, .carts-bar, .carts-q-saved")]
   .map((note) => note.offsetHeight ? note.textContent.trim() : "")
-  .filter((text) => text && /not|can.t|missing|damaged|too|lost|nothing|Opening|wait|still|slow/i
-    .test(text))"""
+  .filter((text) => text &&
+    /not|can.t|missing|damaged|too|lost|nothing|Opening|wait|still|slow|interrupted/i.test(text))"""
 FLUSHED = 3.0
 """s after the last key: the browser was asked to write to the disk (`SETTLE_AFTER`), and did."""
 FIELDS = """[...document.querySelectorAll("carts-question :is(textarea, input, select)")]

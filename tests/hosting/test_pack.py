@@ -9,7 +9,8 @@ import click
 import pytest
 
 from sim.cli.site.pack import LONGEST, pack_site, write_zip
-from sim.pages.offline.open_me import NAME, open_me
+from sim.cli.site.site_folder import read
+from sim.pages.offline.open_me import _WORDS, NAME, open_me
 from tests.hosting.conftest import CACHE, ROOT
 from tests.web.conftest import OpenPage
 
@@ -69,6 +70,22 @@ def test_the_start_page_knows_whether_it_is_alone(open_page: OpenPage, tmp_path:
     assert link.is_visible() and link.get_attribute("href") == "index.html"
     assert page.title() == "Carts & <springs>"
     assert not page.locator("#still-zip").is_visible()
+
+
+def test_the_start_page_is_in_the_language_of_its_site(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "mkdocs.yml").write_text(
+        "site_name: Kereta\ntheme: {name: material, language: ms}\n", encoding="utf-8"
+    )
+    site = read(tmp_path)
+    assert site.language == "ms"
+    said = {text: f"¿{number}?" for number, text in enumerate(_WORDS.values())}
+    monkeypatch.setattr("sim.pages.offline.open_me.words", {"ms": said}.get)
+    text = open_me(site.title, site.language)
+    assert '<html lang="ms">' in text
+    assert [ours for ours in said.values() if ours not in text] == []
+    assert "Open the lessons" not in text and "Unpack" not in text
 
 
 @pytest.mark.browser

@@ -13,6 +13,7 @@ from sim.cli.site import site_folder
 from sim.cli.site.build import build_site, mistakes_told
 from sim.cli.write_out import unwritten
 from sim.pages.classroom.scorm import scorm_files
+from sim.pages.language import of_page
 from sim.pages.offline.open_me import NAME as OPEN_ME
 from sim.pages.offline.open_me import open_me
 
@@ -86,7 +87,8 @@ def command(
             click.echo("The site was not built, so there is no zip.", err=True)
             ctx.exit(1)
         if kind == "stick":
-            (site / OPEN_ME).write_text(open_me(here.title), encoding="utf-8", newline="\n")
+            page = open_me(here.title, of_page(None, "", here.language))
+            (site / OPEN_ME).write_text(page, encoding="utf-8", newline="\n")
         pack_site(site, out, scorm=(here.title, here.site_id) if kind == "scorm" else None)
     click.echo(f"{out}: {size_of(out)}")
     if kind == "stick":

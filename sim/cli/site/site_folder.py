@@ -21,6 +21,7 @@ SETTINGS = "mkdocs.yml"
 class SiteFolder:
     """A folder with a mkdocs.yml: title, identifier, and the version that `carts new` wrote.
 
+    `language`: what the theme is told to speak, which may be a language that we have no words in.
     `handed_out`: the folders that students get, the built site and what is copied into it.
     """
 
@@ -29,6 +30,7 @@ class SiteFolder:
     site_id: str
     made_with: str
     handed_out: tuple[Path, ...]
+    language: str = "en"
 
 
 def here() -> SiteFolder:
@@ -66,6 +68,7 @@ def read(root: Path) -> SiteFolder:
     except (UnicodeDecodeError, AttributeError):
         text = f"{SETTINGS}: error: this is no list of settings in UTF-8"
         raise click.ClickException(f"{text}\n  hint: for example site_name: My lessons") from None
+    theme = settings.get("theme")  # its name alone, or a table
     return SiteFolder(
         root,
         str(settings.get("site_name", "Newton's Carts")),
@@ -75,6 +78,7 @@ def read(root: Path) -> SiteFolder:
             (root / str(settings.get(name) or usual)).resolve()
             for name, usual in (("site_dir", "site"), ("docs_dir", "docs"))
         ),
+        str(theme.get("language") or "en") if isinstance(theme, dict) else "en",
     )
 
 

@@ -45,7 +45,7 @@ SETS: tuple[frozenset[str], ...] = tuple(
         ("numpy", "scipy", CLASSROOM, MEASURED, OWN_LAW, WORLDS, TEACHER),
     )
 )
-"""From small to large. A site takes the first that has all it needs."""
+"""From small to large. A site takes of the first that has all it needs what it needs."""
 
 HELP = "Install it again: pip install --force-reinstall newtons-carts"
 
@@ -83,16 +83,30 @@ def write_ready(folder: Path, package: Path, version: str, cache: Path,
 def find_ready(
     folder: Path, packages: frozenset[str], ours: Ours, package: Path
 ) -> Contents | None:
-    """The smallest ready runtime with `packages`, or None. Raises DamagedError."""
+    """The smallest ready runtime with `packages`, cut down to them. Raises DamagedError."""
     for path in sorted(folder.glob("*.json")):
         entry = _entry(path)
         if packages <= set(entry["packages"]):
             if entry["sources"] != _sources(ours, package):
                 raise DamagedError(f"The installed newtons-carts is mixed of two versions. {HELP}")
             check_entry(path)
-            scripts = {name: folder / name for name in entry["scripts"]}
-            return Contents(scripts, entry["index"], entry["versions"])
+            return _only(packages, entry, folder)
     return None
+
+
+def _only(packages: frozenset[str], entry: dict[str, Any], folder: Path) -> Contents:
+    """A set without the packages that nobody asked for: a site carries, and names the licences of,
+    what it needs. The lock may name more: what the index does not have is never loaded."""
+    index: dict[str, Any] = entry["index"]
+    kept = packages | ({"numpy"} if "scipy" in packages else set())
+    left = set(entry["packages"]) - kept
+    wheels = {name: file for name, file in index["wheels"].items() if name not in left}
+    gone = {index["wheels"][name] for name in left if name in index["wheels"]}
+    files = {name: file for name, file in index["files"].items() if name not in gone}
+    named = {part["src"] for name in gone for part in index["files"][name]["parts"]}
+    scripts = {name: folder / name for name in entry["scripts"] if name not in named}
+    versions = {name: told for name, told in entry["versions"].items() if name not in left}
+    return Contents(scripts, {**index, "files": files, "wheels": wheels}, versions)
 
 
 def check_entry(path: Path) -> int:

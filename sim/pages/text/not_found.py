@@ -15,8 +15,7 @@ def with_help(html: str, root: str) -> str:
     leads to the site's folder, with a slash at its end; "" where the page lies in it."""
     if THEMES not in html:
         return html
-    theme = re.search(r'<html lang="([\w-]+)"', html)
-    with speaking(words(of_page(None, "", theme[1] if theme else ENGLISH))):
+    with speaking(words(language_in(html))):
         told = (
             f"<h1>{tr('This page is not here')}</h1>\n"
             f"<p>{tr('It may have moved, or its address is not quite right.')}</p>\n"
@@ -24,3 +23,9 @@ def with_help(html: str, root: str) -> str:
             f"<li>{tr('or look for a word of it: the search is at the top of the page')}</li></ul>"
         )
     return html.replace(THEMES, told, 1)
+
+
+def language_in(html: str) -> str:
+    """The language of ours that a page of the theme is in."""
+    theme = re.search(r'<html lang="([\w-]+)"', html)
+    return of_page(None, "", theme[1] if theme else ENGLISH)

@@ -27,7 +27,8 @@
       (!scenes || page.hasAttribute("data-carts-scenes"));
     var said = !whole ? failed || (loaded ? "broken" : "slow") : loaded && isPartial() ? "part" : "";
     if (!said && note) note.parentNode.removeChild(note);
-    if (said) say(words[said]);
+    // There is no folder to copy on the web: the same is told in other words.
+    if (said) say((/^http/.test(location.protocol) && words[said + " web"]) || words[said]);
     return whole;
   }
   function isPartial() {

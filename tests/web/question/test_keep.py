@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
+from tests.web.runtime.boot_site import ROOT, bundle
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.one_browser]
 
@@ -50,3 +51,21 @@ def test_a_site_for_double_click_says_nothing_of_it(site: Path) -> None:
         text = (site / page).read_text(encoding="utf-8")
         assert "carts-hosted" not in text
         assert "hosted.js" not in text
+
+
+def test_in_a_learning_platforms_frame_nobody_is_told_to_keep_the_platform(
+    tmp_path: Path, site_server: Callable[[Path], str], open_page: OpenPage
+) -> None:
+    bundle(ROOT / "sim" / "web" / "src" / "hosted-main.js", tmp_path / "hosted.js")
+    lesson = '<p class="carts-hosted" data-kept></p><script src="hosted.js"></script>'
+    (tmp_path / "lesson.html").write_text(f"<!doctype html>{lesson}", encoding="utf-8")
+    (tmp_path / "platform.html").write_text(
+        '<!doctype html><iframe src="lesson.html"></iframe>', encoding="utf-8"
+    )
+    address = site_server(tmp_path)
+    iphone = IPAD.replace("Macintosh", "iPhone")
+    alone = open_page(f"{address}/lesson.html", user_agent=iphone)
+    expect(alone.locator(".carts-keep")).to_contain_text("Add to Home Screen")
+    framed = open_page(f"{address}/platform.html", user_agent=iphone)
+    assert framed.frames[1].locator(".carts-hosted").count() == 1
+    assert framed.frames[1].locator(".carts-keep").count() == 0

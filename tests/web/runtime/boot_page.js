@@ -18,7 +18,7 @@ window.booted = startRuntime({
   packages: packages.split(" ").filter(Boolean),
   patience: window.bootPatience,
   onProgress: (progress) => {
-    if (progress.stage === "slow") window.slowAfter = window.waited;
+    if (progress.stage.startsWith("slow")) window.slowAfter = window.waited;
     else window.waited = 0;
     window.progress.push(progress);
   },

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from sim.pages.watchdog import watchdog
 from tests.web.conftest import OpenPage
 from tests.web.site.pages_of import pages
 
@@ -74,6 +75,20 @@ def open_boxes(page: Page) -> int:
     """Fields of questions that would take a key."""
     fields = "carts-question :is(input, textarea, select, .carts-q-up):not([readonly], :disabled)"
     return page.locator(fields).count()
+
+
+@pytest.mark.parametrize("script", ["answers.js", "carts.js"])
+@pytest.mark.one_browser
+def test_on_the_web_a_reader_is_told_to_load_the_page_again_not_to_copy_a_folder(
+    script: str, open_page: OpenPage, tmp_path: Path, site_server: Callable[[Path], str]
+) -> None:
+    lines = f'<script>{watchdog()}</script><body><script src="assets/carts/{script}"></script>'
+    (tmp_path / "page.html").write_text(f"<!doctype html>{lines}", encoding="utf-8")
+    on_web = open_page(f"{site_server(tmp_path)}/page.html").get_by_role("alert")
+    expect(on_web).to_contain_text("load the page again")
+    expect(on_web).not_to_contain_text("folder")
+    from_disk = open_page(tmp_path / "page.html").get_by_role("alert")
+    expect(from_disk).to_contain_text("copy the whole folder again")
 
 
 def test_every_page_is_watched(site: Path) -> None:

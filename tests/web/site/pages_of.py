@@ -64,7 +64,7 @@ def settle(page: Page) -> None:
     A page that is left earlier is no fault of its own: Firefox then complains of the files under
     way that a service worker was to bring.
     """
-    expect(page.locator("html.js")).to_be_attached()
+    expect(page.locator("html:not(.no-js)")).to_be_attached()
     page.wait_for_load_state()
     for still in ("html[data-python=starting]", "carts-scene:not([data-state=live])"):
         page.wait_for_selector(still, state="detached", timeout=60_000)

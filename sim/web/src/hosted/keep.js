@@ -10,6 +10,7 @@ import { html, say } from "../shared/dom.js";
 
 /** @param {(line: HTMLElement) => void} put called once, if there is something to say */
 export function keepLine(put) {
+  if (window.top !== window) return; // a learning platform's frame: what the browser keeps is its page
   if (matchMedia("(display-mode: standalone)").matches) return; // it was kept, and opened from there
   const how = byHand();
   if (how) {

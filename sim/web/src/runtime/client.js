@@ -12,7 +12,8 @@
 
 const RESTARTS = 3;
 
-/** Events: `state`, after each change of it; `slow`, when a start has shown no progress for seconds. */
+/** Events: `state`, after each change of it; `slow`, when a start has shown no progress for seconds; `slow-line`, when
+ * that is the network's. */
 export class Client extends EventTarget {
   /** @type {State} */
   state = "idle";

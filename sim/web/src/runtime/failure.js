@@ -1,6 +1,7 @@
 // Every way in which Python can fail to start, and what the reader is told.
 
 import { tr } from "../../../view/language.js";
+import { isOnWeb } from "./line.js";
 
 /** @typedef {"not-packed" | "payload-missing" | "payload-damaged" | "no-wasm" | "wasm-refused" | "no-memory" | "no-worker" | "too-old" |
  *   "worker-refused" | "worker-lost" | "snapshot-refused" | "python-failed" | "stalled" | "stopped"} Reason */
@@ -37,6 +38,18 @@ const MESSAGES = {
   stopped: tr("Python was stopped."),
 };
 
+const CAME_NOT = tr("The network was interrupted, or this site was renewed: load the page again.");
+
+/** What is told otherwise on a page of a web server: there is no folder to copy. @type {Partial<Record<Reason, string>>} */
+const ON_WEB = {
+  "payload-missing": CAME_NOT,
+  "payload-damaged": CAME_NOT,
+  "python-failed": tr("Python could not start. Load the page again, or try another browser."),
+};
+
+/** @param {Reason} reason */
+const told = (reason) => (isOnWeb() && ON_WEB[reason]) || MESSAGES[reason];
+
 /** An error whose message is for the reader, `reason` for the program, `detail` for the console. */
 export class RuntimeFailure extends Error {
   /**
@@ -45,7 +58,7 @@ export class RuntimeFailure extends Error {
    * @param {string} [file] the payload that is missing or damaged
    */
   constructor(reason, detail = "", file = "") {
-    super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+    super(told(reason) ?? told("python-failed"));
     this.name = "RuntimeFailure";
     this.reason = reason;
     this.detail = detail;

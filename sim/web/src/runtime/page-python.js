@@ -1,7 +1,7 @@
 /** The Python of a page: one for all its elements, started when the page is idle or first touched. */
 
 import { Client } from "./client.js";
-import { SLOW, startRuntime } from "./runtime.js";
+import { SLOW, SLOW_LINE, startRuntime } from "./runtime.js";
 
 /**
  * To be called while the page's script runs for the first time: the runtime lies beside that.
@@ -10,7 +10,7 @@ import { SLOW, startRuntime } from "./runtime.js";
 export function pagePython(packages) {
   const base = besideScript("runtime/");
   const onProgress = (/** @type {{stage: string}} */ { stage }) => {
-    if (stage === SLOW) client.dispatchEvent(new Event(SLOW));
+    if (stage === SLOW || stage === SLOW_LINE) client.dispatchEvent(new Event(stage));
   };
   const client = new Client((more) =>
     startRuntime({ base, packages: [...packages(), ...more], onProgress }),

@@ -2,6 +2,7 @@
 // read by a page on file://. Every part is checked before it is used and let go of afterwards.
 import { isLeaving, staying } from "../shared/leaving.js";
 import { RuntimeFailure } from "./failure.js";
+import { isOnWeb, persistently } from "./line.js";
 import { PATIENCE, watch } from "./watch.js";
 
 /** @typedef {{src: string, sha256: string, size: number}} Part */
@@ -26,13 +27,20 @@ const page = self;
 const indexes = new Map();
 
 /**
- * Runs a classic script. What it sets is found on `self`. One that is cancelled because the page is
- * being left is asked for again if the page stays.
+ * Runs a classic script. What it sets is found on `self`. One that a network dropped is asked for
+ * again, each time by a new element: one that failed never loads.
+ * @param {string} src
+ * @param {string} name
+ */
+const runScript = (src, name) => persistently(() => runOnce(src, name));
+
+/**
+ * One that is cancelled because the page is being left is asked for again if the page stays.
  * @param {string} src
  * @param {string} name
  * @returns {Promise<void>}
  */
-function runScript(src, name) {
+function runOnce(src, name) {
   return new Promise((resolve, reject) => {
     const script = document.createElement("script");
     script.src = src;
@@ -43,7 +51,7 @@ function runScript(src, name) {
     };
     script.onload = settle(resolve);
     script.onerror = settle(() => {
-      if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+      if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
       else reject(new RuntimeFailure("payload-missing", src, name));
     });
     document.head.append(script);
@@ -55,8 +63,9 @@ function indexOf(base) {
   return new URL(`index.js${new URL(base).search}`, base).href;
 }
 
-/** @param {Promise<void>} promise */
+/** A disk that does not answer is given up; a network may take what it takes. @param {Promise<void>} promise */
 function patiently(promise) {
+  if (isOnWeb()) return promise;
   return new Promise((resolve, reject) => {
     const waiting = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
     promise.then(resolve, reject).finally(waiting.stop);

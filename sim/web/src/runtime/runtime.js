@@ -1,7 +1,8 @@
 // Starts Python in a worker and talks to it: one worker, one request under way, answers in order.
 import { RuntimeFailure } from "./failure.js";
+import { isOnWeb } from "./line.js";
 import { loadIndex } from "./payload.js";
-import { SLOW, SNAPSHOT, Start } from "./start.js";
+import { SLOW, SLOW_LINE, SNAPSHOT, Start } from "./start.js";
 import { requireWasm } from "./wasm.js";
 import { PATIENCE, SLOW_AFTER, watch } from "./watch.js";
 
@@ -26,7 +27,8 @@ export async function startRuntime({ base, packages = [], patience, onProgress =
   if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
   const folder = new URL(base, document.baseURI).href;
-  const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW }));
+  const stage = isOnWeb() ? SLOW_LINE : SLOW;
+  const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
   const index = await loadIndex(folder).finally(late.stop);
   const options = { folder, index, packages: order(packages), onProgress, patience };
   const start = (/** @type {boolean} */ snapshot) => new Start(options, snapshot).run();
@@ -48,7 +50,7 @@ const order = (packages) => [
   ...new Set(packages.flatMap((name) => (name === "scipy" ? ["numpy", "scipy"] : [name]))),
 ];
 
-export { SLOW };
+export { SLOW, SLOW_LINE };
 
 /** Python, ready to answer. */
 export class Runtime {

@@ -1,5 +1,6 @@
 // One attempt at starting Python: loads the files, starts the worker, gives it all it needs.
 import { RuntimeFailure } from "./failure.js";
+import { isOnWeb, Line } from "./line.js";
 import { gunzip, loadPart } from "./payload.js";
 import { Unpacker, workerOf } from "./unpack.js";
 import { compile, compileFailure } from "./wasm.js";
@@ -8,10 +9,11 @@ import { LOST, SLOW_AFTER, watch } from "./watch.js";
 import workerText from "./worker.js?text";
 
 /** @typedef {import("./payload.js").Index} Index */
-/** @typedef {{fraction: number, stage: string}} Progress fraction: 0 to 1 of what has to be done; stage `SLOW`: nothing came for long */
+/** @typedef {{fraction: number, stage: string}} Progress fraction: 0 to 1 of what has to be done; stage `SLOW`: nothing came for long, `SLOW_LINE`: over the network */
 /** @typedef {{worker: Worker, start: "snapshot" | "plain"}} Started */
 
 export const SLOW = "slow";
+export const SLOW_LINE = "slow-line";
 export const SNAPSHOT = "memory.snapshot";
 const LOADER = "pyodide.js";
 const WASM = "pyodide.asm.wasm";
@@ -41,6 +43,7 @@ export class Start {
     /** @type {Unpacker | null} */
     this.unpacker = null;
     this.over = false;
+    this.line = new Line();
     this.done = 0;
     /** @type {string[]} */
     this.names = this.files();
@@ -75,8 +78,8 @@ export class Start {
     const failed = new Promise((_, no) => {
       reject = no;
     });
-    this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
-    this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
+    this.giveUp = () => reject(new RuntimeFailure("stalled"));
+    this.guard();
     try {
       const unpacker = new Unpacker(reject);
       this.unpacker = unpacker;
@@ -86,14 +89,14 @@ export class Start {
       throw error;
     } finally {
       this.over = true;
-      this.slow.stop();
-      this.watch.stop();
+      this.slow?.stop();
+      this.watch?.stop();
       this.unpacker?.stop();
     }
   }
 
   /**
-   * All parts of a file are asked for at once and come in any order.
+   * The parts of a file, which come in any order. From a disk all are asked for at once.
    * @param {string} name
    * @param {(error: RuntimeFailure) => void} reject
    * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
@@ -101,8 +104,12 @@ export class Start {
   load(name, reject) {
     return this.index.files[name].parts.map(async (part, number) => {
       try {
-        const bytes = await loadPart(this.folder, name, number, part);
+        const bytes = await this.line.take(async () => {
+          if (this.over) throw new RuntimeFailure("stopped"); // nobody waits for it any more
+          return loadPart(this.folder, name, number, part);
+        });
         this.done += part.size;
+        if (this.done === this.total && isOnWeb()) this.guard();
         this.progress(name);
         return bytes;
       } catch (error) {
@@ -110,6 +117,18 @@ export class Start {
         return new Promise(() => {}); // `reject` has ended this start
       }
     });
+  }
+
+  /**
+   * Says that a start is slow, and at last gives it up; but not while files come over a network:
+   * parts of a slow one are far apart, and who loads the page again begins anew.
+   */
+  guard() {
+    this.slow?.stop();
+    const loading = isOnWeb() && this.done < this.total;
+    const stage = loading ? SLOW_LINE : SLOW;
+    this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
+    if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
   }
 
   /** @param {string} stage */

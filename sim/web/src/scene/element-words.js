@@ -9,11 +9,16 @@ export const NOT_STARTED = tr("Python could not start.");
 const STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
 const NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
 const STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
-const SLOW = tr("This computer needs long to start Python. It is still trying.");
+const SLOW = {
+  slow: tr("This computer needs long to start Python. It is still trying."),
+  "slow-line": tr(
+    "The network is slow: Python is still on its way. You need not load the page again.",
+  ),
+};
 export const PREDICTION_KEPT = tr("Your prediction is kept.");
 
-/** What is said while a start takes long. @param {boolean} stepwise there are prepared runs */
-export const slow = (stepwise) => (stepwise ? `${SLOW} ${STEPWISE}` : SLOW);
+/** What is said while a start takes long. @param {keyof typeof SLOW} what @param {boolean} stepwise there are prepared runs */
+export const slow = (what, stepwise) => (stepwise ? `${SLOW[what]} ${STEPWISE}` : SLOW[what]);
 
 /** What still works where Python does not. @param {boolean} told no prediction is waited for @param {boolean} stepwise there are prepared runs */
 export function without(told, stepwise) {

@@ -31,7 +31,9 @@ export class Live {
   /** @param {AbortSignal} signal */
   listen(signal) {
     this.client.addEventListener("state", () => this.follow(), { signal });
-    this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
+    for (const what of /** @type {const} */ (["slow", "slow-line"])) {
+      this.client.addEventListener(what, () => this.#slow(what), { once: true, signal });
+    }
     // A link that is opened where the page is open already; and one that waited for a prediction.
     addEventListener("hashchange", () => this.#link(), { signal });
     this.element.addEventListener(WATCHED, () => this.#link(), { signal });
@@ -55,10 +57,11 @@ export class Live {
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
   }
 
-  /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
-  #slow() {
+  /** A weak computer needs long for a step of the start, a weak network for its files: that is said, and no
+   * reason to give up. @param {"slow" | "slow-line"} what */
+  #slow(what) {
     if (this.element.dataset.state !== "starting") return;
-    const told = words.slow(this.acts.stepwise());
+    const told = words.slow(what, this.acts.stepwise());
     words.note(this.element, told);
     const over = () => {
       if (need(this.element, ".carts-note").textContent === told) words.note(this.element, "");
