@@ -529,10 +529,10 @@
   }
   function found({ parts: parts2 }, map, method, { column, row }) {
     const letter = map.letters[method]?.[column * parts2.length + row] ?? "";
-    const told3 = letter === "x" ? MADE : `${letter} right ${letter === "1" ? "digit" : "digits"}`;
+    const told4 = letter === "x" ? MADE : `${letter} right ${letter === "1" ? "digit" : "digits"}`;
     const label = METHODS[method]?.label ?? method;
     const value = valueText(map, Number(map.values[column]));
-    return `${label}, ${map.name} ${value}, ${parts2[row]} steps in 1 s: ${told3}.`;
+    return `${label}, ${map.name} ${value}, ${parts2[row]} steps in 1 s: ${told4}.`;
   }
   function sceneOf({ scene }, map, column) {
     const plain3 = structuredClone(scene);
@@ -1619,7 +1619,7 @@
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
+    label: (told4) => tr("on {on} by {by} (slope): {size} N", told4),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -1919,9 +1919,9 @@
       const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d: d2 }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force: force2 = 0 } }, agent2, until, told3) {
+    marks({ carts, numbers: { from = 0, until: end2, force: force2 = 0 } }, agent2, until, told4) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force2) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told4 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force2) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks3.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -2897,8 +2897,8 @@
           /** @type {MapFacts} */
           this.#facts
         );
-        const told3 = valueText2(value, facts);
-        const text = Number.isNaN(value) ? told3 : `${told3} ${facts.unit}`;
+        const told4 = valueText2(value, facts);
+        const text = Number.isNaN(value) ? told4 : `${told4} ${facts.unit}`;
         for (const [k, control] of this.#axes.entries()) {
           control.show(this.#grid.axes[k] ?? [], Number(places[k]));
           control.speak(Number(places[k]), text);
@@ -3055,6 +3055,38 @@
     }
   };
 
+  // src/runtime/line.js
+  var PAUSES = [1e3, 2e3, 4e3];
+  var AT_ONCE = 2;
+  var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
+    for (const pause of pauses) {
+      try {
+        return await ask();
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, pause));
+      }
+    }
+    return ask();
+  }
+  var Line = class {
+    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+      this.free = atOnce;
+      this.waiting = [];
+    }
+    async take(task) {
+      if (this.free > 0) this.free -= 1;
+      else await new Promise((resolve) => this.waiting.push(() => resolve(void 0)));
+      try {
+        return await task();
+      } finally {
+        const next = this.waiting.shift();
+        if (next) next();
+        else this.free += 1;
+      }
+    }
+  };
+
   // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
@@ -3086,9 +3118,16 @@
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
+  var CAME_NOT = tr("The network was interrupted, or this site was renewed: load the page again.");
+  var ON_WEB = {
+    "payload-missing": CAME_NOT,
+    "payload-damaged": CAME_NOT,
+    "python-failed": tr("Python could not start. Load the page again, or try another browser.")
+  };
+  var told3 = (reason) => isOnWeb() && ON_WEB[reason] || MESSAGES[reason];
   var RuntimeFailure = class extends Error {
     constructor(reason, detail = "", file = "") {
-      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      super(told3(reason) ?? told3("python-failed"));
       this.name = "RuntimeFailure";
       this.reason = reason;
       this.detail = detail;
@@ -3146,7 +3185,8 @@
   // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name) {
+  var runScript = (src, name) => persistently(() => runOnce(src, name));
+  function runOnce(src, name) {
     return new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.src = src;
@@ -3157,7 +3197,7 @@
       };
       script.onload = settle(resolve);
       script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
         else reject(new RuntimeFailure("payload-missing", src, name));
       });
       document.head.append(script);
@@ -3167,6 +3207,7 @@
     return new URL(`index.js${new URL(base).search}`, base).href;
   }
   function patiently(promise) {
+    if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
       const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
@@ -3299,6 +3340,7 @@
 
   // src/runtime/start.js
   var SLOW2 = "slow";
+  var SLOW_LINE = "slow-line";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -3316,6 +3358,7 @@
       this.worker = null;
       this.unpacker = null;
       this.over = false;
+      this.line = new Line();
       this.done = 0;
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
@@ -3341,8 +3384,8 @@
       const failed = new Promise((_2, no) => {
         reject = no;
       });
-      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
-      this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
+      this.giveUp = () => reject(new RuntimeFailure("stalled"));
+      this.guard();
       try {
         const unpacker = new Unpacker(reject);
         this.unpacker = unpacker;
@@ -3352,16 +3395,20 @@
         throw error;
       } finally {
         this.over = true;
-        this.slow.stop();
-        this.watch.stop();
+        this.slow?.stop();
+        this.watch?.stop();
         this.unpacker?.stop();
       }
     }
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part);
+          const bytes = await this.line.take(async () => {
+            if (this.over) throw new RuntimeFailure("stopped");
+            return loadPart(this.folder, name, number, part);
+          });
           this.done += part.size;
+          if (this.done === this.total && isOnWeb()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -3373,6 +3420,13 @@
           });
         }
       });
+    }
+    guard() {
+      this.slow?.stop();
+      const loading = isOnWeb() && this.done < this.total;
+      const stage = loading ? SLOW_LINE : SLOW2;
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
+      if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
     }
     progress(stage) {
       if (this.over) return;
@@ -3443,7 +3497,8 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW2 }));
+    const stage = isOnWeb() ? SLOW_LINE : SLOW2;
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages2), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
@@ -3530,7 +3585,7 @@
   function pagePython(packages2) {
     const base = besideScript("runtime/");
     const onProgress = ({ stage }) => {
-      if (stage === SLOW2) client2.dispatchEvent(new Event(SLOW2));
+      if (stage === SLOW2 || stage === SLOW_LINE) client2.dispatchEvent(new Event(stage));
     };
     const client2 = new Client(
       (more) => startRuntime({ base, packages: [...packages2(), ...more], onProgress })
@@ -3597,15 +3652,15 @@
     const after = speeds.length ? `${speeds.join(". ")}.` : "";
     const size = `${figures(impulse)} N s`;
     const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
+    const told4 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
+          return told4(tr("{pair} hit and stay together.", { pair }), shown3, after);
         }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling2, pair), shown3);
+        if (impulse && joined(event, scale)) return told4(...hitAndGoOn(event, telling2, pair), shown3);
         if (impulse) {
-          return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
+          return told4(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return tr("{mover} touches {other}.", {
@@ -3616,24 +3671,24 @@
       case "peak":
         return peakSentence(event, telling2, laws, bare, pair);
       case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
+        if (!joined(event, scale)) return told4(tr("{pair} separate.", { pair }), shown3, after);
         const ended2 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
-          return told3(stay2, shown3, after);
+          return told4(stay2, shown3, after);
         }
-        return told3(pushEnded(event, telling2, ended2.pair), shown3);
+        return told4(pushEnded(event, telling2, ended2.pair), shown3);
       }
       case "stick":
-        return told3(tr("{pair} stay together.", { pair }), after);
+        return told4(tr("{pair} stay together.", { pair }), after);
       case "stop":
         return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
         return names[1] ? tr("{pair} start to move.", { pair }) : tr("{cart} starts to move.", { cart: pair });
       case "release":
         if (impulse || !event.force) {
-          return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+          return told4(tr("The exploder between {pair} releases.", { pair }), shown3, after);
         }
         return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
           pair,
@@ -3651,11 +3706,11 @@
     if (laws[key] === APART) {
       return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
     }
-    const told3 = forces2 && greatest4;
+    const told4 = forces2 && greatest4;
     if (laws[key] !== "bumper") {
-      return told3 ? tr("{pair} push hardest: {force} on each.", { pair, force: force2 }) : tr("{pair} push hardest.", { pair });
+      return told4 ? tr("{pair} push hardest: {force} on each.", { pair, force: force2 }) : tr("{pair} push hardest.", { pair });
     }
-    if (told3) {
+    if (told4) {
       return bare.has(key) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force: force2 }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
     }
     return bare.has(key) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
@@ -4279,8 +4334,8 @@
         /** @type {Run} */
         this.#run.header.track
       );
-      const told3 = { cart, other: body(other, track), force: short(value) };
-      return tr("mean force on {cart} by {other}: {force} N", told3);
+      const told4 = { cart, other: body(other, track), force: short(value) };
+      return tr("mean force on {cart} by {other}: {force} N", told4);
     }
     #tell() {
       if (!this.#found.size) return;
@@ -4430,12 +4485,17 @@
   var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
   var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
   var STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
-  var SLOW3 = tr("This computer needs long to start Python. It is still trying.");
+  var SLOW3 = {
+    slow: tr("This computer needs long to start Python. It is still trying."),
+    "slow-line": tr(
+      "The network is slow: Python is still on its way. You need not load the page again."
+    )
+  };
   var PREDICTION_KEPT = tr("Your prediction is kept.");
-  var slow = (stepwise) => stepwise ? `${SLOW3} ${STEPWISE}` : SLOW3;
-  function without(told3, stepwise) {
+  var slow = (what, stepwise) => stepwise ? `${SLOW3[what]} ${STEPWISE}` : SLOW3[what];
+  function without(told4, stepwise) {
     if (stepwise) return STEPWISE;
-    return told3 ? STILL_PLAYS : NOT_SHOWN;
+    return told4 ? STILL_PLAYS : NOT_SHOWN;
   }
   function note(scene, message) {
     const place4 = need(scene, ".carts-note");
@@ -5090,10 +5150,10 @@
     problem() {
       const missing = this.#rows.filter(({ share }) => share === null);
       const names = missing.map(({ name }) => name).join(", ");
-      const told3 = names === this.#told;
+      const told4 = names === this.#told;
       this.#told = names;
       if (!names) return null;
-      if (!told3) {
+      if (!told4) {
         return tr("Not set yet: {names}. Is there no such force? Then lock once more.", { names });
       }
       for (const row of missing) row.share = 0;
@@ -6452,10 +6512,10 @@
     });
   }
   function labels({ kind: kind2, on, by, size }) {
-    const told3 = { on, by, size };
-    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
+    const told4 = { on, by, size };
+    const brief2 = { ...told4, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
+      viewOf(kind2).label?.(told4) ?? tr("on {on} by {by}: {size} N", told4),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -7194,7 +7254,13 @@ ${lines4.join("\n")}
     }
     listen(signal) {
       this.client.addEventListener("state", () => this.follow(), { signal });
-      this.client.addEventListener("slow", () => this.#slow(), { once: true, signal });
+      for (
+        const what of
+        /** @type {const} */
+        ["slow", "slow-line"]
+      ) {
+        this.client.addEventListener(what, () => this.#slow(what), { once: true, signal });
+      }
       addEventListener("hashchange", () => this.#link(), { signal });
       this.element.addEventListener(WATCHED, () => this.#link(), { signal });
     }
@@ -7212,12 +7278,12 @@ ${lines4.join("\n")}
       }
       requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
     }
-    #slow() {
+    #slow(what) {
       if (this.element.dataset.state !== "starting") return;
-      const told3 = slow(this.acts.stepwise());
-      note(this.element, told3);
+      const told4 = slow(what, this.acts.stepwise());
+      note(this.element, told4);
       const over = () => {
-        if (need(this.element, ".carts-note").textContent === told3) note(this.element, "");
+        if (need(this.element, ".carts-note").textContent === told4) note(this.element, "");
       };
       this.#waiting.promise.then(over).catch(() => {
       });
@@ -7535,14 +7601,14 @@ ${lines4.join("\n")}
   function phrase(effect, header, numbers) {
     const { kind: kind2, carts, between: between2 } = effect;
     const view = viewOf(kind2);
-    const told3 = {
+    const told4 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
       both: bodiesOf(between2 ?? carts, header.track),
       agent: agent(effect),
       seen: (text) => numbers ? text : ""
     };
-    const parts2 = view.phrase?.(effect, told3) ?? [nameOf(effect)];
+    const parts2 = view.phrase?.(effect, told4) ?? [nameOf(effect)];
     return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {
@@ -7675,8 +7741,8 @@ ${lines4.join("\n")}
       (name) => forcesAlong(run, name, t3, zero).flatMap(({ name: force2, value, size: written }) => {
         const size = written ?? fixed(Math.abs(value), view.decimals.F ?? 2);
         if (!value || !Number(size)) return [];
-        const told3 = { force: capital(force2), size: `${size} N` };
-        return value < 0 ? tr("{force}: {size} to the left.", told3) : tr("{force}: {size} to the right.", told3);
+        const told4 = { force: capital(force2), size: `${size} N` };
+        return value < 0 ? tr("{force}: {size} to the left.", told4) : tr("{force}: {size} to the right.", told4);
       })
     );
   }
@@ -7921,8 +7987,8 @@ ${lines4.join("\n")}
     }
     #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told3 = { name, size };
-      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
+      const told4 = { name, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told4), tr("{name}: {size} up", told4)] : [tr("{name}: {size} to the left", told4), tr("{name}: {size} to the right", told4)];
       const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
@@ -8900,8 +8966,8 @@ ${lines4.join("\n")}
       need(this.details, "tbody").replaceChildren(...rows);
     }
     #times(run) {
-      const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
-      const within = told3 ? contactTimes(run) : [];
+      const told4 = this.details.open && OF_CONTACTS.includes(this.quantity);
+      const within = told4 ? contactTimes(run) : [];
       const times2 = /* @__PURE__ */ new Set([...tableTimes(run), ...within]);
       return [...times2].filter((t3) => t3 <= this.#seen).sort((a2, b2) => a2 - b2);
     }
@@ -8989,8 +9055,8 @@ ${lines4.join("\n")}
       this.impulse?.show(run);
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t3);
-      const told3 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
-      this.table.show(run, told3, this.#times(run));
+      const told4 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
+      this.table.show(run, told4, this.#times(run));
     }
     grow(seen) {
       this.#seen = seen;
@@ -9134,10 +9200,10 @@ ${lines4.join("\n")}
       const run = this.#run;
       if (!run) return;
       const { t: times2, x: x2, v: v2, a: a2 } = run.trajectory;
-      const told3 = isTold(run);
+      const told4 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const force2 = told3 ? resultant(run, name, t3, this.zero) : null;
+        const force2 = told4 ? resultant(run, name, t3, this.zero) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times2, x2[name] ?? [], v2[name] ?? [], t3) - this.camera * t3],
           ["v", (valueAt(times2, v2[name] ?? [], a2[name] ?? [], t3) - this.camera) / this.per],
@@ -9441,8 +9507,8 @@ ${lines4.join("\n")}
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d: d2 });
       const row = `row ${force2.kind}`;
       if (named3) {
-        const told3 = labels(force2).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
+        const told4 = labels(force2).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text = told4.find((one) => fits(x2, length, one, layout.width)) ?? String(told4.at(-1));
         const [at3, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key}`, cls, text, x: px(at3), y: px(y2 + 5), anchor });
@@ -9545,7 +9611,7 @@ ${lines4.join("\n")}
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told3 = [];
+      const told4 = [];
       for (const push of this.#pushes) {
         const forces2 = forcesOn(run, push, t3).map(
           (force2) => Math.abs(force2) < NOISE * view.force ? 0 : force2
@@ -9568,23 +9634,23 @@ ${lines4.join("\n")}
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
-          told3.push({ push, sizes, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told4.push({ push, sizes, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
-      this.#names(told3);
+      this.#names(told4);
     }
-    #names(told3) {
-      const [only] = told3;
+    #names(told4) {
+      const [only] = told4;
       for (const { pair, groups } of this.#pushes) {
-        const on = told3.some(({ push }) => push.pair === pair);
+        const on = told4.some(({ push }) => push.pair === pair);
         for (const group2 of groups) {
           put(need(group2, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told3.length === 1 && only && this.#inFull(only)) return;
+      if (told4.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push, sizes, x: x2 } of told3) {
+      for (const { push, sizes, x: x2 } of told4) {
         const size = Math.max(...sizes);
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
@@ -9602,8 +9668,8 @@ ${lines4.join("\n")}
         }
       }
     }
-    #inFull(told3) {
-      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
+    #inFull(told4) {
+      return this.#named(told4, told4.link && ` (${told4.link})`) || this.#named(told4, "");
     }
     #named({ push, sizes, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));

@@ -1252,6 +1252,38 @@
     }
   };
 
+  // src/runtime/line.js
+  var PAUSES = [1e3, 2e3, 4e3];
+  var AT_ONCE = 2;
+  var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
+    for (const pause of pauses) {
+      try {
+        return await ask();
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, pause));
+      }
+    }
+    return ask();
+  }
+  var Line = class {
+    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+      this.free = atOnce;
+      this.waiting = [];
+    }
+    async take(task) {
+      if (this.free > 0) this.free -= 1;
+      else await new Promise((resolve) => this.waiting.push(() => resolve(void 0)));
+      try {
+        return await task();
+      } finally {
+        const next = this.waiting.shift();
+        if (next) next();
+        else this.free += 1;
+      }
+    }
+  };
+
   // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
@@ -1283,9 +1315,16 @@
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
+  var CAME_NOT = tr("The network was interrupted, or this site was renewed: load the page again.");
+  var ON_WEB = {
+    "payload-missing": CAME_NOT,
+    "payload-damaged": CAME_NOT,
+    "python-failed": tr("Python could not start. Load the page again, or try another browser.")
+  };
+  var told = (reason) => isOnWeb() && ON_WEB[reason] || MESSAGES[reason];
   var RuntimeFailure = class extends Error {
     constructor(reason, detail = "", file = "") {
-      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      super(told(reason) ?? told("python-failed"));
       this.name = "RuntimeFailure";
       this.reason = reason;
       this.detail = detail;
@@ -1343,7 +1382,8 @@
   // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name) {
+  var runScript = (src, name) => persistently(() => runOnce(src, name));
+  function runOnce(src, name) {
     return new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.src = src;
@@ -1354,7 +1394,7 @@
       };
       script.onload = settle(resolve);
       script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
         else reject(new RuntimeFailure("payload-missing", src, name));
       });
       document.head.append(script);
@@ -1364,6 +1404,7 @@
     return new URL(`index.js${new URL(base).search}`, base).href;
   }
   function patiently(promise) {
+    if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
       const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
@@ -1496,6 +1537,7 @@
 
   // src/runtime/start.js
   var SLOW = "slow";
+  var SLOW_LINE = "slow-line";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -1513,6 +1555,7 @@
       this.worker = null;
       this.unpacker = null;
       this.over = false;
+      this.line = new Line();
       this.done = 0;
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
@@ -1538,8 +1581,8 @@
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
-      this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
+      this.giveUp = () => reject(new RuntimeFailure("stalled"));
+      this.guard();
       try {
         const unpacker = new Unpacker(reject);
         this.unpacker = unpacker;
@@ -1549,16 +1592,20 @@
         throw error;
       } finally {
         this.over = true;
-        this.slow.stop();
-        this.watch.stop();
+        this.slow?.stop();
+        this.watch?.stop();
         this.unpacker?.stop();
       }
     }
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part);
+          const bytes = await this.line.take(async () => {
+            if (this.over) throw new RuntimeFailure("stopped");
+            return loadPart(this.folder, name, number, part);
+          });
           this.done += part.size;
+          if (this.done === this.total && isOnWeb()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -1570,6 +1617,13 @@
           });
         }
       });
+    }
+    guard() {
+      this.slow?.stop();
+      const loading = isOnWeb() && this.done < this.total;
+      const stage = loading ? SLOW_LINE : SLOW;
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
+      if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
     }
     progress(stage) {
       if (this.over) return;
@@ -1640,7 +1694,8 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW }));
+    const stage = isOnWeb() ? SLOW_LINE : SLOW;
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
@@ -1727,7 +1782,7 @@
   function pagePython(packages) {
     const base = besideScript("runtime/");
     const onProgress = ({ stage }) => {
-      if (stage === SLOW) client.dispatchEvent(new Event(SLOW));
+      if (stage === SLOW || stage === SLOW_LINE) client.dispatchEvent(new Event(stage));
     };
     const client = new Client(
       (more) => startRuntime({ base, packages: [...packages(), ...more], onProgress })

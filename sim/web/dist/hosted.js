@@ -95,6 +95,7 @@
 
   // src/hosted/keep.js
   function keepLine(put) {
+    if (window.top !== window) return;
     if (matchMedia("(display-mode: standalone)").matches) return;
     const how = byHand();
     if (how) {

@@ -529,7 +529,7 @@
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -640,9 +640,9 @@
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told2) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -1292,10 +1292,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return found2;
   }
   function labels({ kind: kind2, on, by, size }) {
-    const told2 = { on, by, size };
-    const brief2 = { ...told2, by: by.replaceAll("the ", "") };
+    const told3 = { on, by, size };
+    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind2).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
+      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -1398,8 +1398,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
       const row = `row ${force.kind}`;
       if (named) {
-        const told2 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
+        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
         const [at2, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y + 5), anchor });
@@ -1502,7 +1502,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told2 = [];
+      const told3 = [];
       for (const push of this.#pushes) {
         const forces = forcesOn(run, push, t).map(
           (force) => Math.abs(force) < NOISE * view.force ? 0 : force
@@ -1525,23 +1525,23 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
-          told2.push({ push, sizes, x: (Number(ends3[0]) + Number(ends3[1])) / 2, link });
+          told3.push({ push, sizes, x: (Number(ends3[0]) + Number(ends3[1])) / 2, link });
         }
       }
-      this.#names(told2);
+      this.#names(told3);
     }
-    #names(told2) {
-      const [only] = told2;
+    #names(told3) {
+      const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
-        const on = told2.some(({ push }) => push.pair === pair);
+        const on = told3.some(({ push }) => push.pair === pair);
         for (const group of groups) {
           put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told2.length === 1 && only && this.#inFull(only)) return;
+      if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push, sizes, x } of told2) {
+      for (const { push, sizes, x } of told3) {
         const size = Math.max(...sizes);
         const [text, other] = push.groups.map((group) => need(group, '[data-part="text"]'));
         if (!text || !other) continue;
@@ -1559,8 +1559,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         }
       }
     }
-    #inFull(told2) {
-      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    #inFull(told3) {
+      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     #named({ push, sizes, x }, through) {
       const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
@@ -2856,6 +2856,38 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
   };
 
+  // src/runtime/line.js
+  var PAUSES = [1e3, 2e3, 4e3];
+  var AT_ONCE = 2;
+  var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
+    for (const pause of pauses) {
+      try {
+        return await ask();
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, pause));
+      }
+    }
+    return ask();
+  }
+  var Line = class {
+    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+      this.free = atOnce;
+      this.waiting = [];
+    }
+    async take(task) {
+      if (this.free > 0) this.free -= 1;
+      else await new Promise((resolve) => this.waiting.push(() => resolve(void 0)));
+      try {
+        return await task();
+      } finally {
+        const next = this.waiting.shift();
+        if (next) next();
+        else this.free += 1;
+      }
+    }
+  };
+
   // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
@@ -2887,9 +2919,16 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
+  var CAME_NOT = tr("The network was interrupted, or this site was renewed: load the page again.");
+  var ON_WEB = {
+    "payload-missing": CAME_NOT,
+    "payload-damaged": CAME_NOT,
+    "python-failed": tr("Python could not start. Load the page again, or try another browser.")
+  };
+  var told2 = (reason) => isOnWeb() && ON_WEB[reason] || MESSAGES[reason];
   var RuntimeFailure = class extends Error {
     constructor(reason, detail = "", file = "") {
-      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      super(told2(reason) ?? told2("python-failed"));
       this.name = "RuntimeFailure";
       this.reason = reason;
       this.detail = detail;
@@ -2947,7 +2986,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name) {
+  var runScript = (src, name) => persistently(() => runOnce(src, name));
+  function runOnce(src, name) {
     return new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.src = src;
@@ -2958,7 +2998,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       };
       script.onload = settle(resolve);
       script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
         else reject(new RuntimeFailure("payload-missing", src, name));
       });
       document.head.append(script);
@@ -2968,6 +3008,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return new URL(`index.js${new URL(base).search}`, base).href;
   }
   function patiently(promise) {
+    if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
       const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
@@ -3100,6 +3141,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/runtime/start.js
   var SLOW2 = "slow";
+  var SLOW_LINE = "slow-line";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -3117,6 +3159,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       this.worker = null;
       this.unpacker = null;
       this.over = false;
+      this.line = new Line();
       this.done = 0;
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
@@ -3142,8 +3185,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
-      this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
+      this.giveUp = () => reject(new RuntimeFailure("stalled"));
+      this.guard();
       try {
         const unpacker = new Unpacker(reject);
         this.unpacker = unpacker;
@@ -3153,16 +3196,20 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         throw error;
       } finally {
         this.over = true;
-        this.slow.stop();
-        this.watch.stop();
+        this.slow?.stop();
+        this.watch?.stop();
         this.unpacker?.stop();
       }
     }
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part);
+          const bytes = await this.line.take(async () => {
+            if (this.over) throw new RuntimeFailure("stopped");
+            return loadPart(this.folder, name, number, part);
+          });
           this.done += part.size;
+          if (this.done === this.total && isOnWeb()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -3174,6 +3221,13 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           });
         }
       });
+    }
+    guard() {
+      this.slow?.stop();
+      const loading = isOnWeb() && this.done < this.total;
+      const stage2 = loading ? SLOW_LINE : SLOW2;
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: stage2 }));
+      if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
     }
     progress(stage2) {
       if (this.over) return;
@@ -3244,7 +3298,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW2 }));
+    const stage2 = isOnWeb() ? SLOW_LINE : SLOW2;
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: stage2 }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
@@ -3463,8 +3518,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.shown = html("div", "carts-law-shown");
         this.found = html("div", "carts-law-found");
         const live = need(this, ".carts-law-live");
-        const told2 = [this.fault, this.unsaved.root, this.note, this.shown, this.found];
-        live.append(this.editor.root, this.#bar.root, ...told2);
+        const told3 = [this.fault, this.unsaved.root, this.note, this.shown, this.found];
+        live.append(this.editor.root, this.#bar.root, ...told3);
         live.hidden = false;
         this.classList.add("carts-law-ready");
         this.#first();

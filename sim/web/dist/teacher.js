@@ -167,6 +167,38 @@
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
+  // src/runtime/line.js
+  var PAUSES = [1e3, 2e3, 4e3];
+  var AT_ONCE = 2;
+  var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
+    for (const pause of pauses) {
+      try {
+        return await ask();
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, pause));
+      }
+    }
+    return ask();
+  }
+  var Line = class {
+    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+      this.free = atOnce;
+      this.waiting = [];
+    }
+    async take(task) {
+      if (this.free > 0) this.free -= 1;
+      else await new Promise((resolve) => this.waiting.push(() => resolve(void 0)));
+      try {
+        return await task();
+      } finally {
+        const next = this.waiting.shift();
+        if (next) next();
+        else this.free += 1;
+      }
+    }
+  };
+
   // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
@@ -198,9 +230,16 @@
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
+  var CAME_NOT = tr("The network was interrupted, or this site was renewed: load the page again.");
+  var ON_WEB = {
+    "payload-missing": CAME_NOT,
+    "payload-damaged": CAME_NOT,
+    "python-failed": tr("Python could not start. Load the page again, or try another browser.")
+  };
+  var told2 = (reason) => isOnWeb() && ON_WEB[reason] || MESSAGES[reason];
   var RuntimeFailure = class extends Error {
     constructor(reason, detail = "", file = "") {
-      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      super(told2(reason) ?? told2("python-failed"));
       this.name = "RuntimeFailure";
       this.reason = reason;
       this.detail = detail;
@@ -258,7 +297,8 @@
   // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name) {
+  var runScript = (src, name) => persistently(() => runOnce(src, name));
+  function runOnce(src, name) {
     return new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.src = src;
@@ -269,7 +309,7 @@
       };
       script.onload = settle(resolve);
       script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
         else reject(new RuntimeFailure("payload-missing", src, name));
       });
       document.head.append(script);
@@ -279,6 +319,7 @@
     return new URL(`index.js${new URL(base).search}`, base).href;
   }
   function patiently(promise) {
+    if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
       const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
@@ -411,6 +452,7 @@
 
   // src/runtime/start.js
   var SLOW = "slow";
+  var SLOW_LINE = "slow-line";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -428,6 +470,7 @@
       this.worker = null;
       this.unpacker = null;
       this.over = false;
+      this.line = new Line();
       this.done = 0;
       this.names = this.files();
       this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
@@ -453,8 +496,8 @@
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
-      this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
+      this.giveUp = () => reject(new RuntimeFailure("stalled"));
+      this.guard();
       try {
         const unpacker = new Unpacker(reject);
         this.unpacker = unpacker;
@@ -464,16 +507,20 @@
         throw error;
       } finally {
         this.over = true;
-        this.slow.stop();
-        this.watch.stop();
+        this.slow?.stop();
+        this.watch?.stop();
         this.unpacker?.stop();
       }
     }
     load(name, reject) {
       return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part);
+          const bytes = await this.line.take(async () => {
+            if (this.over) throw new RuntimeFailure("stopped");
+            return loadPart(this.folder, name, number, part);
+          });
           this.done += part.size;
+          if (this.done === this.total && isOnWeb()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -485,6 +532,13 @@
           });
         }
       });
+    }
+    guard() {
+      this.slow?.stop();
+      const loading = isOnWeb() && this.done < this.total;
+      const stage2 = loading ? SLOW_LINE : SLOW;
+      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: stage2 }));
+      if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
     }
     progress(stage2) {
       if (this.over) return;
@@ -555,7 +609,8 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: SLOW }));
+    const stage2 = isOnWeb() ? SLOW_LINE : SLOW;
+    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: stage2 }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
@@ -1013,9 +1068,9 @@
 
   // src/teach/drafts.js
   var Drafts = class {
-    constructor(told2) {
+    constructor(told3) {
       const { site, page: page2 } = place();
-      this.hash = told2.hash;
+      this.hash = told3.hash;
       this.before = `${page2}#`;
       this.store = openAll(`${site}~teacher`);
     }
@@ -1741,7 +1796,7 @@ ${table2(facts)}
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -1936,9 +1991,9 @@ ${table2(facts)}
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told2) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -2916,11 +2971,11 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told2 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told2);
+      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
       const seen2 = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told2,
+        ...told3,
         velocity: seen2
       });
     });
@@ -3897,12 +3952,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     look = null;
     #asked = false;
     #working = false;
-    constructor({ told: told2, client, assets, drafts, link }) {
-      this.told = told2;
+    constructor({ told: told3, client, assets, drafts, link }) {
+      this.told = told3;
       this.client = client;
       this.drafts = drafts;
       this.link = link;
-      this.base = told2.text ?? "";
+      this.base = told3.text ?? "";
       this.history = new History(this.base);
       const article = (
         /** @type {HTMLElement} */
@@ -4108,10 +4163,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     );
     const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
     const assets = new URL("../", address).href;
-    const told2 = await loadLesson(address);
+    const told3 = await loadLesson(address);
     const base = new URL(`runtime/${new URL(address).search}`, assets).href;
     const client = new Client((more) => startRuntime({ base, packages: [PACKAGE, ...more] }));
-    const made2 = new Session({ told: told2, client, assets, drafts: new Drafts(told2), link });
+    const made2 = new Session({ told: told3, client, assets, drafts: new Drafts(told3), link });
     await made2.open();
     return made2;
   }
