@@ -46,7 +46,8 @@ def damaged() -> dict[str, str]:
         "item null": file(items=[None]),
         "item text": file(items=["x"]), "too many items": file(items=[ITEM] * 2001),
         "student number": file(student=5), "student newline": file(student="A\nB"),
-        "student long": file(student="A" * 201), "student key": file(student="A#b"), "lesson null": file(lesson=None),
+        "student long": file(student="A" * 201), "student key": file(student="A#b"),
+        "lesson null": file(lesson=None),
         "no id": item(id=None), "id path": item(id="../x"), "id proto": item(id="__proto__"),
         "id script": item(id="<script>"), "id long": item(id="a" * 81), "hash": item(hash="xyz"),
         "hash number": item(hash=1), "type": item(type="<b>"), "time": item(first="yesterday"),
@@ -74,7 +75,8 @@ def test_a_good_file_is_read() -> None:
 
 def test_two_lessons_with_a_number_sign_give_two_files_that_page_and_teacher_read() -> None:
     script = """const { makeFiles, readFile } = await import(source + "/answers/file.js");
-    const entry = { id: "why", hash: "", type: "free", value: "so", first: null, last: null, tries: 1 };
+    const entry = { id: "why", hash: "", type: "free", value: "so", first: null, last: null,
+      tries: 1 };
     const keys = ["worksheets/Sto\u00df #1#why", "worksheets/Sto\u00df #2#why", "a@b#quiz:why"];
     const files = makeFiles(keys.map((key) => [key, entry]), { site: "tests", student: "" },
       "2026-11-21T09:00:00.000Z");
@@ -98,7 +100,10 @@ def test_the_page_refuses_the_same_files_and_reads_the_good_one() -> None:
     script = """const { readFile } = await import(source + "/answers/file.js");
     give(data.map((text) => readFile(text, "tests")));"""
     many = {what: text for what, text in DAMAGED.items() if what not in ("huge", "deep")}
-    many |= {"page": json.dumps({**GOOD, "page": "@RED-OWL-1/a"}), "site": json.dumps({**GOOD, "site": "x"})}
+    many |= {
+        "page": json.dumps({**GOOD, "page": "@RED-OWL-1/a"}),
+        "site": json.dumps({**GOOD, "site": "x"}),
+    }
     many["deep"] = deep(5000)
     read = in_node(script, [*many.values(), json.dumps(GOOD)])
     for what, found in zip(many, read, strict=False):

@@ -50,6 +50,13 @@ def test_what_is_withheld_comes_back_from_the_teachers_own_file(path: Path) -> N
                 assert value.value == WORDS
 
 
+def test_a_question_of_bare_words_has_nothing_to_withhold() -> None:
+    """It is a mistake, shown in the page by `carts serve`."""
+    text = "# A lesson\n\n```question\nWhat is this?\n```\n"
+    assert withhold(text) == text
+    assert restore(text, text) == (text, 0)
+
+
 def test_some_lessons_do_withhold_something() -> None:
     assert sum(withhold(text_of(path)) != text_of(path) for path in LESSONS) >= 3
 
