@@ -30,7 +30,7 @@ def test_a_folder_named_by_a_language_holds_lessons_that_speak_it(make_site: Mak
     script = (site / "assets" / "carts" / "words.zh-Hans.js").read_text(encoding="utf-8")
     assert '"Pause":"暂停"' in script
     english = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
-    assert "words." not in english
+    assert "carts/words." not in english
     assert ">Play<" in english
     assert 'placeholder="搜索"' in page and 'role="dialog" aria-label="查找"' in page
     assert 'placeholder="Search"' in english and 'role="dialog" aria-label="Search"' in english
