@@ -59,6 +59,11 @@ export class Panel {
     this.heading.focus();
   }
 
+  /** What was typed in fields and waits for a pause is taken over now. */
+  flush() {
+    for (const editor of this.#editors) editor.flush();
+  }
+
   /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
   status(text, faulty = false) {
     this.#faulty = faulty;

@@ -1,11 +1,12 @@
 /** One teacher at work on one lesson: text, drafts, Python's answers, the page and the panel. */
 
 import { clock } from "../answers/parts.js";
-import { restored, zipped } from "./asked.js";
+import { restored, written, zipped } from "./asked.js";
 import { History } from "./history.js";
 import { LessonPage } from "./page.js";
 import { Panel } from "./panel.js";
 import { hashOf, KEPT_OUT } from "./source.js";
+import { UnderWay } from "./under-way.js";
 
 /** @typedef {import("./types.js").Look} Look */
 /** @typedef {import("./types.js").Field} Field */
@@ -22,6 +23,7 @@ export class Session {
   look = null;
   #asked = false;
   #working = false;
+  #typed = new UnderWay();
 
   /**
    * @param {{told: import("./source.js").Told, client: import("../runtime/client.js").Client, assets: string,
@@ -210,22 +212,26 @@ export class Session {
   }
 
   /** One value of a block. @param {number} block @param {Field} field @param {string} value @param {object} owner @returns {Promise<string>} why not; empty: done */
-  async set(block, field, value, owner) {
-    for (;;) {
-      const { header, sent } = await this.client.ask(owner, () => ({
-        kind: "teach",
-        do: "set",
-        text: this.text,
-        block,
-        path: field.path,
-        value,
-      }));
-      const answer = /** @type {any} */ (header);
-      if (answer.refused) return answer.refused;
-      if (sent.text !== this.text) continue;
-      this.change(answer.text, `${block} ${field.path.join(".")}`, 0); // the field has waited
-      return "";
-    }
+  set(block, field, value, owner) {
+    const done = this.#set(block, field, value, owner);
+    this.#typed.add([field.group, field.label].filter(Boolean).join(", "), done);
+    return done;
+  }
+
+  /** @param {number} block @param {Field} field @param {string} value @param {object} owner */
+  async #set(block, field, value, owner) {
+    const { path } = field;
+    const answer = await written(this.client, owner, () => this.text, { block, path, value });
+    if (answer.refused) return answer.refused;
+    this.change(answer.text, `${block} ${path.join(".")}`, 0); // the field has waited
+    return "";
+  }
+
+  /** Resolves when what stands in the fields stands in the text, with what is told of values that do not. @returns {Promise<string[]>} */
+  typed() {
+    this.panel.flush();
+    if (this.#typed.some) this.panel.status("Taking over what you typed …");
+    return this.#typed.all();
   }
 
   /** The teacher's own file: the whole lesson, with what was kept out of the site. @param {string} own */
@@ -236,7 +242,7 @@ export class Session {
       this.panel.status("Starting Python …");
       return this.#begin((await hashOf(own)) === this.told.hash);
     }
-    const { text, missing } = await restored(this.client, this.text, own);
+    const { text, missing } = await restored(this.client, () => this.text, own);
     const same = (await hashOf(own)) === this.told.hash;
     if (same) this.base = own;
     this.change(text, "");
