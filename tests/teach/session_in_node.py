@@ -18,6 +18,8 @@ const { parseHTML } = await import("linkedom");
 const window = parseHTML(data.page);
 globalThis.window = window;
 globalThis.document = window.document;
+window.HTMLElement.prototype.setSelectionRange = () => {};
+window.HTMLElement.prototype.scrollIntoView = () => {};
 globalThis.customElements = { get: () => true };
 globalThis.self = globalThis;
 const later = setTimeout;

@@ -1,4 +1,4 @@
-/** The toolbar: undo, save, back to the published lesson, the teacher's own file. */
+/** The toolbar: undo, save, save as a zip, back to the published lesson. */
 
 import { askingButton, button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
@@ -61,20 +61,4 @@ export function toolbar(session, tell) {
   };
   draw();
   return { root, draw };
-}
-
-/** A field for the teacher's own file. @param {string} words @param {(text: string, name: string) => void} take */
-export function ownFile(words, take) {
-  const label = html("label", "carts-teach-own");
-  const input = document.createElement("input");
-  input.type = "file";
-  input.accept = ".md,text/markdown";
-  input.addEventListener("change", async () => {
-    const file = input.files?.[0];
-    if (!file) return;
-    const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
-    take(decoder.decode(await file.arrayBuffer()), file.name);
-  });
-  label.append(html("span", "", words), " ", input);
-  return label;
 }
