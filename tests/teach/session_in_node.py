@@ -22,6 +22,12 @@ window.HTMLElement.prototype.setSelectionRange = () => {};
 window.HTMLElement.prototype.scrollIntoView = () => {};
 globalThis.customElements = { get: () => true };
 globalThis.self = globalThis;
+globalThis.BroadcastChannel = class extends BroadcastChannel {
+  constructor(name) {
+    super(name);
+    this.unref(); // Node.js would wait for messages
+  }
+};
 const later = setTimeout;
 globalThis.setTimeout = (act, ms, ...more) => {
   const timer = later(act, ms, ...more);
