@@ -164,7 +164,7 @@
     return filled(template, Object.fromEntries(values));
   }
   function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
   // src/runtime/line.js
@@ -370,8 +370,8 @@
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
-    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    const written2 = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written2]);
     return bytes;
   }
 
@@ -438,8 +438,8 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write(zip.writable.getWriter(), parts);
-    const [module] = await Promise.all([compiled, written]);
+    const written2 = write(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written2]);
     return module;
   }
   async function write(writer, parts) {
@@ -1085,6 +1085,13 @@
         value
       )).filter((draft) => draft.hash !== this.hash).sort((a, b) => a.last < b.last ? 1 : -1);
     }
+    async ofFile(own, hash) {
+      const published = hash !== "" && hash === this.hash;
+      const found = [await this.current(), ...await this.earlier()].filter((one) => one !== null);
+      const draft = found.find(({ base }) => base === own) ?? found.find((one) => published && one.hash === hash) ?? null;
+      this.hash = draft?.hash ?? (hash || this.hash);
+      return { draft, earlier: found.filter((one) => one !== draft && holds(own, one)) };
+    }
     async keep(text2, base) {
       const store = await this.store;
       const draft = { text: text2, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
@@ -1098,6 +1105,17 @@
   function isDraft(value) {
     return typeof value?.text === "string" && typeof value?.base === "string";
   }
+  function holds(own, { base }) {
+    const lines3 = new Set(linesOf(own));
+    const inBlocks = [...base.matchAll(/^(`{3,}|~{3,})[\s\S]*?^\1/gm)].flatMap(
+      ([block]) => linesOf(block)
+    );
+    const there = inBlocks.filter((line) => lines3.has(line));
+    const words = inBlocks.filter((line) => /\bword["']?\s*:/.test(line));
+    return headingOf(base) === headingOf(own) && words.every((line) => lines3.has(line)) && 2 * there.length >= inBlocks.length;
+  }
+  var headingOf = (text2) => /^# +(.+?)\s*$/m.exec(text2)?.[1];
+  var linesOf = (text2) => text2.split(/\r\n?|\n/).map((line) => line.trim()).filter(Boolean);
 
   // src/answers/parts.js
   function button(text2, act, name = "") {
@@ -1151,12 +1169,24 @@
       header.base64
     );
   }
-  async function restored(client, text2, own) {
-    const { header } = await client.ask({}, () => ({ kind: "teach", do: "restore", text: text2, own }));
-    return (
-      /** @type {any} */
-      header
-    );
+  function restored(client, text2, own) {
+    return ofText(client, {}, text2, { do: "restore", own });
+  }
+  function written(client, owner, text2, one) {
+    return ofText(client, owner, text2, { do: "set", ...one });
+  }
+  async function ofText(client, owner, text2, asked) {
+    for (; ; ) {
+      const { header, sent } = await client.ask(owner, () => ({
+        kind: "teach",
+        ...asked,
+        text: text2()
+      }));
+      if (
+        /** @type {any} */
+        header.refused || sent.text === text2()
+      ) return header;
+    }
   }
 
   // src/teach/history.js
@@ -1197,6 +1227,39 @@
       to.push(this.text);
       this.text = text2;
       this.#where = "";
+    }
+  };
+
+  // src/teach/looks.js
+  var Looks = class {
+    #looking = {};
+    #asked = false;
+    constructor(session2) {
+      this.session = session2;
+    }
+    async ask(text2) {
+      const { told: told3, client, page: page2 } = this.session;
+      const { header } = await client.ask(this.#looking, () => ({
+        ...{ kind: "teach", do: "look", lesson: told3.lesson, files: told3.files },
+        ...{ text: text2(), have: page2.have }
+      }));
+      return (
+        /** @type {any} */
+        header
+      );
+    }
+    async got(look) {
+      if (!look.needs.length || this.#asked) return false;
+      this.#asked = true;
+      try {
+        await this.session.client.need(look.needs);
+        return true;
+      } catch {
+        this.session.panel.status(
+          "A scene here needs numpy and scipy, which this site has not packed. The build will pack them."
+        );
+        return false;
+      }
     }
   };
 
@@ -1353,12 +1416,12 @@
     }
   };
   function html2(strings, ...values) {
-    let written = strings[0] ?? "";
+    let written2 = strings[0] ?? "";
     values.forEach((value, k) => {
       const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+      written2 += quote + asText(value) + quote + (strings[k + 1] ?? "");
     });
-    return new Markup(written);
+    return new Markup(written2);
   }
   function asText(value) {
     if (Array.isArray(value)) return value.map(asText).join("");
@@ -3372,6 +3435,119 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     return row;
   }
 
+  // src/shared/bring.js
+  function bring(name, address) {
+    const known = () => (
+      /** @type {any} */
+      globalThis[name] ?? null
+    );
+    if (known()) return Promise.resolve(known());
+    return new Promise((resolve) => {
+      const script = document.createElement("script");
+      script.src = address;
+      script.onload = () => resolve(known());
+      script.onerror = () => {
+        script.remove();
+        resolve(null);
+      };
+      document.head.append(script);
+    });
+  }
+
+  // src/teach/source.js
+  var KEPT_OUT = "(stands in the teacher's own file)";
+  async function loadLesson(address) {
+    const packed2 = await bring("__cartsLesson", address);
+    if (packed2 === null) throw new Error("the lesson's text is missing in this site");
+    delete /** @type {any} */
+    globalThis.__cartsLesson;
+    const bytes = Uint8Array.from(atob(packed2), (letter) => letter.charCodeAt(0));
+    const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
+    return JSON.parse(decoder.decode(await gunzip([bytes])));
+  }
+  async function hashOf(text2) {
+    if (!globalThis.crypto?.subtle) return "";
+    const bytes = new TextEncoder().encode(text2);
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  }
+
+  // src/teach/own-file.js
+  function ownFile(words, take) {
+    const label = html("label", "carts-teach-own");
+    const input = document.createElement("input");
+    input.type = "file";
+    input.accept = ".md,text/markdown";
+    input.addEventListener("change", async () => {
+      const file = input.files?.[0];
+      if (!file) return;
+      const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
+      const text2 = decoder.decode(await file.arrayBuffer());
+      input.value = "";
+      take(text2);
+    });
+    label.append(html("span", "", words), " ", input);
+    return label;
+  }
+  var OwnFile = class {
+    #offer = html("p");
+    constructor(session2, tell) {
+      this.session = session2;
+      this.tell = tell;
+      this.root = html("div");
+      this.follow();
+    }
+    follow() {
+      const asks = this.root.firstChild !== null;
+      if (asks === this.session.withheld) return;
+      if (asks) this.root.replaceChildren();
+      else this.root.append(this.#field());
+    }
+    #field() {
+      const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
+      return ownFile(words, (own) => void this.#take(own));
+    }
+    async #take(own) {
+      this.#offer.remove();
+      this.tell("Putting notes and marking guides back …");
+      try {
+        const { missing, same } = await putBack(this.session, own);
+        this.tell(taken(missing, same));
+      } catch (error) {
+        const { message } = (
+          /** @type {Error} */
+          error
+        );
+        this.tell(`Notes and marking guides could not be put back: ${message}`);
+        const open2 = () => {
+          this.#offer.remove();
+          openInstead(this.session, own);
+        };
+        this.#offer.replaceChildren(
+          "Your changes here are then not in the text: ",
+          button("Open that file in place of this text", open2, "carts-teach-instead")
+        );
+        if (this.session.withheld) this.root.append(this.#offer);
+      }
+    }
+  };
+  async function putBack(session2, own) {
+    const same = await hashOf(own) === session2.told.hash;
+    const { text: text2, missing } = await restored(session2.client, () => session2.text, own);
+    if (same) session2.base = own;
+    session2.change(text2, "");
+    return { missing, same };
+  }
+  function openInstead(session2, own) {
+    session2.change(own, "");
+    const { error } = session2.client;
+    if (error) session2.panel.withoutPython(error.message);
+  }
+  function taken(missing, same) {
+    if (missing) return `${missing} notes or marking guides do not stand in this file.`;
+    return same ? "Your file is the published one: notes and marking guides are back." : "Notes and marking guides are back. Your file differs from the published one.";
+  }
+
   // src/teach/fields.js
   var PAUSE = 300;
   var made = 0;
@@ -3400,6 +3576,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
           this.#say(row, "");
         }
       }
+    }
+    flush() {
+      for (const { timer, refused, take } of this.#rows.values()) if (timer || refused) take();
     }
     #build(fields) {
       const focused = [...this.#rows].find(([, { control: control2 }]) => control2 === document.activeElement);
@@ -3431,26 +3610,29 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       note.setAttribute("role", "status");
       control2.setAttribute("aria-describedby", note.id);
       line.append(html("span", "carts-teach-label", field.label), control2);
-      const row = { control: control2, note, field, timer: 0, wrong: false };
       const take = () => {
         clearTimeout(row.timer);
         row.timer = 0;
         if (control2.value !== row.field.value) void this.#take(row);
       };
+      const row = { control: control2, note, field, timer: 0, wrong: false, refused: false, take };
       control2.addEventListener("input", () => {
         clearTimeout(row.timer);
         row.timer = setTimeout(take, PAUSE);
       });
       control2.addEventListener("change", take);
       this.#rows.set(JSON.stringify(field.path), row);
-      const whole = html("div", "carts-teach-field");
-      whole.append(line, note);
-      return whole;
+      const whole2 = html("div", "carts-teach-field");
+      whole2.append(line, note);
+      return whole2;
     }
     async #take(row) {
       try {
-        this.#say(row, await this.set(row.field, row.control.value, row));
+        const why = await this.set(row.field, row.control.value, row);
+        row.refused = why !== "";
+        this.#say(row, why);
       } catch (error) {
+        row.refused = true;
         this.#say(
           row,
           /** @type {Error} */
@@ -3580,6 +3762,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     get area() {
       return this.piece.kind === "text" ? this.prose : this.text.area;
     }
+    flush() {
+      this.#fields.flush();
+    }
     show(piece, findings, changed) {
       this.piece = piece;
       this.findings = findings;
@@ -3654,18 +3839,22 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     const root = html("div", "carts-teach-tools");
     const undo = button("Undo", () => session2.undo(), "carts-teach-undo");
     const redo = button("Redo", () => session2.redo(), "carts-teach-redo");
-    const saved = (words) => {
+    const saved = (name, words, lacking) => {
       const faulty = Boolean(session2.look?.findings.length);
-      const said = [words];
+      const said = [
+        lacking.length ? `${name} was made without what you typed last. ${lacking.join(" ")}` : words
+      ];
       if (session2.withheld) said.push(WITHHELD);
       if (faulty) said.push("There are mistakes in it: the build would stop at them.");
       tell(said.join(" "), faulty);
     };
     const save = button(
       "Save lesson",
-      () => {
-        download(session2.name, session2.text, "text/markdown");
-        saved(`Saved as ${session2.name}: look in your folder “Downloads”.`);
+      async () => {
+        const lacking = await session2.typed();
+        const { name } = session2;
+        download(name, session2.text, "text/markdown");
+        saved(name, `Saved as ${name}: look in your folder “Downloads”.`, lacking);
       },
       "carts-teach-save"
     );
@@ -3673,10 +3862,11 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       "Save as zip",
       async () => {
         const name = session2.name.replace(/\.md$/, ".zip");
+        const lacking = await session2.typed();
         try {
           const bytes = Uint8Array.from(atob(await session2.zip()), (letter) => letter.charCodeAt(0));
           downloadBlob(name, new Blob([bytes], { type: "application/zip" }));
-          saved(`Saved as ${name}, with a list of what was changed.`);
+          saved(name, `Saved as ${name}, with a list of what was changed.`, lacking);
         } catch (error) {
           tell(
             /** @type {Error} */
@@ -3701,20 +3891,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     draw();
     return { root, draw };
   }
-  function ownFile(words, take) {
-    const label = html("label", "carts-teach-own");
-    const input = document.createElement("input");
-    input.type = "file";
-    input.accept = ".md,text/markdown";
-    input.addEventListener("change", async () => {
-      const file = input.files?.[0];
-      if (!file) return;
-      const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
-      take(decoder.decode(await file.arrayBuffer()), file.name);
-    });
-    label.append(html("span", "", words), " ", input);
-    return label;
-  }
 
   // src/teach/panel.js
   var Panel = class {
@@ -3722,6 +3898,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     #pieces = [];
     #published = /* @__PURE__ */ new Set();
     #base = "";
+    #whole = null;
     #faulty = false;
     // whether the status speaks of mistakes
     constructor(session2) {
@@ -3740,12 +3917,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.state = html("p", "carts-teach-state");
       this.state.setAttribute("role", "status");
       this.tools = toolbar(session2, (text2, faulty) => this.status(text2, faulty));
+      this.own = new OwnFile(session2, (text2) => this.status(text2));
       this.notices = html("div", "carts-teach-notices");
       this.list = html("div", "carts-teach-pieces");
       const body2 = html("div", "carts-teach-body");
-      body2.append(this.tools.root, this.note, this.state, this.notices, this.list);
+      body2.append(this.tools.root, this.note, this.state, this.own.root, this.notices, this.list);
       this.root.append(head, body2);
-      if (session2.withheld) this.#withheld();
     }
     #fold(small) {
       const folded = this.root.classList.toggle("carts-teach-folded");
@@ -3759,6 +3936,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     focus() {
       this.heading.focus();
     }
+    flush() {
+      for (const editor of this.#editors) editor.flush();
+    }
     status(text2, faulty = false) {
       this.#faulty = faulty;
       say(this.note, text2);
@@ -3769,8 +3949,13 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.root.dataset.kept = String(kept);
     }
     follow() {
-      this.root.dataset.state = "looking";
+      this.root.dataset.state = this.#whole ? "unchecked" : "looking";
+      this.#whole?.show(whole(this.session.text), [], false);
       this.tools.draw();
+      this.followOwn();
+    }
+    followOwn() {
+      this.own.follow();
     }
     drawn() {
       this.root.dataset.state = "ready";
@@ -3859,20 +4044,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       editor.root.scrollIntoView({ block: "start" });
       editor.summary.focus();
     }
-    #withheld() {
-      const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
-      this.notices.append(ownFile(words, (text2) => void this.session.takeOwn(text2)));
-    }
-    ownTaken(missing, same) {
-      this.notices.replaceChildren();
-      if (missing) {
-        this.status(`${missing} notes or marking guides do not stand in this file.`);
-        this.#withheld();
-      } else if (same)
-        this.status("Your file is the published one: notes and marking guides are back.");
-      else
-        this.status("Notes and marking guides are back. Your file differs from the published one.");
-    }
     askForFile() {
       this.root.dataset.state = "asks";
       this.tools.root.hidden = true;
@@ -3881,7 +4052,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         ownFile(words, (text2) => {
           this.tools.root.hidden = false;
           this.notices.replaceChildren();
-          void this.session.takeOwn(text2);
+          void this.session.openOwn(text2);
         })
       );
     }
@@ -3896,62 +4067,55 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         opened: () => {
         }
       });
-      editor.show({ kind: "top", text: this.session.text, line: 1 }, [], false);
+      editor.show(whole(this.session.text), [], false);
+      this.#whole = editor;
       editor.root.open = true;
       this.list.replaceChildren(editor.root);
       this.root.dataset.state = "unchecked";
     }
   };
+  var whole = (text2) => ({ kind: "top", text: text2, line: 1 });
   var shape = (pieces) => pieces.map(({ kind: kind2, name, id }) => `${kind2} ${name} ${id}`).join("\n");
   var plain = (text2) => text2.replace(/\r\n?/g, "\n");
 
-  // src/shared/bring.js
-  function bring(name, address) {
-    const known = () => (
-      /** @type {any} */
-      globalThis[name] ?? null
-    );
-    if (known()) return Promise.resolve(known());
-    return new Promise((resolve) => {
-      const script = document.createElement("script");
-      script.src = address;
-      script.onload = () => resolve(known());
-      script.onerror = () => {
-        script.remove();
-        resolve(null);
-      };
-      document.head.append(script);
-    });
-  }
-
-  // src/teach/source.js
-  var KEPT_OUT = "(stands in the teacher's own file)";
-  async function loadLesson(address) {
-    const packed2 = await bring("__cartsLesson", address);
-    if (packed2 === null) throw new Error("the lesson's text is missing in this site");
-    delete /** @type {any} */
-    globalThis.__cartsLesson;
-    const bytes = Uint8Array.from(atob(packed2), (letter) => letter.charCodeAt(0));
-    const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
-    return JSON.parse(decoder.decode(await gunzip([bytes])));
-  }
-  async function hashOf(text2) {
-    if (!globalThis.crypto?.subtle) return "";
-    const bytes = new TextEncoder().encode(text2);
-    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
-  }
+  // src/teach/under-way.js
+  var PATIENCE3 = 8e3;
+  var UnderWay = class {
+    #values = /* @__PURE__ */ new Map();
+    get some() {
+      return this.#values.size > 0;
+    }
+    add(name, done) {
+      const told3 = done.then(
+        (why) => why && `${name}: ${why}`,
+        (error) => `${name}: ${/** @type {Error} */
+        error.message}`
+      );
+      this.#values.set(told3, name);
+      void told3.then(() => this.#values.delete(told3));
+    }
+    async all(patience = PATIENCE3) {
+      if (!this.some) return [];
+      let timer = 0;
+      const late = new Promise((resolve) => {
+        timer = setTimeout(resolve, patience);
+      });
+      const one = ([told4, name]) => Promise.race([told4, late.then(() => `${name}: Python has not answered yet.`)]);
+      const told3 = await Promise.all([...this.#values].map(one));
+      clearTimeout(timer);
+      return [...new Set(told3.filter(Boolean))];
+    }
+  };
 
   // src/teach/session.js
   var PAUSE2 = 250;
   var BODY = "carts-teaching";
   var Session = class {
-    #looking = {};
     #timer = 0;
     settled = Promise.resolve();
     look = null;
-    #asked = false;
     #working = false;
+    #typed = new UnderWay();
     constructor({ told: told3, client, assets, drafts, link }) {
       this.told = told3;
       this.client = client;
@@ -3965,6 +4129,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       );
       this.page = new LessonPage(article, assets, (k) => this.panel.openBlock(k));
       this.panel = new Panel(this);
+      this.looks = new Looks(this);
     }
     get text() {
       return this.history.text;
@@ -3983,39 +4148,45 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       scrollTo(0, 0);
       if (this.told.text === null) return this.panel.askForFile();
       this.panel.status("Starting Python …");
-      await this.#begin();
+      const { drafts } = this;
+      const [draft, earlier] = [await drafts.current(), await drafts.earlier()];
+      await this.#begin({ published: true, draft, earlier });
     }
-    async #begin(published = true) {
+    async #begin({ published, draft, earlier }) {
       const built = this.text;
-      const draft = this.#takeBack(await this.drafts.current());
+      const back = this.#takeBack(draft);
+      this.#working = true;
       try {
         for (let more = true; more; ) {
-          const look = await this.#ask(draft && built);
-          if (draft) this.panel.published(look, built);
-          else this.#take(look);
+          const look = await this.looks.ask(() => built);
+          this.panel.published(look, built);
+          if (this.text === built) this.#take(look);
           if (published) this.page.adopt(look);
           else await this.page.show(look);
-          more = look.more || await this.#got(look);
+          more = look.more || await this.looks.got(look);
         }
-        if (draft) this.#take(await this.#ask());
+        this.panel.status(back ? `Your draft of ${clock(back.last)} is back.` : "");
+        if (this.text !== built) await this.#follow();
       } catch (error) {
         const { message, detail } = (
           /** @type {Error & {detail?: string}} */
           error
         );
         console.warn(message, detail ?? "");
+        this.panel.offerEarlier(earlier);
         return this.panel.withoutPython(message);
+      } finally {
+        this.#working = false;
       }
-      this.panel.status(draft ? `Your draft of ${clock(draft.last)} is back.` : "");
-      if (draft) await this.lookNow();
-      this.panel.offerEarlier(await this.drafts.earlier());
-      this.panel.root.dataset.state = "ready";
+      this.panel.offerEarlier(earlier);
+      this.panel.drawn();
     }
     #takeBack(draft) {
       if (!draft || draft.text === this.text) return null;
-      this.base = draft.base;
+      if (this.told.text !== null) this.base = draft.base;
       this.history.change(draft.text, "");
       this.panel.kept(true);
+      this.panel.followOwn();
       return draft;
     }
     show() {
@@ -4069,15 +4240,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (this.#working) return;
       this.#working = true;
       try {
-        for (let more = true; more; ) {
-          const text2 = this.text;
-          const look = await this.#ask();
-          if (text2 !== this.text) continue;
-          this.#take(look);
-          await this.page.show(look);
-          more = look.more || await this.#got(look) || text2 !== this.text;
-        }
-        this.panel.drawn();
+        await this.#follow();
       } catch (error) {
         this.panel.status(
           /** @type {Error} */
@@ -4087,66 +4250,45 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.#working = false;
       }
     }
+    async #follow() {
+      for (let more = true; more; ) {
+        const text2 = this.text;
+        const look = await this.looks.ask(() => this.text);
+        if (text2 !== this.text) continue;
+        this.#take(look);
+        await this.page.show(look);
+        more = look.more || await this.looks.got(look) || text2 !== this.text;
+      }
+      this.panel.drawn();
+    }
     #take(look) {
       this.look = look;
       this.panel.take(look);
     }
-    async #ask(text2 = null) {
-      const { lesson, files } = this.told;
-      const { header } = await this.client.ask(this.#looking, () => ({
-        ...{ kind: "teach", do: "look", lesson, files },
-        ...{ text: text2 ?? this.text, have: this.page.have }
-      }));
-      return (
-        /** @type {any} */
-        header
-      );
+    set(block, field, value, owner) {
+      const done = this.#set(block, field, value, owner);
+      this.#typed.add([field.group, field.label].filter(Boolean).join(", "), done);
+      return done;
     }
-    async #got(look) {
-      if (!look.needs.length || this.#asked) return false;
-      this.#asked = true;
-      try {
-        await this.client.need(look.needs);
-        return true;
-      } catch {
-        this.panel.status(
-          "A scene here needs numpy and scipy, which this site has not packed. The build will pack them."
-        );
-        return false;
-      }
+    async #set(block, field, value, owner) {
+      const { path: path2 } = field;
+      const answer = await written(this.client, owner, () => this.text, { block, path: path2, value });
+      if (answer.refused) return answer.refused;
+      this.change(answer.text, `${block} ${path2.join(".")}`, 0);
+      return "";
     }
-    async set(block, field, value, owner) {
-      for (; ; ) {
-        const { header, sent } = await this.client.ask(owner, () => ({
-          kind: "teach",
-          do: "set",
-          text: this.text,
-          block,
-          path: field.path,
-          value
-        }));
-        const answer = (
-          /** @type {any} */
-          header
-        );
-        if (answer.refused) return answer.refused;
-        if (sent.text !== this.text) continue;
-        this.change(answer.text, `${block} ${field.path.join(".")}`, 0);
-        return "";
-      }
+    typed() {
+      this.panel.flush();
+      if (this.#typed.some) this.panel.status("Taking over what you typed …");
+      return this.#typed.all();
     }
-    async takeOwn(own) {
-      if (this.told.text === null) {
-        this.base = own;
-        this.history = new History(own);
-        this.panel.status("Starting Python …");
-        return this.#begin(await hashOf(own) === this.told.hash);
-      }
-      const { text: text2, missing } = await restored(this.client, this.text, own);
-      const same = await hashOf(own) === this.told.hash;
-      if (same) this.base = own;
-      this.change(text2, "");
-      this.panel.ownTaken(missing, same);
+    async openOwn(own) {
+      this.base = own;
+      this.history = new History(own);
+      this.panel.status("Starting Python …");
+      const hash = await hashOf(own);
+      const published = hash === this.told.hash;
+      return this.#begin({ published, ...await this.drafts.ofFile(own, hash) });
     }
     zip() {
       return zipped(this.client, this.told.file, this.text, this.base);

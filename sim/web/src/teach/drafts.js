@@ -33,6 +33,24 @@ export class Drafts {
       .sort((a, b) => (a.last < b.last ? 1 : -1));
   }
 
+  /**
+   * Of a lesson whose text is not in the site: a draft belongs to the file that it began from, and is brought
+   * back to no other. Drafts hold what the page must not show, such as the words that open a test: whoever
+   * opens another file is told nothing of them.
+   * @param {string} own the file's text @param {string} hash of it
+   * @returns {Promise<{draft: Draft | null, earlier: Draft[]}>}
+   */
+  async ofFile(own, hash) {
+    const published = hash !== "" && hash === this.hash;
+    const found = [await this.current(), ...(await this.earlier())].filter((one) => one !== null);
+    const draft =
+      found.find(({ base }) => base === own) ??
+      found.find((one) => published && one.hash === hash) ??
+      null;
+    this.hash = draft?.hash ?? (hash || this.hash); // what is kept now leaves the others as they are
+    return { draft, earlier: found.filter((one) => one !== draft && holds(own, one)) };
+  }
+
   /** Resolves with whether the browser keeps it beyond this visit. @param {string} text @param {string} base */
   async keep(text, base) {
     const store = await this.store;
@@ -51,3 +69,32 @@ export class Drafts {
 function isDraft(value) {
   return typeof value?.text === "string" && typeof value?.base === "string";
 }
+
+/**
+ * Whether a file holds the lesson of a draft: the same heading, every word that opens or ends a test, and half
+ * of what stands in its blocks. A page shows its heading, never those words.
+ * @param {string} own @param {Draft} draft
+ */
+function holds(own, { base }) {
+  const lines = new Set(linesOf(own));
+  const inBlocks = [...base.matchAll(/^(`{3,}|~{3,})[\s\S]*?^\1/gm)].flatMap(([block]) =>
+    linesOf(block),
+  );
+  const there = inBlocks.filter((line) => lines.has(line));
+  const words = inBlocks.filter((line) => /\bword["']?\s*:/.test(line));
+  return (
+    headingOf(base) === headingOf(own) &&
+    words.every((line) => lines.has(line)) &&
+    2 * there.length >= inBlocks.length
+  );
+}
+
+/** @param {string} text */
+const headingOf = (text) => /^# +(.+?)\s*$/m.exec(text)?.[1];
+
+/** @param {string} text */
+const linesOf = (text) =>
+  text
+    .split(/\r\n?|\n/)
+    .map((line) => line.trim())
+    .filter(Boolean);

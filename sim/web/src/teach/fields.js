@@ -8,7 +8,7 @@ const PAUSE = 300; // ms without a key until a value is taken over
 let made = 0;
 
 export class Fields {
-  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, wrong: boolean}>} wrong: the note is a finding */
+  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, wrong: boolean, refused: boolean, take: () => void}>} wrong: the note is a finding; take: its value now */
   #rows = new Map();
   #form = "";
 
@@ -38,6 +38,11 @@ export class Fields {
         this.#say(row, "");
       }
     }
+  }
+
+  /** What was typed and waits for a pause, or was refused, is taken over now. */
+  flush() {
+    for (const { timer, refused, take } of this.#rows.values()) if (timer || refused) take();
   }
 
   /** @param {Field[]} fields */
@@ -73,12 +78,12 @@ export class Fields {
     note.setAttribute("role", "status");
     control.setAttribute("aria-describedby", note.id);
     line.append(html("span", "carts-teach-label", field.label), control);
-    const row = { control, note, field, timer: 0, wrong: false };
     const take = () => {
       clearTimeout(row.timer);
       row.timer = 0;
       if (control.value !== row.field.value) void this.#take(row);
     };
+    const row = { control, note, field, timer: 0, wrong: false, refused: false, take };
     control.addEventListener("input", () => {
       clearTimeout(row.timer);
       row.timer = setTimeout(take, PAUSE);
@@ -90,11 +95,14 @@ export class Fields {
     return whole;
   }
 
-  /** @param {{control: any, note: HTMLElement, field: Field}} row */
+  /** @param {{control: any, note: HTMLElement, field: Field, refused: boolean}} row */
   async #take(row) {
     try {
-      this.#say(row, await this.set(row.field, row.control.value, row));
+      const why = await this.set(row.field, row.control.value, row);
+      row.refused = why !== "";
+      this.#say(row, why);
     } catch (error) {
+      row.refused = true;
       this.#say(row, /** @type {Error} */ (error).message);
     }
   }

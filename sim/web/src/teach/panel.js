@@ -3,8 +3,9 @@
 import { button } from "../answers/parts.js";
 import { html, say } from "../shared/dom.js";
 import { earlierDraft } from "./earlier-draft.js";
+import { OwnFile, ownFile } from "./own-file.js";
 import { PieceEditor } from "./piece.js";
-import { ownFile, toolbar } from "./saves.js";
+import { toolbar } from "./saves.js";
 
 /** @typedef {import("./types.js").Look} Look */
 
@@ -16,6 +17,8 @@ export class Panel {
   /** @type {Set<string>} texts of the published pieces */
   #published = new Set();
   #base = "";
+  /** @type {PieceEditor | null} of the whole text, where Python does not answer */
+  #whole = null;
   #faulty = false; // whether the status speaks of mistakes
 
   /** @param {import("./session.js").Session} session */
@@ -35,12 +38,12 @@ export class Panel {
     this.state = html("p", "carts-teach-state");
     this.state.setAttribute("role", "status");
     this.tools = toolbar(session, (text, faulty) => this.status(text, faulty));
+    this.own = new OwnFile(session, (text) => this.status(text));
     this.notices = html("div", "carts-teach-notices");
     this.list = html("div", "carts-teach-pieces");
     const body = html("div", "carts-teach-body");
-    body.append(this.tools.root, this.note, this.state, this.notices, this.list);
+    body.append(this.tools.root, this.note, this.state, this.own.root, this.notices, this.list);
     this.root.append(head, body);
-    if (session.withheld) this.#withheld();
   }
 
   /** @param {HTMLButtonElement} small */
@@ -57,6 +60,11 @@ export class Panel {
 
   focus() {
     this.heading.focus();
+  }
+
+  /** What was typed in fields and waits for a pause is taken over now. */
+  flush() {
+    for (const editor of this.#editors) editor.flush();
   }
 
   /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
@@ -76,8 +84,15 @@ export class Panel {
 
   /** The text was changed: what can be told before Python has looked. */
   follow() {
-    this.root.dataset.state = "looking";
+    this.root.dataset.state = this.#whole ? "unchecked" : "looking";
+    this.#whole?.show(whole(this.session.text), [], false);
     this.tools.draw();
+    this.followOwn();
+  }
+
+  /** Whether the teacher's own file is asked for. */
+  followOwn() {
+    this.own.follow();
   }
 
   /** The page shows the text as it is. */
@@ -184,23 +199,6 @@ export class Panel {
     editor.summary.focus();
   }
 
-  #withheld() {
-    const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
-    this.notices.append(ownFile(words, (text) => void this.session.takeOwn(text)));
-  }
-
-  /** @param {number} missing @param {boolean} same whether it is the published file */
-  ownTaken(missing, same) {
-    this.notices.replaceChildren();
-    if (missing) {
-      this.status(`${missing} notes or marking guides do not stand in this file.`);
-      this.#withheld();
-    } else if (same)
-      this.status("Your file is the published one: notes and marking guides are back.");
-    else
-      this.status("Notes and marking guides are back. Your file differs from the published one.");
-  }
-
   /** A lesson whose text is not in the site. */
   askForFile() {
     this.root.dataset.state = "asks";
@@ -210,7 +208,7 @@ export class Panel {
       ownFile(words, (text) => {
         this.tools.root.hidden = false;
         this.notices.replaceChildren();
-        void this.session.takeOwn(text);
+        void this.session.openOwn(text);
       }),
     );
   }
@@ -228,12 +226,16 @@ export class Panel {
       set: async () => "",
       opened: () => {},
     });
-    editor.show({ kind: "top", text: this.session.text, line: 1 }, [], false);
+    editor.show(whole(this.session.text), [], false);
+    this.#whole = editor;
     editor.root.open = true;
     this.list.replaceChildren(editor.root);
     this.root.dataset.state = "unchecked";
   }
 }
+
+/** @param {string} text @returns {import("./types.js").Piece} */
+const whole = (text) => ({ kind: "top", text, line: 1 });
 
 /** @param {import("./types.js").Piece[]} pieces */
 const shape = (pieces) => pieces.map(({ kind, name, id }) => `${kind} ${name} ${id}`).join("\n");

@@ -58,6 +58,11 @@ export class PieceEditor {
     return this.piece.kind === "text" ? this.prose : this.text.area;
   }
 
+  /** What was typed in a field and waits for a pause is taken over now. */
+  flush() {
+    this.#fields.flush();
+  }
+
   /** @param {Piece} piece @param {Finding[]} findings @param {boolean} changed */
   show(piece, findings, changed) {
     this.piece = piece;

@@ -1,4 +1,4 @@
-/** The toolbar: undo, save, back to the published lesson, the teacher's own file. */
+/** The toolbar: undo, save, save as a zip, back to the published lesson. */
 
 import { askingButton, button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
@@ -12,18 +12,23 @@ export function toolbar(session, tell) {
   const root = html("div", "carts-teach-tools");
   const undo = button("Undo", () => session.undo(), "carts-teach-undo");
   const redo = button("Redo", () => session.redo(), "carts-teach-redo");
-  const saved = (/** @type {string} */ words) => {
+  /** @param {string} name @param {string} words @param {string[]} lacking what is told of values that are not in it */
+  const saved = (name, words, lacking) => {
     const faulty = Boolean(session.look?.findings.length);
-    const said = [words];
+    const said = [
+      lacking.length ? `${name} was made without what you typed last. ${lacking.join(" ")}` : words,
+    ];
     if (session.withheld) said.push(WITHHELD);
     if (faulty) said.push("There are mistakes in it: the build would stop at them.");
     tell(said.join(" "), faulty);
   };
   const save = button(
     "Save lesson",
-    () => {
-      download(session.name, session.text, "text/markdown");
-      saved(`Saved as ${session.name}: look in your folder “Downloads”.`);
+    async () => {
+      const lacking = await session.typed();
+      const { name } = session;
+      download(name, session.text, "text/markdown");
+      saved(name, `Saved as ${name}: look in your folder “Downloads”.`, lacking);
     },
     "carts-teach-save",
   );
@@ -31,10 +36,11 @@ export function toolbar(session, tell) {
     "Save as zip",
     async () => {
       const name = session.name.replace(/\.md$/, ".zip");
+      const lacking = await session.typed();
       try {
         const bytes = Uint8Array.from(atob(await session.zip()), (letter) => letter.charCodeAt(0));
         downloadBlob(name, new Blob([bytes], { type: "application/zip" }));
-        saved(`Saved as ${name}, with a list of what was changed.`);
+        saved(name, `Saved as ${name}, with a list of what was changed.`, lacking);
       } catch (error) {
         tell(/** @type {Error} */ (error).message);
       }
@@ -55,20 +61,4 @@ export function toolbar(session, tell) {
   };
   draw();
   return { root, draw };
-}
-
-/** A field for the teacher's own file. @param {string} words @param {(text: string, name: string) => void} take */
-export function ownFile(words, take) {
-  const label = html("label", "carts-teach-own");
-  const input = document.createElement("input");
-  input.type = "file";
-  input.accept = ".md,text/markdown";
-  input.addEventListener("change", async () => {
-    const file = input.files?.[0];
-    if (!file) return;
-    const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
-    take(decoder.decode(await file.arrayBuffer()), file.name);
-  });
-  label.append(html("span", "", words), " ", input);
-  return label;
 }

@@ -1,27 +1,29 @@
 /** One teacher at work on one lesson: text, drafts, Python's answers, the page and the panel. */
 
 import { clock } from "../answers/parts.js";
-import { restored, zipped } from "./asked.js";
+import { written, zipped } from "./asked.js";
 import { History } from "./history.js";
+import { Looks } from "./looks.js";
 import { LessonPage } from "./page.js";
 import { Panel } from "./panel.js";
 import { hashOf, KEPT_OUT } from "./source.js";
+import { UnderWay } from "./under-way.js";
 
 /** @typedef {import("./types.js").Look} Look */
 /** @typedef {import("./types.js").Field} Field */
+/** @typedef {import("./drafts.js").Draft} Draft */
 
 const PAUSE = 250; // ms without a key until Python looks
 const BODY = "carts-teaching";
 
 export class Session {
-  #looking = {};
   #timer = 0;
   /** Resolves when Python has seen the text as it is now, and the page shows it. */
   settled = Promise.resolve();
   /** @type {Look | null} */
   look = null;
-  #asked = false;
   #working = false;
+  #typed = new UnderWay();
 
   /**
    * @param {{told: import("./source.js").Told, client: import("../runtime/client.js").Client, assets: string,
@@ -37,6 +39,7 @@ export class Session {
     const article = /** @type {HTMLElement} */ (link.closest("article") ?? document.body);
     this.page = new LessonPage(article, assets, (k) => this.panel.openBlock(k));
     this.panel = new Panel(this);
+    this.looks = new Looks(this);
   }
 
   get text() {
@@ -62,40 +65,50 @@ export class Session {
     scrollTo(0, 0); // the link is at the foot, the panel begins with the first part
     if (this.told.text === null) return this.panel.askForFile();
     this.panel.status("Starting Python …");
-    await this.#begin();
+    const { drafts } = this;
+    const [draft, earlier] = [await drafts.current(), await drafts.earlier()];
+    await this.#begin({ published: true, draft, earlier });
   }
 
-  /** @param {boolean} published whether the text is the one that the page was built from */
-  async #begin(published = true) {
+  /**
+   * The first looks are at the text as it was built: what is typed meanwhile, or comes back as a draft, is
+   * looked at after them.
+   * @param {{published: boolean, draft: Draft | null, earlier: Draft[]}} given published: the page was built from this text
+   */
+  async #begin({ published, draft, earlier }) {
     const built = this.text;
-    const draft = this.#takeBack(await this.drafts.current());
+    const back = this.#takeBack(draft);
+    this.#working = true;
     try {
       for (let more = true; more; ) {
-        const look = await this.#ask(draft && built);
-        if (draft) this.panel.published(look, built);
-        else this.#take(look);
+        const look = await this.looks.ask(() => built);
+        this.panel.published(look, built);
+        if (this.text === built) this.#take(look);
         if (published) this.page.adopt(look);
         else await this.page.show(look);
-        more = look.more || (await this.#got(look));
+        more = look.more || (await this.looks.got(look));
       }
-      if (draft) this.#take(await this.#ask());
+      this.panel.status(back ? `Your draft of ${clock(back.last)} is back.` : "");
+      if (this.text !== built) await this.#follow();
     } catch (error) {
       const { message, detail } = /** @type {Error & {detail?: string}} */ (error);
       console.warn(message, detail ?? "");
+      this.panel.offerEarlier(earlier);
       return this.panel.withoutPython(message);
+    } finally {
+      this.#working = false;
     }
-    this.panel.status(draft ? `Your draft of ${clock(draft.last)} is back.` : "");
-    if (draft) await this.lookNow();
-    this.panel.offerEarlier(await this.drafts.earlier());
-    this.panel.root.dataset.state = "ready";
+    this.panel.offerEarlier(earlier);
+    this.panel.drawn();
   }
 
-  /** A kept draft is the text before anything can be typed: it would be lost under the first key. @param {import("./drafts.js").Draft | null} draft @returns {import("./drafts.js").Draft | null} null: there is none */
+  /** A kept draft is the text before anything can be typed: it would be lost under the first key. @param {Draft | null} draft @returns {Draft | null} null: there is none */
   #takeBack(draft) {
     if (!draft || draft.text === this.text) return null;
-    this.base = draft.base;
+    if (this.told.text !== null) this.base = draft.base; // else it is the file that was opened
     this.history.change(draft.text, "");
     this.panel.kept(true);
+    this.panel.followOwn();
     return draft;
   }
 
@@ -162,20 +175,24 @@ export class Session {
     if (this.#working) return;
     this.#working = true;
     try {
-      for (let more = true; more; ) {
-        const text = this.text;
-        const look = await this.#ask();
-        if (text !== this.text) continue;
-        this.#take(look);
-        await this.page.show(look);
-        more = look.more || (await this.#got(look)) || text !== this.text;
-      }
-      this.panel.drawn();
+      await this.#follow();
     } catch (error) {
       this.panel.status(/** @type {Error} */ (error).message);
     } finally {
       this.#working = false;
     }
+  }
+
+  async #follow() {
+    for (let more = true; more; ) {
+      const text = this.text;
+      const look = await this.looks.ask(() => this.text);
+      if (text !== this.text) continue;
+      this.#take(look);
+      await this.page.show(look);
+      more = look.more || (await this.looks.got(look)) || text !== this.text;
+    }
+    this.panel.drawn();
   }
 
   /** @param {Look} look */
@@ -184,63 +201,37 @@ export class Session {
     this.panel.take(look);
   }
 
-  /** @param {string | null} text null: as it is when it is sent @returns {Promise<Look>} */
-  async #ask(text = null) {
-    const { lesson, files } = this.told;
-    const { header } = await this.client.ask(this.#looking, () => ({
-      ...{ kind: "teach", do: "look", lesson, files },
-      ...{ text: text ?? this.text, have: this.page.have },
-    }));
-    return /** @type {any} */ (header);
-  }
-
-  /** Loads what a scene needs beside bare Python, once. @param {Look} look */
-  async #got(look) {
-    if (!look.needs.length || this.#asked) return false;
-    this.#asked = true;
-    try {
-      await this.client.need(look.needs);
-      return true;
-    } catch {
-      this.panel.status(
-        "A scene here needs numpy and scipy, which this site has not packed. The build will pack them.",
-      );
-      return false;
-    }
-  }
-
   /** One value of a block. @param {number} block @param {Field} field @param {string} value @param {object} owner @returns {Promise<string>} why not; empty: done */
-  async set(block, field, value, owner) {
-    for (;;) {
-      const { header, sent } = await this.client.ask(owner, () => ({
-        kind: "teach",
-        do: "set",
-        text: this.text,
-        block,
-        path: field.path,
-        value,
-      }));
-      const answer = /** @type {any} */ (header);
-      if (answer.refused) return answer.refused;
-      if (sent.text !== this.text) continue;
-      this.change(answer.text, `${block} ${field.path.join(".")}`, 0); // the field has waited
-      return "";
-    }
+  set(block, field, value, owner) {
+    const done = this.#set(block, field, value, owner);
+    this.#typed.add([field.group, field.label].filter(Boolean).join(", "), done);
+    return done;
   }
 
-  /** The teacher's own file: the whole lesson, with what was kept out of the site. @param {string} own */
-  async takeOwn(own) {
-    if (this.told.text === null) {
-      this.base = own;
-      this.history = new History(own);
-      this.panel.status("Starting Python …");
-      return this.#begin((await hashOf(own)) === this.told.hash);
-    }
-    const { text, missing } = await restored(this.client, this.text, own);
-    const same = (await hashOf(own)) === this.told.hash;
-    if (same) this.base = own;
-    this.change(text, "");
-    this.panel.ownTaken(missing, same);
+  /** @param {number} block @param {Field} field @param {string} value @param {object} owner */
+  async #set(block, field, value, owner) {
+    const { path } = field;
+    const answer = await written(this.client, owner, () => this.text, { block, path, value });
+    if (answer.refused) return answer.refused;
+    this.change(answer.text, `${block} ${path.join(".")}`, 0); // the field has waited
+    return "";
+  }
+
+  /** Resolves when what stands in the fields stands in the text, with what is told of values that do not. @returns {Promise<string[]>} */
+  typed() {
+    this.panel.flush();
+    if (this.#typed.some) this.panel.status("Taking over what you typed …");
+    return this.#typed.all();
+  }
+
+  /** The teacher's own file, where the site has no text of the lesson. @param {string} own */
+  async openOwn(own) {
+    this.base = own;
+    this.history = new History(own);
+    this.panel.status("Starting Python …");
+    const hash = await hashOf(own);
+    const published = hash === this.told.hash;
+    return this.#begin({ published, ...(await this.drafts.ofFile(own, hash)) });
   }
 
   /** @returns {Promise<string>} a zip in base64 */
