@@ -1,7 +1,7 @@
 """A teacher at work in a document of linkedom, before a Python that answers when it is told to.
 
-Its looks are simple: every paragraph is a piece; `key: value` lines of a paragraph that begins with `# block`
-are its fields. The script has `session`, `client`, and what it needs to type and to answer.
+Its looks are simple: every paragraph is a piece; `key: value` lines of a paragraph that begins with
+`# block` are its fields. The script has `session`, `client`, and what it needs to type and to answer.
 """
 
 from __future__ import annotations
@@ -146,7 +146,8 @@ const press = (name) => one(name).dispatchEvent(new window.Event("click"));
 const choose = async (text) => {
   const input = one(".carts-teach-own input");
   const bytes = new TextEncoder().encode(text);
-  Object.defineProperty(input, "files", { value: [{ name: "a.md", arrayBuffer: async () => bytes }] });
+  const file = { name: "a.md", arrayBuffer: async () => bytes };
+  Object.defineProperty(input, "files", { value: [file] });
   input.dispatchEvent(new window.Event("change"));
   await turn(60);
 };

@@ -1,4 +1,4 @@
-"""The draft of a test belongs to the file that it began from; whoever opens another is shown nothing of it."""
+"""The draft of a test belongs to the file that it began from; another file shows nothing of it."""
 
 from __future__ import annotations
 
