@@ -1,7 +1,8 @@
 """A teacher at work in a document of linkedom, before a Python that answers when it is told to.
 
 Its looks are simple: every paragraph is a piece; `key: value` lines of a paragraph that begins with
-`# block` are its fields. The script has `session`, `client`, and what it needs to type and to answer.
+`# block` are its fields. The script has `session`, `client`, and what it needs to type and to
+answer.
 """
 
 from __future__ import annotations
