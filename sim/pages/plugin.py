@@ -94,7 +94,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self.folder = root / self.config.lessons
         self.build.lessons = self.folder
         self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
-        usual_settings.fill_in(config)
+        usual_settings.fill_in(config, links=self.lessons_only)
         self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = lessons_in(self.folder)
         self.build.languages = Languages.of(self.folder, root, self.lessons, _report)

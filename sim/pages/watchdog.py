@@ -42,13 +42,25 @@ _WORDS = {
         "A part of this page did not come and does not work; your answers are kept. "
         "Load the page again."
     ),
+    # A lesson in one file has neither a folder nor other files.
+    "broken alone": mark(
+        "This page does not work here, and nothing you type is kept: this browser is too old, "
+        "or the file is damaged. Get the file again, or try a newer browser."
+    ),
+    "part alone": mark(
+        "A part of this file is damaged and does not work; your answers are kept. "
+        "Get the file again."
+    ),
     "slow": mark("This page is still loading. Nothing you type is kept before it is there."),
 }
+_IN_A_SITE = {name: name for name in _WORDS if not name.endswith(" alone")}
+_ALONE = {"broken": "broken alone", "part": "part alone", "slow": "slow"}
 
 
-def watchdog() -> str:
-    """The script, in the language that is being written now."""
-    told = {name: tr(words) for name, words in _WORDS.items()}
+def watchdog(*, alone: bool = False) -> str:
+    """The script, in the language that is being written now; `alone`: for a lesson in one file."""
+    names = _ALONE if alone else _IN_A_SITE
+    told = {name: tr(_WORDS[words]) for name, words in names.items()}
     return _source().replace('"@@WORDS@@"', json.dumps(told, ensure_ascii=False), 1)
 
 

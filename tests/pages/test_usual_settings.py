@@ -69,9 +69,9 @@ def test_a_new_site_with_docs_of_its_own_keeps_the_markdown_of_lessons(
     assert 'class="md-tabs"' in page and "__palette_1" in page
 
 
-def settings_of(root: Path) -> MkDocsConfig:
+def settings_of(root: Path, *, links: bool = True) -> MkDocsConfig:
     config = load_config(str(root / "mkdocs.yml"))
-    usual_settings.fill_in(config)
+    usual_settings.fill_in(config, links=links)
     return config
 
 
@@ -90,6 +90,22 @@ validation: {anchors: info, links: {absolute_links: ignore}}
     links, nav = config.validation.links, config.validation.nav
     assert links.anchors == logging.INFO and links.absolute_links < logging.INFO
     assert links.unrecognized_links == nav.absolute_links == logging.WARNING
+
+
+def test_pages_of_ones_own_do_not_fail_for_links_that_they_had_before(make_site: MakeSite) -> None:
+    root = make_site(CONFIG)
+    before = load_config(str(root / "mkdocs.yml"))
+    assert settings_of(root, links=False).validation == before.validation
+
+
+@pytest.mark.parametrize("name", ["markdown.extensions.footnotes", "extra", "pymdownx.extra"])
+def test_an_extension_that_is_there_by_another_name_keeps_its_settings(
+    make_site: MakeSite, name: str
+) -> None:
+    said = f"theme: {{name: material, font: false}}\nmarkdown_extensions: [{name}]"
+    config = settings_of(make_site(CONFIG.replace("theme: {name: material, font: false}", said)))
+    assert "footnotes" not in config.markdown_extensions
+    assert "admonition" in config.markdown_extensions
 
 
 def test_a_theme_may_be_a_name_alone(make_site: MakeSite) -> None:

@@ -93,7 +93,9 @@ def single_lesson(
     language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
     said = words(of_page(None, "", language))
     with speaking(said):
-        watching = watchdog()  # what waits for a run is closed by its class, as in the site
+        watching = watchdog(
+            alone=True
+        )  # what waits for a run is closed by its class, as in the site
     return _PAGE.format(
         language=language,
         made=html.escape(said.get(_MADE, _MADE), quote=False),

@@ -22,7 +22,7 @@ banks hold keys, tables hold names."""
 
 def check_folder(name: str) -> None:
     """Raises `SiteError` where mkdocs.yml names another folder of lessons than there is."""
-    if name != LESSONS:
+    if posixpath.normpath(name.replace("\\", "/")) != LESSONS:
         raise SiteError(
             f"mkdocs.yml: error: carts: lessons: {name}: lessons are read from {LESSONS}/ alone\n"
             f"  hint: call the folder {LESSONS} and remove the line"

@@ -271,6 +271,13 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+  function codeWord(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
+    return [...new Set(parts)].sort().join("+");
+  }
+
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   var OURS = "carts";
@@ -322,32 +329,42 @@
   }
 
   // src/shared/brought-over.js
+  var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
-  async function withTexts(store, site) {
+  async function takeTexts(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    retain(marked(site), { code }, BROWSER);
     const texts = textStore(site);
-    if (!texts) return store;
-    retain(marked(site), true, BROWSER);
-    if ((await texts.entries()).length === 0) return store;
-    const locks = globalThis.navigator?.locks;
-    const take = () => takeOver(store, texts);
-    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    if (!texts || (await texts.entries()).length === 0) return;
+    const take = () => takeOver(store, texts).catch(() => {
     });
-    return store;
+    const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    await Promise.race([taken.catch(take), late]);
   }
-  function hasDatabase(site) {
-    return recall(marked(site), BROWSER) === true;
+  async function instead(texts, site) {
+    const before = recall(marked(site), BROWSER);
+    if (!before) return texts;
+    if (before.code && !await texts.get(STUDENT)) {
+      await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {
+      });
+    }
+    return { ...texts, behind: true };
   }
   async function takeOver(store, texts) {
     for (const [key, text] of await texts.entries()) {
       if (text === null) continue;
-      await store.put(key, both(await store.get(key), text), true);
+      const value = both(await store.get(key), text);
+      if (value === null) continue;
+      await store.put(key, value);
       await texts.remove(key);
     }
   }
   function both(kept, text) {
     if (kept === void 0 || kept === null) return text;
     if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text);
-    return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
+    if (!("last" in Object(kept) && "last" in Object(text))) return null;
+    return String(kept.last) > String(text.last) ? kept : text;
   }
 
   // src/shared/newest-first.js
@@ -383,7 +400,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE = 2e4;
+  var PATIENCE2 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -395,7 +412,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
     });
   }
   async function reopening(name) {
@@ -529,7 +546,6 @@
 
   // src/shared/storage.js
   var READINGS = "-measured";
-  var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -561,12 +577,12 @@
   }
   async function openOnce(site) {
     try {
-      const base = await withTexts(await indexed(`carts:${site}`), site);
-      return telling(sheltered(base, site), site);
+      const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+      await takeTexts(store, site);
+      return store;
     } catch {
       const texts = textStore(site);
-      const behind = hasDatabase(site);
-      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+      return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
     }
   }
   function place() {
@@ -775,12 +791,6 @@
     link.click();
     link.remove();
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
-  }
-
-  // src/shared/code-word.js
-  function codeWord(typed) {
-    const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
-    return [...new Set(parts)].sort().join("+");
   }
 
   // src/answers/codes.js

@@ -3059,6 +3059,8 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  var isFetching = () => isOnWeb() && !/** @type {any} */
+  globalThis.__cartsInside;
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -3070,7 +3072,7 @@
     return ask();
   }
   var Line = class {
-    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+    constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
       this.free = atOnce;
       this.waiting = [];
     }
@@ -3164,6 +3166,7 @@
   var SLOW_AFTER = 3;
   var PATIENCE2 = 8;
   var LOST = 60;
+  var HELD = 180;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -3191,14 +3194,17 @@
       const script = document.createElement("script");
       script.src = src;
       script.async = true;
+      const missing = () => reject(new RuntimeFailure("payload-missing", src, name));
       const settle = (then) => () => {
+        held?.stop();
         script.remove();
         then();
       };
+      const held = isOnWeb() ? watch(HELD, settle(missing)) : null;
       script.onload = settle(resolve);
       script.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name));
+        else missing();
       });
       document.head.append(script);
     });
@@ -3408,7 +3414,7 @@
             return loadPart(this.folder, name, number, part);
           });
           this.done += part.size;
-          if (this.done === this.total && isOnWeb()) this.guard();
+          if (!this.over && this.done === this.total && isFetching()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -3423,7 +3429,7 @@
     }
     guard() {
       this.slow?.stop();
-      const loading = isOnWeb() && this.done < this.total;
+      const loading = isFetching() && this.done < this.total;
       const stage = loading ? SLOW_LINE : SLOW2;
       this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
@@ -3497,7 +3503,7 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage = isOnWeb() ? SLOW_LINE : SLOW2;
+    const stage = isFetching() ? SLOW_LINE : SLOW2;
     const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages2), onProgress, patience };
@@ -3834,6 +3840,9 @@
     return all.length ? { ...entry2, earlier: all.slice(-MOST_EARLIER) } : entry2;
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   var BROWSER = () => localStorage;
@@ -3878,32 +3887,42 @@
   }
 
   // src/shared/brought-over.js
+  var PATIENCE3 = 5e3;
   var marked = (site) => `carts-database:${site}`;
-  async function withTexts(store, site) {
+  async function takeTexts(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    retain(marked(site), { code }, BROWSER);
     const texts = textStore(site);
-    if (!texts) return store;
-    retain(marked(site), true, BROWSER);
-    if ((await texts.entries()).length === 0) return store;
-    const locks = globalThis.navigator?.locks;
-    const take = () => takeOver(store, texts);
-    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    if (!texts || (await texts.entries()).length === 0) return;
+    const take = () => takeOver(store, texts).catch(() => {
     });
-    return store;
+    const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE3));
+    await Promise.race([taken.catch(take), late]);
   }
-  function hasDatabase(site) {
-    return recall(marked(site), BROWSER) === true;
+  async function instead(texts, site) {
+    const before = recall(marked(site), BROWSER);
+    if (!before) return texts;
+    if (before.code && !await texts.get(STUDENT)) {
+      await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {
+      });
+    }
+    return { ...texts, behind: true };
   }
   async function takeOver(store, texts) {
     for (const [key, text] of await texts.entries()) {
       if (text === null) continue;
-      await store.put(key, both(await store.get(key), text), true);
+      const value = both(await store.get(key), text);
+      if (value === null) continue;
+      await store.put(key, value);
       await texts.remove(key);
     }
   }
   function both(kept, text) {
     if (kept === void 0 || kept === null) return text;
     if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text);
-    return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
+    if (!("last" in Object(kept) && "last" in Object(text))) return null;
+    return String(kept.last) > String(text.last) ? kept : text;
   }
 
   // src/shared/newest-first.js
@@ -3939,7 +3958,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE3 = 2e4;
+  var PATIENCE4 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -3951,7 +3970,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE3);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE4);
     });
   }
   async function reopening(name) {
@@ -4084,7 +4103,6 @@
   }
 
   // src/shared/storage.js
-  var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found3 = opened.get(site) ?? openOnce(site);
@@ -4114,12 +4132,12 @@
   }
   async function openOnce(site) {
     try {
-      const base = await withTexts(await indexed(`carts:${site}`), site);
-      return telling(sheltered(base, site), site);
+      const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+      await takeTexts(store, site);
+      return store;
     } catch {
       const texts = textStore(site);
-      const behind = hasDatabase(site);
-      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+      return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
     }
   }
   function place2() {

@@ -161,6 +161,9 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/shared/text-store.js
   function textStore(site) {
     const before = `carts:${site}:`;
@@ -188,32 +191,42 @@
   }
 
   // src/shared/brought-over.js
+  var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
-  async function withTexts(store, site) {
+  async function takeTexts(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    retain(marked(site), { code }, BROWSER);
     const texts = textStore(site);
-    if (!texts) return store;
-    retain(marked(site), true, BROWSER);
-    if ((await texts.entries()).length === 0) return store;
-    const locks = globalThis.navigator?.locks;
-    const take = () => takeOver(store, texts);
-    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    if (!texts || (await texts.entries()).length === 0) return;
+    const take = () => takeOver(store, texts).catch(() => {
     });
-    return store;
+    const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    await Promise.race([taken.catch(take), late]);
   }
-  function hasDatabase(site) {
-    return recall(marked(site), BROWSER) === true;
+  async function instead(texts, site) {
+    const before = recall(marked(site), BROWSER);
+    if (!before) return texts;
+    if (before.code && !await texts.get(STUDENT)) {
+      await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {
+      });
+    }
+    return { ...texts, behind: true };
   }
   async function takeOver(store, texts) {
     for (const [key, text] of await texts.entries()) {
       if (text === null) continue;
-      await store.put(key, both(await store.get(key), text), true);
+      const value2 = both(await store.get(key), text);
+      if (value2 === null) continue;
+      await store.put(key, value2);
       await texts.remove(key);
     }
   }
   function both(kept2, text) {
     if (kept2 === void 0 || kept2 === null) return text;
     if ("type" in Object(kept2) && "type" in Object(text)) return merged(kept2, text);
-    return String(kept2.last ?? "") > String(text.last ?? "") ? kept2 : text;
+    if (!("last" in Object(kept2) && "last" in Object(text))) return null;
+    return String(kept2.last) > String(text.last) ? kept2 : text;
   }
 
   // src/shared/newest-first.js
@@ -249,7 +262,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE = 2e4;
+  var PATIENCE2 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -261,7 +274,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
     });
   }
   async function reopening(name) {
@@ -394,7 +407,6 @@
   }
 
   // src/shared/storage.js
-  var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -424,12 +436,12 @@
   }
   async function openOnce(site) {
     try {
-      const base = await withTexts(await indexed(`carts:${site}`), site);
-      return telling(sheltered(base, site), site);
+      const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+      await takeTexts(store, site);
+      return store;
     } catch {
       const texts = textStore(site);
-      const behind = hasDatabase(site);
-      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+      return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
     }
   }
   function place() {

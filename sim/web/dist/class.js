@@ -1256,6 +1256,8 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  var isFetching = () => isOnWeb() && !/** @type {any} */
+  globalThis.__cartsInside;
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -1267,7 +1269,7 @@
     return ask();
   }
   var Line = class {
-    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+    constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
       this.free = atOnce;
       this.waiting = [];
     }
@@ -1361,6 +1363,7 @@
   var SLOW_AFTER = 3;
   var PATIENCE = 8;
   var LOST = 60;
+  var HELD = 180;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -1388,14 +1391,17 @@
       const script = document.createElement("script");
       script.src = src;
       script.async = true;
+      const missing2 = () => reject(new RuntimeFailure("payload-missing", src, name));
       const settle = (then) => () => {
+        held?.stop();
         script.remove();
         then();
       };
+      const held = isOnWeb() ? watch(HELD, settle(missing2)) : null;
       script.onload = settle(resolve);
       script.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name));
+        else missing2();
       });
       document.head.append(script);
     });
@@ -1605,7 +1611,7 @@
             return loadPart(this.folder, name, number, part);
           });
           this.done += part.size;
-          if (this.done === this.total && isOnWeb()) this.guard();
+          if (!this.over && this.done === this.total && isFetching()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -1620,7 +1626,7 @@
     }
     guard() {
       this.slow?.stop();
-      const loading = isOnWeb() && this.done < this.total;
+      const loading = isFetching() && this.done < this.total;
       const stage = loading ? SLOW_LINE : SLOW;
       this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
@@ -1694,7 +1700,7 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage = isOnWeb() ? SLOW_LINE : SLOW;
+    const stage = isFetching() ? SLOW_LINE : SLOW;
     const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };

@@ -2474,6 +2474,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return { form: form2, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry };
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   var BROWSER = () => localStorage;
@@ -2518,32 +2521,42 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/shared/brought-over.js
+  var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
-  async function withTexts(store, site) {
+  async function takeTexts(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    retain(marked(site), { code }, BROWSER);
     const texts = textStore(site);
-    if (!texts) return store;
-    retain(marked(site), true, BROWSER);
-    if ((await texts.entries()).length === 0) return store;
-    const locks = globalThis.navigator?.locks;
-    const take = () => takeOver(store, texts);
-    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    if (!texts || (await texts.entries()).length === 0) return;
+    const take = () => takeOver(store, texts).catch(() => {
     });
-    return store;
+    const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    await Promise.race([taken.catch(take), late]);
   }
-  function hasDatabase(site) {
-    return recall(marked(site), BROWSER) === true;
+  async function instead(texts, site) {
+    const before = recall(marked(site), BROWSER);
+    if (!before) return texts;
+    if (before.code && !await texts.get(STUDENT)) {
+      await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {
+      });
+    }
+    return { ...texts, behind: true };
   }
   async function takeOver(store, texts) {
     for (const [key, text] of await texts.entries()) {
       if (text === null) continue;
-      await store.put(key, both(await store.get(key), text), true);
+      const value = both(await store.get(key), text);
+      if (value === null) continue;
+      await store.put(key, value);
       await texts.remove(key);
     }
   }
   function both(kept, text) {
     if (kept === void 0 || kept === null) return text;
     if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text);
-    return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
+    if (!("last" in Object(kept) && "last" in Object(text))) return null;
+    return String(kept.last) > String(text.last) ? kept : text;
   }
 
   // src/shared/newest-first.js
@@ -2579,7 +2592,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE = 2e4;
+  var PATIENCE2 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -2591,7 +2604,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
     });
   }
   async function reopening(name) {
@@ -2724,7 +2737,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
 
   // src/shared/storage.js
-  var STUDENT = "student";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -2754,12 +2766,12 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
   async function openOnce(site) {
     try {
-      const base = await withTexts(await indexed(`carts:${site}`), site);
-      return telling(sheltered(base, site), site);
+      const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+      await takeTexts(store, site);
+      return store;
     } catch {
       const texts = textStore(site);
-      const behind = hasDatabase(site);
-      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+      return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
     }
   }
   function place2() {
@@ -2860,6 +2872,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  var isFetching = () => isOnWeb() && !/** @type {any} */
+  globalThis.__cartsInside;
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -2871,7 +2885,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return ask();
   }
   var Line = class {
-    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+    constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
       this.free = atOnce;
       this.waiting = [];
     }
@@ -2963,8 +2977,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   // src/runtime/watch.js
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
-  var PATIENCE2 = 8;
+  var PATIENCE3 = 8;
   var LOST = 60;
+  var HELD = 180;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2992,14 +3007,17 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       const script = document.createElement("script");
       script.src = src;
       script.async = true;
+      const missing = () => reject(new RuntimeFailure("payload-missing", src, name));
       const settle = (then) => () => {
+        held?.stop();
         script.remove();
         then();
       };
+      const held = isOnWeb() ? watch(HELD, settle(missing)) : null;
       script.onload = settle(resolve);
       script.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name));
+        else missing();
       });
       document.head.append(script);
     });
@@ -3010,7 +3028,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   function patiently(promise) {
     if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
-      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
+      const waiting2 = watch(PATIENCE3, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
@@ -3209,7 +3227,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
             return loadPart(this.folder, name, number, part);
           });
           this.done += part.size;
-          if (this.done === this.total && isOnWeb()) this.guard();
+          if (!this.over && this.done === this.total && isFetching()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -3224,7 +3242,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
     guard() {
       this.slow?.stop();
-      const loading = isOnWeb() && this.done < this.total;
+      const loading = isFetching() && this.done < this.total;
       const stage2 = loading ? SLOW_LINE : SLOW2;
       this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: stage2 }));
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
@@ -3298,7 +3316,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage2 = isOnWeb() ? SLOW_LINE : SLOW2;
+    const stage2 = isFetching() ? SLOW_LINE : SLOW2;
     const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: stage2 }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
@@ -3335,7 +3353,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE2);
+        const patience = Number(message.patience ?? PATIENCE3);
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

@@ -263,6 +263,9 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   var BROWSER = () => localStorage;
@@ -307,32 +310,42 @@
   }
 
   // src/shared/brought-over.js
+  var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
-  async function withTexts(store, site) {
+  async function takeTexts(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    retain(marked(site), { code }, BROWSER);
     const texts = textStore(site);
-    if (!texts) return store;
-    retain(marked(site), true, BROWSER);
-    if ((await texts.entries()).length === 0) return store;
-    const locks = globalThis.navigator?.locks;
-    const take = () => takeOver(store, texts);
-    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    if (!texts || (await texts.entries()).length === 0) return;
+    const take = () => takeOver(store, texts).catch(() => {
     });
-    return store;
+    const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    await Promise.race([taken.catch(take), late]);
   }
-  function hasDatabase(site) {
-    return recall(marked(site), BROWSER) === true;
+  async function instead(texts, site) {
+    const before = recall(marked(site), BROWSER);
+    if (!before) return texts;
+    if (before.code && !await texts.get(STUDENT)) {
+      await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {
+      });
+    }
+    return { ...texts, behind: true };
   }
   async function takeOver(store, texts) {
     for (const [key, text2] of await texts.entries()) {
       if (text2 === null) continue;
-      await store.put(key, both(await store.get(key), text2), true);
+      const value = both(await store.get(key), text2);
+      if (value === null) continue;
+      await store.put(key, value);
       await texts.remove(key);
     }
   }
   function both(kept, text2) {
     if (kept === void 0 || kept === null) return text2;
     if ("type" in Object(kept) && "type" in Object(text2)) return merged(kept, text2);
-    return String(kept.last ?? "") > String(text2.last ?? "") ? kept : text2;
+    if (!("last" in Object(kept) && "last" in Object(text2))) return null;
+    return String(kept.last) > String(text2.last) ? kept : text2;
   }
 
   // src/shared/newest-first.js
@@ -368,7 +381,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE = 2e4;
+  var PATIENCE2 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -380,7 +393,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
     });
   }
   async function reopening(name) {
@@ -522,12 +535,12 @@
   }
   async function openOnce(site) {
     try {
-      const base = await withTexts(await indexed(`carts:${site}`), site);
-      return telling(sheltered(base, site), site);
+      const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+      await takeTexts(store, site);
+      return store;
     } catch {
       const texts = textStore(site);
-      const behind = hasDatabase(site);
-      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+      return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
     }
   }
   function place() {
@@ -2313,6 +2326,8 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  var isFetching = () => isOnWeb() && !/** @type {any} */
+  globalThis.__cartsInside;
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -2324,7 +2339,7 @@
     return ask();
   }
   var Line = class {
-    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+    constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
       this.free = atOnce;
       this.waiting = [];
     }
@@ -2416,8 +2431,9 @@
   // src/runtime/watch.js
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
-  var PATIENCE2 = 8;
+  var PATIENCE3 = 8;
   var LOST = 60;
+  var HELD = 180;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2445,14 +2461,17 @@
       const script2 = document.createElement("script");
       script2.src = src;
       script2.async = true;
+      const missing2 = () => reject(new RuntimeFailure("payload-missing", src, name));
       const settle = (then) => () => {
+        held?.stop();
         script2.remove();
         then();
       };
+      const held = isOnWeb() ? watch(HELD, settle(missing2)) : null;
       script2.onload = settle(resolve);
       script2.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name));
+        else missing2();
       });
       document.head.append(script2);
     });
@@ -2463,7 +2482,7 @@
   function patiently(promise) {
     if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
-      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
+      const waiting2 = watch(PATIENCE3, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
@@ -2662,7 +2681,7 @@
             return loadPart(this.folder, name, number, part);
           });
           this.done += part.size;
-          if (this.done === this.total && isOnWeb()) this.guard();
+          if (!this.over && this.done === this.total && isFetching()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -2677,7 +2696,7 @@
     }
     guard() {
       this.slow?.stop();
-      const loading = isOnWeb() && this.done < this.total;
+      const loading = isFetching() && this.done < this.total;
       const stage = loading ? SLOW_LINE : SLOW;
       this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
@@ -2751,7 +2770,7 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage = isOnWeb() ? SLOW_LINE : SLOW;
+    const stage = isFetching() ? SLOW_LINE : SLOW;
     const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
@@ -2788,7 +2807,7 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE2);
+        const patience = Number(message.patience ?? PATIENCE3);
         const text2 = JSON.stringify(message);
         this.queue.push({ number: this.number, text: text2, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

@@ -171,6 +171,8 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  var isFetching = () => isOnWeb() && !/** @type {any} */
+  globalThis.__cartsInside;
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -182,7 +184,7 @@
     return ask();
   }
   var Line = class {
-    constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+    constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
       this.free = atOnce;
       this.waiting = [];
     }
@@ -276,6 +278,7 @@
   var SLOW_AFTER = 3;
   var PATIENCE = 8;
   var LOST = 60;
+  var HELD = 180;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -303,14 +306,17 @@
       const script = document.createElement("script");
       script.src = src;
       script.async = true;
+      const missing = () => reject(new RuntimeFailure("payload-missing", src, name));
       const settle = (then) => () => {
+        held?.stop();
         script.remove();
         then();
       };
+      const held = isOnWeb() ? watch(HELD, settle(missing)) : null;
       script.onload = settle(resolve);
       script.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name));
+        else missing();
       });
       document.head.append(script);
     });
@@ -520,7 +526,7 @@
             return loadPart(this.folder, name, number, part);
           });
           this.done += part.size;
-          if (this.done === this.total && isOnWeb()) this.guard();
+          if (!this.over && this.done === this.total && isFetching()) this.guard();
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -535,7 +541,7 @@
     }
     guard() {
       this.slow?.stop();
-      const loading = isOnWeb() && this.done < this.total;
+      const loading = isFetching() && this.done < this.total;
       const stage2 = loading ? SLOW_LINE : SLOW;
       this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: stage2 }));
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
@@ -609,7 +615,7 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage2 = isOnWeb() ? SLOW_LINE : SLOW;
+    const stage2 = isFetching() ? SLOW_LINE : SLOW;
     const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: stage2 }));
     const index = await loadIndex(folder).finally(late.stop);
     const options = { folder, index, packages: order(packages), onProgress, patience };
@@ -807,6 +813,9 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/shared/text-store.js
   function textStore(site) {
     const before = `carts:${site}:`;
@@ -834,32 +843,42 @@
   }
 
   // src/shared/brought-over.js
+  var PATIENCE2 = 5e3;
   var marked = (site) => `carts-database:${site}`;
-  async function withTexts(store, site) {
+  async function takeTexts(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    retain(marked(site), { code }, BROWSER);
     const texts = textStore(site);
-    if (!texts) return store;
-    retain(marked(site), true, BROWSER);
-    if ((await texts.entries()).length === 0) return store;
-    const locks = globalThis.navigator?.locks;
-    const take = () => takeOver(store, texts);
-    await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {
+    if (!texts || (await texts.entries()).length === 0) return;
+    const take = () => takeOver(store, texts).catch(() => {
     });
-    return store;
+    const taken2 = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE2));
+    await Promise.race([taken2.catch(take), late]);
   }
-  function hasDatabase(site) {
-    return recall(marked(site), BROWSER) === true;
+  async function instead(texts, site) {
+    const before = recall(marked(site), BROWSER);
+    if (!before) return texts;
+    if (before.code && !await texts.get(STUDENT)) {
+      await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {
+      });
+    }
+    return { ...texts, behind: true };
   }
   async function takeOver(store, texts) {
     for (const [key, text2] of await texts.entries()) {
       if (text2 === null) continue;
-      await store.put(key, both(await store.get(key), text2), true);
+      const value = both(await store.get(key), text2);
+      if (value === null) continue;
+      await store.put(key, value);
       await texts.remove(key);
     }
   }
   function both(kept, text2) {
     if (kept === void 0 || kept === null) return text2;
     if ("type" in Object(kept) && "type" in Object(text2)) return merged(kept, text2);
-    return String(kept.last ?? "") > String(text2.last ?? "") ? kept : text2;
+    if (!("last" in Object(kept) && "last" in Object(text2))) return null;
+    return String(kept.last) > String(text2.last) ? kept : text2;
   }
 
   // src/shared/newest-first.js
@@ -895,7 +914,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE2 = 2e4;
+  var PATIENCE3 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -907,7 +926,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE3);
     });
   }
   async function reopening(name) {
@@ -1048,12 +1067,12 @@
   }
   async function openOnce(site) {
     try {
-      const base = await withTexts(await indexed(`carts:${site}`), site);
-      return telling(sheltered(base, site), site);
+      const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+      await takeTexts(store, site);
+      return store;
     } catch {
       const texts = textStore(site);
-      const behind = hasDatabase(site);
-      return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+      return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
     }
   }
   function place() {
@@ -1089,7 +1108,7 @@
       const published = hash !== "" && hash === this.hash;
       const found = [await this.current(), ...await this.earlier()].filter((one) => one !== null);
       const draft = found.find(({ base }) => base === own) ?? found.find((one) => published && one.hash === hash) ?? null;
-      this.hash = draft?.hash ?? (hash || this.hash);
+      this.hash = draft?.hash ?? (hash || sumOf(own));
       return { draft, earlier: found.filter((one) => one !== draft && holds(own, one)) };
     }
     async keep(text2, base) {
@@ -1102,6 +1121,11 @@
       await (await this.store).remove(this.before + hash);
     }
   };
+  function sumOf(text2) {
+    let sum = 7;
+    for (const sign of text2) sum = Math.imul(sum, 31) + Number(sign.codePointAt(0)) >>> 0;
+    return `${text2.length}-${sum.toString(16)}`;
+  }
   function isDraft(value) {
     return typeof value?.text === "string" && typeof value?.base === "string";
   }
@@ -4079,7 +4103,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var plain = (text2) => text2.replace(/\r\n?/g, "\n");
 
   // src/teach/under-way.js
-  var PATIENCE3 = 8e3;
+  var PATIENCE4 = 8e3;
   var UnderWay = class {
     #values = /* @__PURE__ */ new Map();
     get some() {
@@ -4094,7 +4118,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.#values.set(told3, name);
       void told3.then(() => this.#values.delete(told3));
     }
-    async all(patience = PATIENCE3) {
+    async all(patience = PATIENCE4) {
       if (!this.some) return [];
       let timer = 0;
       const late = new Promise((resolve) => {

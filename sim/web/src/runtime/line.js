@@ -10,6 +10,9 @@ const AT_ONCE = 2;
 /** Whether the page is from a web server. Asked when it matters: sentences are made when a script begins. */
 export const isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
 
+/** Whether its files come over a network: a page of one file has them in itself. */
+export const isFetching = () => isOnWeb() && !(/** @type {any} */ (globalThis).__cartsInside);
+
 /**
  * What `ask` brings; over a network it is asked up to three times again.
  * @template T
@@ -31,7 +34,7 @@ export async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
 /** Has tasks done in the order in which they come: from a disk all at once, else few at a time. */
 export class Line {
   /** @param {number} [atOnce] */
-  constructor(atOnce = isOnWeb() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+  constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
     this.free = atOnce;
     /** @type {(() => void)[]} */
     this.waiting = [];

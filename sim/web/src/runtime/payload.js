@@ -3,7 +3,7 @@
 import { isLeaving, staying } from "../shared/leaving.js";
 import { RuntimeFailure } from "./failure.js";
 import { isOnWeb, persistently } from "./line.js";
-import { PATIENCE, watch } from "./watch.js";
+import { HELD, PATIENCE, watch } from "./watch.js";
 
 /** @typedef {{src: string, sha256: string, size: number}} Part */
 /** @typedef {{size: number, parts: Part[]}} Payload */
@@ -45,14 +45,17 @@ function runOnce(src, name) {
     const script = document.createElement("script");
     script.src = src;
     script.async = true;
+    const missing = () => reject(new RuntimeFailure("payload-missing", src, name));
     const settle = (/** @type {() => void} */ then) => () => {
+      held?.stop();
       script.remove();
       then();
     };
+    const held = isOnWeb() ? watch(HELD, settle(missing)) : null;
     script.onload = settle(resolve);
     script.onerror = settle(() => {
       if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-      else reject(new RuntimeFailure("payload-missing", src, name));
+      else missing();
     });
     document.head.append(script);
   });

@@ -1,6 +1,6 @@
 // Starts Python in a worker and talks to it: one worker, one request under way, answers in order.
 import { RuntimeFailure } from "./failure.js";
-import { isOnWeb } from "./line.js";
+import { isFetching } from "./line.js";
 import { loadIndex } from "./payload.js";
 import { SLOW, SLOW_LINE, SNAPSHOT, Start } from "./start.js";
 import { requireWasm } from "./wasm.js";
@@ -27,7 +27,7 @@ export async function startRuntime({ base, packages = [], patience, onProgress =
   if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
   const folder = new URL(base, document.baseURI).href;
-  const stage = isOnWeb() ? SLOW_LINE : SLOW;
+  const stage = isFetching() ? SLOW_LINE : SLOW;
   const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
   const index = await loadIndex(folder).finally(late.stop);
   const options = { folder, index, packages: order(packages), onProgress, patience };

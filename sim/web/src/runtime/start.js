@@ -1,6 +1,6 @@
 // One attempt at starting Python: loads the files, starts the worker, gives it all it needs.
 import { RuntimeFailure } from "./failure.js";
-import { isOnWeb, Line } from "./line.js";
+import { isFetching, Line } from "./line.js";
 import { gunzip, loadPart } from "./payload.js";
 import { Unpacker, workerOf } from "./unpack.js";
 import { compile, compileFailure } from "./wasm.js";
@@ -109,7 +109,7 @@ export class Start {
           return loadPart(this.folder, name, number, part);
         });
         this.done += part.size;
-        if (this.done === this.total && isOnWeb()) this.guard();
+        if (!this.over && this.done === this.total && isFetching()) this.guard();
         this.progress(name);
         return bytes;
       } catch (error) {
@@ -125,7 +125,7 @@ export class Start {
    */
   guard() {
     this.slow?.stop();
-    const loading = isOnWeb() && this.done < this.total;
+    const loading = isFetching() && this.done < this.total;
     const stage = loading ? SLOW_LINE : SLOW;
     this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
     if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());

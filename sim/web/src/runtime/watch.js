@@ -16,6 +16,12 @@ export const PATIENCE = 8;
 export const LOST = 60;
 
 /**
+ * In s that a request over a network may take: two files of 1.6 MB at 140 kbit/s. One that a gateway holds
+ * open without an answer tells no error; it is asked for again.
+ */
+export const HELD = 180;
+
+/**
  * Calls `late` once, after `patience` such seconds without a call of `progress`.
  * @param {number} patience in s
  * @param {() => void} late

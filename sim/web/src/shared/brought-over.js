@@ -4,44 +4,58 @@
  */
 
 import { merged } from "../answers/entry.js";
+import { STUDENT } from "./code-word.js";
 import { BROWSER, recall, retain } from "./tab.js";
 import { textStore } from "./text-store.js";
 
 /** @typedef {import("./storage.js").Opened} Opened */
 
-/** A mark beside what is kept as text: this browser has a database of the site. @param {string} site */
+const PATIENCE = 5000; // ms that a page waits for what an earlier visit kept; it comes all the same
+
+/** A mark beside what is kept as text: this browser has a database of the site, and who works in it. @param {string} site */
 const marked = (site) => `carts-database:${site}`;
 
-/** @param {Opened} store IndexedDB @param {string} site @returns {Promise<Opened>} the same, with what was kept as text */
-export async function withTexts(store, site) {
+/** Into the database with what was kept as text. @param {Opened} store the database @param {string} site */
+export async function takeTexts(store, site) {
+  const { code = "" } = (await store.get(STUDENT).catch(() => null)) ?? {};
+  retain(marked(site), { code }, BROWSER);
   const texts = textStore(site);
-  if (!texts) return store;
-  retain(marked(site), true, BROWSER);
-  if ((await texts.entries()).length === 0) return store;
+  if (!texts || (await texts.entries()).length === 0) return;
   // One tab, or one script of this page, at a time: the second finds nothing left.
-  const locks = globalThis.navigator?.locks;
-  const take = () => takeOver(store, texts);
-  await (locks ? locks.request(`carts-texts:${site}`, take) : take()).catch(() => {});
-  return store;
+  const take = () => takeOver(store, texts).catch(() => {}); // what is refused stays where it is
+  const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+  const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+  await Promise.race([taken.catch(take), late]);
 }
 
-/** Whether what this browser kept of the site before lies in a database that does not open now. @param {string} site */
-export function hasDatabase(site) {
-  return recall(marked(site), BROWSER) === true;
+/**
+ * The store as text, while the database does not open: it says so (`behind`), and who works here is who
+ * worked here before. @param {Opened} texts @param {string} site @returns {Promise<Opened>}
+ */
+export async function instead(texts, site) {
+  const before = recall(marked(site), BROWSER);
+  if (!before) return texts;
+  if (before.code && !(await texts.get(STUDENT))) {
+    await texts.put(STUDENT, { code: before.code, last: "" }).catch(() => {});
+  }
+  return { ...texts, behind: true };
 }
 
 /** @param {Opened} store @param {Opened} texts */
 async function takeOver(store, texts) {
   for (const [key, text] of await texts.entries()) {
     if (text === null) continue; // cut short: nothing can be read of it
-    await store.put(key, both(await store.get(key), text), true);
-    await texts.remove(key); // what is refused stays where it is
+    const value = both(await store.get(key), text);
+    if (value === null) continue;
+    await store.put(key, value); // not blindly: another tab may have kept something since
+    await texts.remove(key);
   }
 }
 
-/** @param {any} kept @param {any} text */
+/** What of the two is kept; null: nobody can tell, so both stay where they are. @param {any} kept @param {any} text */
 function both(kept, text) {
   if (kept === undefined || kept === null) return text;
   if ("type" in Object(kept) && "type" in Object(text)) return merged(kept, text); // two answers
-  return String(kept.last ?? "") > String(text.last ?? "") ? kept : text;
+  if (!("last" in Object(kept) && "last" in Object(text))) return null; // readings of real carts
+  return String(kept.last) > String(text.last) ? kept : text;
 }

@@ -7,7 +7,8 @@
  */
 
 import { stamped } from "../answers/outline.js";
-import { hasDatabase, withTexts } from "./brought-over.js";
+import { instead, takeTexts } from "./brought-over.js";
+import { STUDENT } from "./code-word.js";
 import { indexed, SETTLED } from "./indexed-store.js";
 import { memory, sheltered } from "./shelter.js";
 import { telling } from "./tabs.js";
@@ -15,7 +16,6 @@ import { textStore } from "./text-store.js";
 
 /** What the name of a site gets where readings of real carts are kept, apart from its answers. */
 export const READINGS = "-measured";
-const STUDENT = "student"; // the key under which the code word of who works here is kept
 
 /**
  * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`. `alone`: the
@@ -82,12 +82,12 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    const base = await withTexts(await indexed(`carts:${site}`), site);
-    return telling(sheltered(base, site), site);
+    const store = telling(sheltered(await indexed(`carts:${site}`), site), site);
+    await takeTexts(store, site);
+    return store;
   } catch {
     const texts = textStore(site);
-    const behind = hasDatabase(site);
-    return telling(texts ? { ...sheltered(texts, site), behind } : memory(site), site);
+    return telling(texts ? await instead(sheltered(texts, site), site) : memory(site), site);
   }
 }
 

@@ -47,7 +47,7 @@ export class Drafts {
       found.find(({ base }) => base === own) ??
       found.find((one) => published && one.hash === hash) ??
       null;
-    this.hash = draft?.hash ?? (hash || this.hash); // what is kept now leaves the others as they are
+    this.hash = draft?.hash ?? (hash || sumOf(own)); // what is kept now leaves the others as they are
     return { draft, earlier: found.filter((one) => one !== draft && holds(own, one)) };
   }
 
@@ -63,6 +63,13 @@ export class Drafts {
   async forget(hash = this.hash) {
     await (await this.store).remove(this.before + hash);
   }
+}
+
+/** A name for a text where the browser has no sha256. @param {string} text */
+function sumOf(text) {
+  let sum = 7;
+  for (const sign of text) sum = (Math.imul(sum, 31) + Number(sign.codePointAt(0))) >>> 0;
+  return `${text.length}-${sum.toString(16)}`;
 }
 
 /** @param {any} value @returns {value is Draft} */
