@@ -15,7 +15,9 @@ const store = {
   get: async (key) => base.get(key),
   put: async (key, value) => void base.set(key, keepEarlier(base.get(key), value)),
 };
-for (const [key, value] of data.texts) localStorage.setItem(`carts:tests:${key}`, JSON.stringify(value));
+for (const [key, value] of data.texts) {
+  localStorage.setItem(`carts:tests:${key}`, JSON.stringify(value));
+}
 """
 TAKE = """
 await takeTexts(store, "tests");
