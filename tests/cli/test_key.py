@@ -51,7 +51,7 @@ def test_cells_of_a_table_are_told_with_units_and_tolerance(keys: Path) -> None:
 
 def test_pairs_and_lines_stand_in_the_key_as_students_see_them(keys: Path) -> None:
     page = (keys / "newtons-first-law.key.html").read_text(encoding="utf-8")
-    assert "a <em>v</em> line that rises – it gets faster" in page
+    assert "a <em>v</em> line <strong>above zero</strong> that rises – it gets faster" in page
     for lesson in ASKING:
         page = (keys / f"{lesson}.key.html").read_text(encoding="utf-8")
         answers = re.findall(r'<p class="right">(.*)</p>', page)
