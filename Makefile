@@ -50,9 +50,8 @@ pictures: site browsers
 	@$(PY) -m tests.pictures
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
-# Three workers on two cores: one of them waits for a page that plays, or for a browser to start.
 test: site browsers
-	@CARTS_SITE_MADE=site $(PY) -m pytest -n 3 --dist loadfile --no-loadscope-reorder
+	@CARTS_SITE_MADE=site $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
 #   make test-fast     the tests that need no browser and no site (two minutes)
 test-fast: node_modules/ready
