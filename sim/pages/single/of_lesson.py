@@ -92,10 +92,8 @@ def single_lesson(
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
     language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
     said = words(of_page(None, "", language))
-    with speaking(said):
-        watching = watchdog(
-            alone=True
-        )  # what waits for a run is closed by its class, as in the site
+    with speaking(said):  # its class closes what waits for a run, as in the site
+        watching = watchdog(alone=True)
     return _PAGE.format(
         language=language,
         made=html.escape(said.get(_MADE, _MADE), quote=False),

@@ -332,8 +332,7 @@
   var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
-    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
-    retain(marked(site), { code }, BROWSER);
+    void remember(store, site);
     const texts = textStore(site);
     if (!texts || (await texts.entries()).length === 0) return;
     const take = () => takeOver(store, texts).catch(() => {
@@ -341,6 +340,10 @@
     const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
     const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
     await Promise.race([taken.catch(take), late]);
+  }
+  async function remember(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    if (recall(marked(site), BROWSER)?.code !== code) retain(marked(site), { code }, BROWSER);
   }
   async function instead(texts, site) {
     const before = recall(marked(site), BROWSER);

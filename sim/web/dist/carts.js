@@ -3890,8 +3890,7 @@
   var PATIENCE3 = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
-    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
-    retain(marked(site), { code }, BROWSER);
+    void remember(store, site);
     const texts = textStore(site);
     if (!texts || (await texts.entries()).length === 0) return;
     const take = () => takeOver(store, texts).catch(() => {
@@ -3899,6 +3898,10 @@
     const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
     const late = new Promise((resolve) => setTimeout(resolve, PATIENCE3));
     await Promise.race([taken.catch(take), late]);
+  }
+  async function remember(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    if (recall(marked(site), BROWSER)?.code !== code) retain(marked(site), { code }, BROWSER);
   }
   async function instead(texts, site) {
     const before = recall(marked(site), BROWSER);
@@ -5611,7 +5614,7 @@
       this.player.seen = Infinity;
       if (!this.whole) {
         this.presets.seen(here);
-        if (!all) remember(here.map((name) => this.#of(name)));
+        if (!all) remember2(here.map((name) => this.#of(name)));
         this.#offer(false);
       }
       const done = !this.whole && this.presets.left.length === 0;
@@ -5657,7 +5660,7 @@
       this.player.seen = Infinity;
       this.presets.seen(this.presets.names);
       this.#offer(false);
-      if (!this.asked) remember([this.#name]);
+      if (!this.asked) remember2([this.#name]);
       this.element.dataset.watched = "";
       this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
     }
@@ -5688,7 +5691,7 @@
     retain(KEY, others);
   }
   var nameOf2 = (element) => `${location.pathname}#${element.id}`;
-  function remember(names) {
+  function remember2(names) {
     if (names.length) retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), ...names])]);
   }
 

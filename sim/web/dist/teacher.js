@@ -846,8 +846,7 @@
   var PATIENCE2 = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
-    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
-    retain(marked(site), { code }, BROWSER);
+    void remember(store, site);
     const texts = textStore(site);
     if (!texts || (await texts.entries()).length === 0) return;
     const take = () => takeOver(store, texts).catch(() => {
@@ -855,6 +854,10 @@
     const taken2 = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
     const late = new Promise((resolve) => setTimeout(resolve, PATIENCE2));
     await Promise.race([taken2.catch(take), late]);
+  }
+  async function remember(store, site) {
+    const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
+    if (recall(marked(site), BROWSER)?.code !== code) retain(marked(site), { code }, BROWSER);
   }
   async function instead(texts, site) {
     const before = recall(marked(site), BROWSER);

@@ -17,8 +17,7 @@ const marked = (site) => `carts-database:${site}`;
 
 /** Into the database with what was kept as text. @param {Opened} store the database @param {string} site */
 export async function takeTexts(store, site) {
-  const { code = "" } = (await store.get(STUDENT).catch(() => null)) ?? {};
-  retain(marked(site), { code }, BROWSER);
+  void remember(store, site); // no page waits for it
   const texts = textStore(site);
   if (!texts || (await texts.entries()).length === 0) return;
   // One tab, or one script of this page, at a time: the second finds nothing left.
@@ -26,6 +25,12 @@ export async function takeTexts(store, site) {
   const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
   const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
   await Promise.race([taken.catch(take), late]);
+}
+
+/** @param {Opened} store @param {string} site */
+async function remember(store, site) {
+  const { code = "" } = (await store.get(STUDENT).catch(() => null)) ?? {};
+  if (recall(marked(site), BROWSER)?.code !== code) retain(marked(site), { code }, BROWSER);
 }
 
 /**
