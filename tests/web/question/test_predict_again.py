@@ -29,6 +29,7 @@ def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site
     guess(page, "B", 6)
     lock(page, "arrows")
     expect(page.locator("#arrows .carts-compared")).to_be_visible(timeout=20_000)
+    expect(page.locator("#arrows .carts-saved")).to_have_text("Saved.")  # that it was watched
     page.reload()
     expect(page.locator("#arrows .carts-compared")).to_contain_text("2.0 N", timeout=20_000)
     expect(page.locator("#arrows .carts-lock")).to_be_hidden()
