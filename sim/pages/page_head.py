@@ -1,32 +1,22 @@
-"""The last step of every page: a strict Content-Security-Policy, and only the scripts it needs.
+"""The last step of every page: its policy, its names, and only the scripts and sheets it needs.
 
-A page may run what lies beside it and nothing else. The inline scripts that the theme's templates
-write are allowed one by one, by the SHA-256 of their text; a script that came into the page in any
-other way (front matter, raw HTML in a lesson) is not. The policy must be the first element of
-<head>: what stands before it is not covered.
+The policy must be the first element of <head>: what stands before it is not covered.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
 import re
-from base64 import b64encode
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from html import escape
-from html.parser import HTMLParser
-from typing import Any, Literal
+from typing import Any
 
 from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.policy import Audience, inline_scripts, is_trusted, policy_of_page
 from sim.pages.text.formulas import SHEET
 from sim.pages.watchdog import watchdog
 
-Audience = Literal["offline", "hosted", "preview"]
-
-_EXPRESSION = re.compile(r"\{\{.*?\}\}")
-_SCRIPT = re.compile(r"<script(?P<attributes>[^>]*)>(?P<text>.*?)</script>", re.DOTALL)
-_DATA_TYPE = re.compile(r"""\btype\s*=\s*["']?(?!text/javascript|module)[\w/+-]+""")
 # Firefox prefetches these pages, which the policy rightly forbids; the links in the footer stay.
 _NEIGHBOURS = re.compile(r'[ \t]*<link rel="(?:prev|next)"[^>]*>\n?')
 # Over these a reader who hears the page stumbles: a link whose name is not its text (the theme's
@@ -35,25 +25,6 @@ _RENAMED = re.compile(r'(<a [^>]*class="md-footer__link [^"]*") aria-label="[^"]
 _EMPTY_HEAD = re.compile(r'<th(?: scope="col")?( style="[^"]*")?></th>')
 
 _KINDS = re.compile(r'<html [^>]*class="no-js')
-
-_COMMON = {
-    "default-src": "'none'",
-    "script-src": "'self' 'wasm-unsafe-eval'",
-    "style-src": "'self'",
-    "img-src": "'self' data:",
-    "font-src": "'self' data:",
-    "connect-src": "'none'",
-    "worker-src": "blob:",
-    "base-uri": "'none'",
-    "form-action": "'none'",
-}
-_HOSTED = {
-    "connect-src": "'self'",
-    "worker-src": "'self' blob:",
-    "manifest-src": "'self'",
-}
-# `mkdocs serve` adds a script of its own to every page when it sends it: no hash can cover it.
-_PREVIEW = {**_HOSTED, "script-src": "'self' 'wasm-unsafe-eval' 'unsafe-inline'"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,42 +63,6 @@ def needs_of(
     )
 
 
-def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
-    """The Content-Security-Policy for a page with these inline scripts."""
-    changes: dict[str, dict[str, str]] = {"offline": {}, "hosted": _HOSTED, "preview": _PREVIEW}
-    rules = _COMMON | changes[audience]
-    if audience != "preview":
-        hashes = dict.fromkeys(f"'sha256-{_sha256(text)}'" for text in inline_scripts)
-        rules["script-src"] = " ".join([rules["script-src"], *hashes])
-    return "; ".join(f"{name} {value}" for name, value in rules.items())
-
-
-def inline_scripts(page: str) -> list[str]:
-    """The texts of the scripts that run from within the page; data blocks do not run."""
-    return [
-        match["text"]
-        for match in _SCRIPT.finditer(page)
-        if "src=" not in match["attributes"] and not _DATA_TYPE.search(match["attributes"])
-    ]
-
-
-def trusted_scripts(templates: Iterable[str]) -> list[re.Pattern[str]]:
-    """The inline scripts in the sources of the theme's templates, as patterns.
-
-    Where a template fills something in (the address of the site's root), a path may stand.
-    """
-    return [
-        re.compile(r"[\w./:-]*".join(map(re.escape, _EXPRESSION.split(text))))
-        for template in templates
-        for text in inline_scripts(template)
-    ]
-
-
-def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
-    """Whether an inline script is one of the theme's own."""
-    return any(pattern.fullmatch(script) for pattern in trusted)
-
-
 # Half a formula is narrower than the whole: the first picture of a page with formulas waits for
 # the end of its text; without a scene, for the theme's script too, which moves lines on a phone.
 _READ = '<span id="carts-read" hidden></span>\n'
@@ -157,7 +92,7 @@ def finish(
     allowed = [script for script in inline_scripts(page) if is_trusted(script, trusted)]
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
-        f'content="{policy(audience, [*allowed, watching])}">\n'
+        f'content="{policy_of_page(audience, [*allowed, watching])}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
@@ -213,36 +148,3 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
         text = text.replace("<", "\\u003c")
         yield f'<script type="application/json" id="carts-lesson">{text}</script>'
     yield f'<script src="{assets}answers.js"></script>'
-
-
-class _Blocked(HTMLParser):
-    """Collects what the policy forbids, so that an author hears of it instead of wondering."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.found: list[str] = []
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        for name, value in attrs:
-            target = (value or "").strip().lower()
-            if name == "style" or name.startswith("on"):
-                self.found.append(f"{name}= on <{tag}>")
-            elif name in ("href", "src", "action") and target.startswith("javascript:"):
-                self.found.append(f"{name}=javascript: on <{tag}>")
-            elif tag != "a" and name in ("src", "href") and re.match(r"(https?:)?//", target):
-                self.found.append(f"<{tag} {name}={value}>")
-        if tag in ("style", "iframe", "object", "embed", "base"):
-            self.found.append(f"<{tag}>")
-        if tag == "script" and not any(name in ("src", "type") for name, _ in attrs):
-            self.found.append("<script> with its text in the page")
-
-
-def blocked(content: str) -> list[str]:
-    """What in a page's own content the policy will not allow."""
-    parser = _Blocked()
-    parser.feed(content)
-    return parser.found
-
-
-def _sha256(text: str) -> str:
-    return b64encode(hashlib.sha256(text.encode("utf-8")).digest()).decode("ascii")

@@ -36,7 +36,7 @@ from sim.pages.joined_files import (
 )
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting, nowhere
-from sim.pages.page_head import Audience, blocked, trusted_scripts
+from sim.pages.policy import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK

@@ -27,7 +27,8 @@ from sim.pages.language import (
 )
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
-from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted, needs_of
+from sim.pages.page_head import Needs, finish, needs_of
+from sim.pages.policy import Audience, inline_scripts, is_trusted
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
@@ -109,16 +110,10 @@ class SiteBuild:
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
-                (page.report or self.report)(
-                    Finding(
-                        page.lesson.file,
-                        1,
-                        1,
-                        "id-taken",
-                        f"id: “{block}” is also the address of a heading on this page",
-                        "give the block an id of its own, for example " + f"{block}-1",
-                    )
-                )
+                told = f"id: “{block}” is also the address of a heading on this page"
+                hint = f"give the block an id of its own, for example {block}-1"
+                finding = Finding(page.lesson.file, 1, 1, "id-taken", told, hint)
+                (page.report or self.report)(finding)
         self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page):
             self.keys[name] = key

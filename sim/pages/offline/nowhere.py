@@ -17,7 +17,8 @@ import sim
 from sim.pages.findings import SiteError
 from sim.pages.language import speaking, tr_html, words
 from sim.pages.offline.hosting import PREVIEW
-from sim.pages.offline.open_me import STYLE, policy
+from sim.pages.offline.open_me import IMAGES, STYLE
+from sim.pages.policy import policy_of_file
 from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS
 from sim.pages.text.not_found import THEMES, language_in
@@ -72,5 +73,5 @@ def _alone(site: str, language: str) -> str:
             back=tr_html("Go back to where you came from, or ask for the address of the lessons."),
             style=STYLE,
             script=script,
-            policy=policy(STYLE, script),
+            policy=policy_of_file([STYLE], [script], images=IMAGES),
         )

@@ -6,16 +6,16 @@ file without its neighbours.
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import html
 import re
 from pathlib import Path
 
 import sim
 from sim.pages.language import ENGLISH, mark, speaking, tr_html, words
+from sim.pages.policy import policy_of_file
 
 NAME = "OPEN ME.html"
+IMAGES = "'self' file: data:"  # a folder opened as file: is its own origin in no browser
 _SCRIPT = Path(sim.__file__).parent / "web" / "site" / "open-me.js"
 
 STYLE = """\
@@ -150,29 +150,10 @@ def open_me(title: str, language: str = ENGLISH) -> str:
         title=html.escape(title),
         style=STYLE,
         script=script,
-        policy=policy(STYLE, script),
+        policy=policy_of_file([STYLE], [script], images=IMAGES),
         **told,
     )
 
 
 def _bold(text: str) -> str:
     return re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", str(text))
-
-
-def policy(style: str, script: str) -> str:
-    """The Content-Security-Policy of a page that has one style and one script in itself."""
-
-    def named(text: str) -> str:
-        digest = hashlib.sha256(text.encode()).digest()
-        return f"'sha256-{base64.b64encode(digest).decode()}'"
-
-    rules = {
-        "default-src": "'none'",
-        "script-src": named(script),
-        "style-src": named(style),
-        "img-src": "'self' file: data:",
-        "worker-src": "blob:",
-        "base-uri": "'none'",
-        "form-action": "'none'",
-    }
-    return html.escape("; ".join(f"{key} {value}" for key, value in rules.items()), quote=True)

@@ -1,12 +1,9 @@
-"""A page in one file: its scripts stand in the page itself, each allowed by its hash, no other."""
+"""A page in one file: Python's scripts stand in the page itself."""
 
 from __future__ import annotations
 
-import base64
-import hashlib
-import html
 import tempfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 
 from sim.pages import runtime
@@ -37,25 +34,3 @@ def runtime_files(
             raise SiteError(packed.missing)
         names = sorted(packed.files)
         return {name: (packed.folder / name).read_text(encoding="utf-8") for name in names}
-
-
-def policy(
-    styles: Iterable[str], scripts: Iterable[str], more: Mapping[str, str] | None = None
-) -> str:
-    """The content security policy, as the value of an attribute. `more`: rules beside these."""
-
-    def named(texts: Iterable[str]) -> str:
-        hashes = (hashlib.sha256(text.encode()).digest() for text in texts)
-        return " ".join(f"'sha256-{base64.b64encode(h).decode()}'" for h in hashes)
-
-    rules = {
-        "default-src": "'none'",
-        "script-src": f"'wasm-unsafe-eval' {named(scripts)}",
-        "style-src": named(styles),
-        "img-src": "data: blob:",
-        "worker-src": "blob:",
-        "base-uri": "'none'",
-        "form-action": "'none'",
-        **(more or {}),
-    }
-    return html.escape("; ".join(f"{key} {value}" for key, value in rules.items()), quote=True)

@@ -16,8 +16,9 @@ from pathlib import Path
 
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH, mark, of_page, speaking, words
+from sim.pages.policy import policy_of_file
 from sim.pages.prepared import FOLDER as PREPARED
-from sim.pages.single.all_inside import INSIDE, policy
+from sim.pages.single.all_inside import INSIDE
 from sim.pages.single.beside import Beside, is_far
 from sim.pages.site_files import ASSETS, FILM
 from sim.pages.watchdog import watchdog
@@ -99,7 +100,9 @@ def single_lesson(
         made=html.escape(said.get(_MADE, _MADE), quote=False),
         watching=watching,
         kinds=_first(r'<html [^>]*class="no-js *([^"]*)"', text),
-        policy=policy(styles, [watching, *scripts], {"font-src": "data:"}),
+        policy=policy_of_file(
+            styles, [watching, *scripts], images="data: blob:", fonts="data:", python=True
+        ),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),
         title=_first(r"<title>(.*?)</title>", text),

@@ -14,8 +14,9 @@ from sim.pages import licences, site_files
 from sim.pages.bake import bake
 from sim.pages.carried import node_modules
 from sim.pages.findings import AuthorError, SiteError
+from sim.pages.policy import policy_of_file
 from sim.pages.scene_block import SceneBlock
-from sim.pages.single.all_inside import INSIDE, policy, runtime_scripts
+from sim.pages.single.all_inside import INSIDE, runtime_scripts
 from sim.pages.widget import render
 from sim.pages.widget.worlds import WORLDS
 from sim.scene.presentation import TOOLS
@@ -65,7 +66,7 @@ def single_file(
     works = licences.notices(modules, scenes=True, packages=packages)
     style = LOOK + css
     return PAGE.format(
-        policy=policy([style], scripts),
+        policy=policy_of_file([style], scripts, images="data: blob:", python=True),
         site_id=html.escape(site_id),
         id=fence.id,
         title=html.escape(fence.scene.title or "Carts"),
