@@ -15,7 +15,10 @@ globalThis.localStorage = new Proxy(
     setItem: (key, value) => void texts.set(key, value),
     removeItem: (key) => void texts.delete(key),
   },
-  { ownKeys: () => [...texts.keys()], getOwnPropertyDescriptor: (_, key) => texts.has(key) && own },
+  {
+    ownKeys: () => [...texts.keys()],
+    getOwnPropertyDescriptor: (_, key) => (texts.has(key) ? own : undefined),
+  },
 );
 const none = { getElementById: () => null, querySelector: () => null, querySelectorAll: () => [] };
 const documentElement = { dataset: { cartsSite: "tests", cartsPage: "p" }, lang: "en" };

@@ -81,3 +81,22 @@ give([kept.behind, here.code, base.get("student"), (await kept.entries()).length
 def test_where_there_never_was_a_database_nothing_is_missed() -> None:
     script = """give((await instead(textStore("tests"), "tests")).behind ?? false);"""
     assert on_page(DATABASE + script, {"base": [], "texts": []}) is False
+
+
+def test_a_full_storage_gives_back_what_lies_in_it() -> None:
+    full = """
+const setItem = () => { throw new Error("QuotaExceededError"); };
+const get = (it, key) => (key === "setItem" ? setItem : it[key]);
+globalThis.localStorage = new Proxy(localStorage, { get });
+"""
+    given = {"base": [], "texts": [["p#why", entry("kept", 9)]]}
+    look = 'await takeTexts(store, "tests");\ngive([base.get("p#why")?.value, textStore("tests")]);'
+    assert on_page(DATABASE + full + look, given) == ["kept", None]
+
+
+def test_a_browser_that_lets_nobody_look_has_kept_nothing() -> None:
+    closed = (
+        'Object.defineProperty(globalThis, "localStorage", { get() { throw new Error("no"); } });'
+    )
+    look = '\nawait takeTexts(store, "tests");\ngive([...base]);'
+    assert on_page(DATABASE + closed + look, {"base": [], "texts": []}) == []

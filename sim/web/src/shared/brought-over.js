@@ -6,7 +6,7 @@
 import { merged } from "../answers/entry.js";
 import { STUDENT } from "./code-word.js";
 import { BROWSER, recall, retain } from "./tab.js";
-import { textStore } from "./text-store.js";
+import { keptAsText } from "./text-store.js";
 
 /** @typedef {import("./storage.js").Opened} Opened */
 
@@ -18,8 +18,9 @@ const marked = (site) => `carts-database:${site}`;
 /** Into the database with what was kept as text. @param {Opened} store the database @param {string} site */
 export async function takeTexts(store, site) {
   void remember(store, site); // no page waits for it
-  const texts = textStore(site);
-  if (!texts || (await texts.entries()).length === 0) return;
+  const texts = keptAsText(site);
+  const found = await texts.entries().catch(() => []); // a browser that lets nobody look has kept nothing
+  if (found.length === 0) return;
   // One tab, or one script of this page, at a time: the second finds nothing left.
   const take = () => takeOver(store, texts).catch(() => {}); // what is refused stays where it is
   const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());

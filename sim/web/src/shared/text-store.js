@@ -4,15 +4,22 @@ import { keepEarlier } from "../answers/entry.js";
 
 /** @typedef {import("./storage.js").Opened} Opened */
 
-/** @param {string} site @returns {Opened | null} */
+const beginning = (/** @type {string} */ site) => `carts:${site}:`;
+
+/** Null: this browser lets nothing be kept so, or there is no room. @param {string} site @returns {Opened | null} */
 export function textStore(site) {
-  const before = `carts:${site}:`;
   try {
-    localStorage.setItem(`${before}probe`, "1");
-    localStorage.removeItem(`${before}probe`);
+    localStorage.setItem(`${beginning(site)}probe`, "1");
+    localStorage.removeItem(`${beginning(site)}probe`);
   } catch {
     return null;
   }
+  return keptAsText(site);
+}
+
+/** What was kept so before, even where there is no room for more. Throws where it may not be read. @param {string} site @returns {Opened} */
+export function keptAsText(site) {
+  const before = beginning(site);
   const get = (/** @type {string} */ key) => {
     try {
       return JSON.parse(localStorage.getItem(before + key) ?? "null");
