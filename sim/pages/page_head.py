@@ -35,6 +35,7 @@ class Needs:
     formulas: bool = False
     outline: Mapping[str, Any] | None = None  # of what can be answered here; None: nothing
     classroom: bool = False
+    reports: bool = False  # tables as of class results
     measured: bool = False  # readings of real carts
     language: str = ENGLISH  # of the interface words
     challenge: bool = False  # a goal for the runs of a scene
@@ -53,6 +54,7 @@ def needs_of(
         formulas='class="arithmatex"' in html,
         outline=outline,
         classroom="<carts-class" in html,
+        reports="carts-class-report" in html,
         measured="<carts-measured" in html,
         language=language,
         challenge="<carts-challenge" in html,
@@ -97,7 +99,7 @@ def finish(
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
     sheets = ["site.css", "carts.css", *(["measured.css"] if needs.measured else [])]
-    sheets += ["class.css"] if needs.classroom else []
+    sheets += ["class.css"] if needs.classroom or needs.reports else []
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
     if needs.formulas:
         last += [

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from sim.measured.events.correlated import inflation
 from sim.measured.events.stretch import STILL
+from sim.measured.rounding import EVEN, step_of, unseen
 
 if TYPE_CHECKING:
     import numpy as np
@@ -59,21 +60,33 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
 
 
 def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
-    """Numbers, covariance and correlation of neighbours; Huber's loss by weights."""
+    """Numbers, covariance and correlation of neighbours; Huber's loss by weights. No reading counts
+    less, and no interval is narrower, than its rounding allows."""
     import numpy as np
 
     matrix = design(sides, step, slopes_of(sides))
     x = np.concatenate([side[1] for side in sides])
+    steps = [step_of(np.concatenate([side[1] for side in sides[cart::2]])) for cart in range(2)]
+    even = EVEN * np.concatenate(
+        [np.full(len(tau), steps[k % 2]) for k, (tau, _) in enumerate(sides)]
+    )
     weight, numbers = np.ones(len(x)), np.zeros(matrix.shape[1])
     for _ in range(8):
         root = np.sqrt(weight)
         numbers = np.linalg.lstsq(matrix * root[:, None], x * root, rcond=None)[0]
         left = x - matrix @ numbers
-        scale = max(1.4826 * float(np.median(np.abs(left))), 1e-12)
+        scale = np.maximum(max(1.4826 * float(np.median(np.abs(left))), 1e-12), even)
         weight = np.minimum(1.0, HUBER * scale / np.maximum(np.abs(left), 1e-300))
     freedom = max(len(x) - matrix.shape[1], 1)
-    noise = float(np.sum(weight * left**2)) / freedom
-    covariance = noise * np.linalg.pinv((matrix * weight[:, None]).T @ matrix)
+    noise = max(float(np.sum(weight * left**2)) / freedom, float(np.mean(even**2)))
+    inverse = np.linalg.pinv((matrix * weight[:, None]).T @ matrix)
     cuts = np.cumsum([len(tau) for tau, _ in sides])[:-1]
-    alike, more = inflation(np.split(left, cuts))
-    return numbers, covariance * more, alike
+    each = np.split(left, cuts)
+    alike, more = inflation(each)
+    by_reading = np.split(inverse @ (matrix * weight[:, None]).T, cuts, axis=1)
+    rounded = [
+        unseen(part, own, steps[k % 2])
+        for k, (part, own) in enumerate(zip(by_reading, each, strict=True))
+    ]
+    covariance = noise * more * inverse + np.diag(np.sum(np.square(rounded), axis=0))
+    return numbers, covariance, alike

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from sim.measured.model.coloured import scatter
+from sim.measured.rounding import unseen
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,12 +29,18 @@ ALONG = 1e-2
 
 
 def covariance_of(
-    jacobian: Floats, residuals: Sequence[Floats], freedom: int, pushed: Bools, sizes: Floats
+    jacobian: Floats,
+    residuals: Sequence[Floats],
+    freedom: int,
+    pushed: Bools,
+    sizes: Floats,
+    steps: Sequence[float] = (0.0, 0.0),
 ) -> tuple[tuple[float, ...], ...]:
     """Of the unknowns; the variance of what the readings do not tell is infinite.
 
     `residuals` in m, track by track, need not be white; `freedom`: readings less unknowns,
-    `pushed`: which readings lie in the contact, `sizes`: of each reading's noise, relative.
+    `pushed`: which readings lie in the contact, `sizes`: of each reading's noise, relative;
+    `steps`: in m, to which the readings of a track are rounded, 0: they are not.
 
     An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
     size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
@@ -51,6 +58,10 @@ def covariance_of(
     inverse = axes[seen].T / singular[seen]
     meat = scatter(directions[:, seen], residuals, freedom, pushed, sizes)
     part = inverse @ meat @ inverse.T / np.outer(norms[told], norms[told])
+    cuts = np.cumsum([len(track) for track in residuals])[:-1]
+    by_reading = np.split(inverse @ directions[:, seen].T / norms[told][:, None], cuts, axis=1)
+    for weights, left, step in zip(by_reading, residuals, steps, strict=True):
+        part[np.diag_indices(len(told))] += unseen(weights, left, step) ** 2
     blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
     part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)
     whole = np.zeros((count, count))

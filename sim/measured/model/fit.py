@@ -31,6 +31,7 @@ from sim.measured.model.motion import Motion, Parameters
 from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, Effect, names_of, with_values
 from sim.measured.refusal import FitError
+from sim.measured.rounding import EVEN, step_of
 from sim.measured.tracks import Measured
 
 if TYPE_CHECKING:
@@ -135,7 +136,8 @@ def _limit(p: Parameters, asked: Asked, t: Any, x: Any) -> float:
 
     off = np.abs(_residuals(p, asked.law, t, x))
     reach = float(np.ptp(np.concatenate(x)))
-    limit = max(WILD * 1.4826 * float(np.median(off)), ROUNDING * reach)
+    usual = max(1.4826 * float(np.median(off)), EVEN * max(map(step_of, x)))
+    limit = max(WILD * usual, ROUNDING * reach)
     return limit if float(off.max()) > limit else math.inf
 
 
@@ -227,6 +229,7 @@ def _made(
             freedom,
             np.concatenate([_pushed(times, p.touch, motion.duration) for times in t]),
             np.concatenate(sizes_of(both, t, p)),
+            [step_of(values) for values in x],
         ),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,

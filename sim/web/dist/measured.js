@@ -284,14 +284,18 @@
   }
 
   // src/shared/text-store.js
+  var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
-    const before = `carts:${site}:`;
     try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
+      localStorage.setItem(`${beginning(site)}probe`, "1");
+      localStorage.removeItem(`${beginning(site)}probe`);
     } catch {
       return null;
     }
+    return keptAsText(site);
+  }
+  function keptAsText(site) {
+    const before = beginning(site);
     const get = (key) => {
       try {
         return JSON.parse(localStorage.getItem(before + key) ?? "null");
@@ -314,8 +318,9 @@
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
     void remember(store, site);
-    const texts = textStore(site);
-    if (!texts || (await texts.entries()).length === 0) return;
+    const texts = keptAsText(site);
+    const found = await texts.entries().catch(() => []);
+    if (found.length === 0) return;
     const take = () => takeOver(store, texts).catch(() => {
     });
     const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
@@ -808,8 +813,9 @@
     const room = ROOM * (high - low) || 1;
     return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
   }
+  var DOT = "h.01";
   function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
-    return t.map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}h0`).join("");
+    return t.map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}${DOT}`).join("");
   }
   var Figure = class {
     #cursor = null;

@@ -2329,14 +2329,18 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var STUDENT = "student";
 
   // src/shared/text-store.js
+  var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
-    const before = `carts:${site}:`;
     try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
+      localStorage.setItem(`${beginning(site)}probe`, "1");
+      localStorage.removeItem(`${beginning(site)}probe`);
     } catch {
       return null;
     }
+    return keptAsText(site);
+  }
+  function keptAsText(site) {
+    const before = beginning(site);
     const get = (key) => {
       try {
         return JSON.parse(localStorage.getItem(before + key) ?? "null");
@@ -2359,8 +2363,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
     void remember(store, site);
-    const texts = textStore(site);
-    if (!texts || (await texts.entries()).length === 0) return;
+    const texts = keptAsText(site);
+    const found2 = await texts.entries().catch(() => []);
+    if (found2.length === 0) return;
     const take = () => takeOver(store, texts).catch(() => {
     });
     const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());

@@ -44,10 +44,13 @@ function planes(tracks) {
   return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
 }
 
+/** Not quite nothing: a PDF leaves out lines without length that end in squares. */
+const DOT = "h.01";
+
 /** @param {number[]} t @param {number[]} values @param {Axis} axis @param {Axis} up_ @param {[number, number]} room */
 function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
   return t
-    .map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}h0`)
+    .map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}${DOT}`)
     .join("");
 }
 

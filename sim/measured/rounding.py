@@ -1,0 +1,61 @@
+"""What readings that a device or a table has rounded can tell.
+
+Rounded to steps q, a reading errs by up to q/2. Where noise lies over it, or where a cart crosses
+steps unevenly, these errors are as good as chance, with the standard deviation q/√12. A cart that
+rests, or covers a whole number of steps in every m readings, errs alike again and again: its
+readings may lie on a line that is not its own, off by up to q/(2 m), and no mean tells. Their m
+errors lie q/m apart, so their standard deviation s shows it:
+
+    s² = (q²/12) (1 − 1/m²) ,   1/m = √(1 − 12 s²/q²) ;   for chance 1/m = 0, at rest 1/m = 1.
+
+An estimate that is linear in the readings, with the weights p_k, is wrong by up to (q/2m) Σ |p_k|.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+EVEN = 12**-0.5
+"""Steps. Standard deviation of an error of which all values up to half a step are as likely."""
+
+BOUND = 3**-0.5
+"""Of the largest error. Standard deviation where all values up to that are as likely."""
+
+SAME = 1e-9
+"""Of the reach of all readings. Closer ones differ by the rounding of a conversion."""
+
+WHOLE = 0.02
+"""Steps. So near to a whole number of steps lies whatever is rounded to them."""
+
+
+def step_of(values: Floats) -> float:
+    """m. The step to which all these readings are rounded; 0 where there is none."""
+    import numpy as np
+
+    gaps = np.diff(np.unique(values))
+    gaps = gaps[gaps > SAME * float(np.ptp(values))]
+    if not len(gaps):
+        return 0.0
+    counts = gaps / float(np.min(gaps))
+    rounded = bool(np.all(np.abs(counts - np.round(counts)) < WHOLE))
+    return float(np.sum(gaps) / np.sum(np.round(counts))) if rounded else 0.0
+
+
+def unseen(weights: Floats, left: Floats, step: float) -> Floats:
+    """Standard deviations that rounding adds to estimates, a row of `weights` for each of them.
+
+    `left`: the residuals of the readings that `weights` are for, in m.
+    """
+    import numpy as np
+
+    if not len(left) or step == 0.0:
+        return np.zeros(len(weights))
+    alike = math.sqrt(max(0.0, 1.0 - float(np.mean(left**2)) / (EVEN * step) ** 2))
+    return np.asarray(BOUND * 0.5 * step * alike * np.sum(np.abs(weights), axis=1))
