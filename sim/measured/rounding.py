@@ -34,6 +34,9 @@ SAME = 1e-9
 WHOLE = 0.02
 """Steps. So near to a whole number of steps lies whatever is rounded to them."""
 
+SHARES = 5
+"""The least difference of two readings is looked at as so many steps, and fewer."""
+
 
 def step_of(values: Floats) -> float:
     """m. The step to which all these readings are rounded; 0 where there is none."""
@@ -43,9 +46,12 @@ def step_of(values: Floats) -> float:
     gaps = gaps[gaps > SAME * float(np.ptp(values))]
     if not len(gaps):
         return 0.0
-    counts = gaps / float(np.min(gaps))
-    rounded = bool(np.all(np.abs(counts - np.round(counts)) < WHOLE))
-    return float(np.sum(gaps) / np.sum(np.round(counts))) if rounded else 0.0
+    for share in range(1, SHARES + 1):
+        counts = gaps * share / float(np.min(gaps))
+        whole = np.round(counts)
+        if np.all(np.abs(counts - whole) < WHOLE * share):
+            return float(np.sum(gaps) / np.sum(whole))
+    return 0.0
 
 
 def unseen(weights: Floats, left: Floats, step: float) -> Floats:
