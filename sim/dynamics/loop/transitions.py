@@ -66,9 +66,17 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
         gap.memory = -gap.room
         if not _parts_already(gap):
             gap.rate = 0.0
+            _stand_together(gap)
     else:
         return _apart(gap, now, record, ledger)
     return 0
+
+
+def _stand_together(gap: Gap) -> None:
+    """Two do not move against each other, and one stands (a wall does): with a velocity that
+    rounding left, the other would slide on where friction can hold it."""
+    if gap.left.v == 0.0 or gap.right.v == 0.0:
+        gap.left.v = gap.right.v = 0.0
 
 
 def _forgets_its_release(gap: Gap) -> None:
