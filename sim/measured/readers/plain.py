@@ -13,6 +13,7 @@ import re
 from collections.abc import Sequence
 
 from sim.measured.heads import holds_times, quantity_of
+from sim.measured.readers.idle import are_idle
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
 from sim.measured.runs import of_one_run, run_place
 from sim.measured.table import MOST_FAULTS, Column, Table, read_table
@@ -57,6 +58,11 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
     )
     tracks = [_track(table, *one) for one in columns]
     said = [f"{table.separator} between the columns, decimal {table.decimal}"]
+    others = [c for c in table.columns if c not in wanted and c is not time]
+    if kind == "force" and any(map(_is_place, others)):
+        said.append("forces were read, and positions left out")
+    elif kind == "length" and sum(is_force(c.name, c.unit) for c in others) >= 2:
+        said.append("positions were read: the force sensors show no push")
     return kind, tracks, [time_note, value_note, *said]
 
 
@@ -84,12 +90,12 @@ def _rises(column: Column) -> bool:
 
 
 def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
-    """The columns with forces, else those with positions."""
+    """The columns with forces that show a push, else those with positions."""
     others = [c for c in table.columns if c is not time and not holds_times(c.name, c.unit)]
     forces = [c for c in others if is_force(c.name, c.unit)]
-    if len(forces) >= 2:
-        return _not_three(table, forces, "force sensors"), "force"
     places = [c for c in others if _is_place(c)]
+    if len(forces) >= 2 and not (len(places) == 2 and are_idle(forces)):
+        return _not_three(table, forces, "force sensors"), "force"
     if not places:
         places = [c for c in others if quantity_of(c.name, c.unit)[0] == "pos" and c.unit]
         places = places if len(places) == 2 else []
