@@ -28,6 +28,7 @@ from mkdocs.utils import CountHandler, get_relative_url
 from sim.pages import effect_pages, lessons_only, usual_settings
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding, SiteError
+from sim.pages.head.policy import Audience, blocked, trusted_scripts
 from sim.pages.joined_files import (
     add_effect_pages,
     add_translations,
@@ -36,7 +37,6 @@ from sim.pages.joined_files import (
 )
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting, nowhere
-from sim.pages.policy import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK

@@ -18,6 +18,8 @@ from sim.pages.classroom import practice_keys
 from sim.pages.classroom.practice_keys import practice_key
 from sim.pages.extension import Page
 from sim.pages.findings import Finding, SiteError
+from sim.pages.head.page_head import Needs, finish, needs_of
+from sim.pages.head.policy import Audience, inline_scripts, is_trusted
 from sim.pages.language import (
     ENGLISH,
     UnknownLanguageError,
@@ -27,8 +29,6 @@ from sim.pages.language import (
 )
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
-from sim.pages.page_head import Needs, finish, needs_of
-from sim.pages.policy import Audience, inline_scripts, is_trusted
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download

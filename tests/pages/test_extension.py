@@ -13,7 +13,7 @@ import pytest
 from sim.pages import extension, makers
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.policy import blocked
+from sim.pages.head.policy import blocked
 from sim.pages.scene_block import Lesson
 
 SCENE = """\

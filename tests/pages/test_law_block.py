@@ -11,7 +11,7 @@ import pytest
 from sim.mine.arguments import ARGUMENTS
 from sim.pages.bake import OWN_LAW, bake
 from sim.pages.check import check_lesson
-from sim.pages.page_head import Needs, finish
+from sim.pages.head.page_head import Needs, finish
 from sim.pages.runtime import OWN_LAW as PACKED
 from sim.pages.runtime.ours import read_ours, read_own_law
 from sim.pages.scene_block import Lesson, SiteIds

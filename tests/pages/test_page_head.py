@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from sim.pages.page_head import Needs, finish
-from sim.pages.policy import trusted_scripts
+from sim.pages.head.page_head import Needs, finish
+from sim.pages.head.policy import trusted_scripts
 
 PAGE = (
     '<!doctype html>\n<html><head>\n<meta charset="utf-8">\n<script>a = 1</script>'

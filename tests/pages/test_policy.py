@@ -8,7 +8,7 @@ import html
 
 import pytest
 
-from sim.pages.policy import (
+from sim.pages.head.policy import (
     blocked,
     inline_scripts,
     is_trusted,

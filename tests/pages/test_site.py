@@ -119,7 +119,7 @@ def test_the_policy_is_first_on_every_page(site: Path, hosted_site: Path) -> Non
 
 
 def test_no_page_holds_what_the_policy_forbids(site: Path) -> None:
-    from sim.pages.policy import blocked, inline_scripts
+    from sim.pages.head.policy import blocked, inline_scripts
 
     for page in pages(site):
         text = page.read_text(encoding="utf-8")

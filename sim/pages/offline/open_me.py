@@ -11,8 +11,8 @@ import re
 from pathlib import Path
 
 import sim
+from sim.pages.head.policy import policy_of_file
 from sim.pages.language import ENGLISH, mark, speaking, tr_html, words
-from sim.pages.policy import policy_of_file
 
 NAME = "OPEN ME.html"
 IMAGES = "'self' file: data:"  # a folder opened as file: is its own origin in no browser

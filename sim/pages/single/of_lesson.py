@@ -15,13 +15,13 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from sim.pages.findings import Finding
+from sim.pages.head.policy import policy_of_file
+from sim.pages.head.watchdog import watchdog
 from sim.pages.language import ENGLISH, mark, of_page, speaking, words
-from sim.pages.policy import policy_of_file
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE
 from sim.pages.single.beside import Beside, is_far
 from sim.pages.site_files import ASSETS, FILM
-from sim.pages.watchdog import watchdog
 
 _LOOK = """\
 html { font-size: 125%; } body { margin: 0; }

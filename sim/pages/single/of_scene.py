@@ -14,7 +14,7 @@ from sim.pages import licences, site_files
 from sim.pages.bake import bake
 from sim.pages.carried import node_modules
 from sim.pages.findings import AuthorError, SiteError
-from sim.pages.policy import policy_of_file
+from sim.pages.head.policy import policy_of_file
 from sim.pages.scene_block import SceneBlock
 from sim.pages.single.all_inside import INSIDE, runtime_scripts
 from sim.pages.widget import render

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from sim.pages.watchdog import watchdog
+from sim.pages.head.watchdog import watchdog
 from tests.web.conftest import OpenPage
 from tests.web.site.pages_of import pages
 

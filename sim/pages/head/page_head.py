@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from sim.pages.head.policy import Audience, inline_scripts, is_trusted, policy_of_page
+from sim.pages.head.watchdog import watchdog
 from sim.pages.language import ENGLISH, speaking, words
-from sim.pages.policy import Audience, inline_scripts, is_trusted, policy_of_page
 from sim.pages.text.formulas import SHEET
-from sim.pages.watchdog import watchdog
 
 # Firefox prefetches these pages, which the policy rightly forbids; the links in the footer stay.
 _NEIGHBOURS = re.compile(r'[ \t]*<link rel="(?:prev|next)"[^>]*>\n?')
