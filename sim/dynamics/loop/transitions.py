@@ -65,16 +65,16 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
         gap.touching.pressing = False
         gap.memory = -gap.room
         if not _parts_already(gap):
-            gap.rate = 0.0
-            _stand_together(gap)
+            _turns_round(gap)
     else:
         return _apart(gap, now, record, ledger)
     return 0
 
 
-def _stand_together(gap: Gap) -> None:
-    """Two do not move against each other, and one stands (a wall does): with a velocity that
-    rounding left, the other would slide on where friction can hold it."""
+def _turns_round(gap: Gap) -> None:
+    """Two do not move against each other; where one stands (a wall does) the other does: with a
+    velocity that rounding left it would slide on where friction can hold it."""
+    gap.rate = 0.0
     if gap.left.v == 0.0 or gap.right.v == 0.0:
         gap.left.v = gap.right.v = 0.0
 
@@ -127,7 +127,7 @@ def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
 
 def _nearest(gap: Gap, now: Time, record: Record) -> int:
     """Two that never touch turn round: their greatest force. No impulse: it begins nowhere."""
-    gap.rate = 0.0
+    _turns_round(gap)
     speeds = (gap.left.v, gap.right.v)
     record.event("peak", gap, now, speeds, speeds, 0.0, push_now(gap, branch_of(gap)))
     return 1

@@ -77,22 +77,12 @@ class AdaptiveStepper(LocatedStepper):
                 end = float(min(roots.values()))
                 self.s, self.v = self._split(y)
                 self._over(t + begin, end - begin)
-                self._forget()
+                self.impacts.remember(self.s, self.v)
                 return end, [key for key, root in roots.items() if root - end <= CLOSE * h]
             ways, (self.s, self.v), before = self.s, (s, v), after
-            self._forget()
+            self.impacts.remember(self.s, self.v)
             first = self._told(float(t + solver.t), solver.t - begin, ways, solver, first)
         return h, []
-
-    def _forget(self) -> None:
-        """Bumpers that are clear have no greatest overlap any more."""
-        field = self.field
-        for pair in field.pairs:
-            apart = field.modes and field.modes.get(pair.gap) == "apart"
-            if not apart or pair.gap in field.spent:
-                continue
-            if field.overlap(pair, self.s, self.v)[0] < 0.0:
-                field.memory[pair.gap] = 0.0
 
     def _along(self, dense: Any, t: float, begin: float, key: Key) -> Callable[[float], float]:
         """A guard along the dense output of a step."""

@@ -74,12 +74,17 @@ class Impacts:
                 if d >= 0.0 and rate == 0.0:
                     self.field.join(pair.gap)
 
-    def settle(self, t: Any, s: Row, v: Row) -> None:
-        """At the end of a step; velocities in `v` are changed in place."""
+    def remember(self, s: Row, v: Row) -> None:
+        """How far each bumper has been pressed in since it was clear."""
         field = self.field
         for pair in self.remembering:
             d, _ = field.overlap(pair, s, v)
             field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
+
+    def settle(self, t: Any, s: Row, v: Row) -> None:
+        """At the end of a step; velocities in `v` are changed in place."""
+        field = self.field
+        self.remember(s, v)
         if not self.watches:
             return
         if field.spent and field.modes is None:

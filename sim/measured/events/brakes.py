@@ -66,10 +66,10 @@ def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
 
     matrix = design(sides, step, slopes_of(sides))
     x = np.concatenate([side[1] for side in sides])
-    steps = [step_of(np.concatenate([side[1] for side in sides[cart::2]])) for cart in range(2)]
-    even = EVEN * np.concatenate(
-        [np.full(len(tau), steps[k % 2]) for k, (tau, _) in enumerate(sides)]
-    )
+    lengths = [len(tau) for tau, _ in sides]
+    of_cart = [step_of(np.concatenate([side[1] for side in sides[cart::2]])) for cart in range(2)]
+    steps = [of_cart[k % 2] for k in range(len(sides))]
+    even = EVEN * np.repeat(steps, lengths)
     weight, numbers = np.ones(len(x)), np.zeros(matrix.shape[1])
     for _ in range(8):
         root = np.sqrt(weight)
@@ -80,13 +80,10 @@ def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
     freedom = max(len(x) - matrix.shape[1], 1)
     noise = max(float(np.sum(weight * left**2)) / freedom, float(np.mean(even**2)))
     inverse = np.linalg.pinv((matrix * weight[:, None]).T @ matrix)
-    cuts = np.cumsum([len(tau) for tau, _ in sides])[:-1]
+    cuts = np.cumsum(lengths)[:-1]
     each = np.split(left, cuts)
     alike, more = inflation(each)
     by_reading = np.split(inverse @ (matrix * weight[:, None]).T, cuts, axis=1)
-    rounded = [
-        unseen(part, own, steps[k % 2])
-        for k, (part, own) in enumerate(zip(by_reading, each, strict=True))
-    ]
+    rounded = list(map(unseen, by_reading, each, steps))
     covariance = noise * more * inverse + np.diag(np.sum(np.square(rounded), axis=0))
     return numbers, covariance, alike

@@ -97,7 +97,8 @@ def wild_of(track: Track) -> set[int]:
 
 
 def _finest(x: Floats) -> float:
-    """m. The step of the device: readings that are rounded to it may all agree."""
+    """m. Small differences of readings: of rounded ones, which may all agree, their step. Of others
+    it need not be one (`rounding.step_of` is sure of it), and is small beside their noise."""
     import numpy as np
 
     steps = np.diff(np.unique(x))

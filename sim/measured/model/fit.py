@@ -123,20 +123,21 @@ def fit(measured: Measured, asked: Asked = Asked(), start: Parameters | None = N
         tried = [_with_rest(one, times, values) for one in tried]
     solved = [_solve(one, asked, times, values) for one in tried]
     best = min(solved, key=lambda one: one[0])
-    limit = _limit(best[1], asked, times, values)
+    steps = [step_of(one) for one in values]
+    limit = _limit(best[1], asked, times, values, steps)
     for _ in range(2 if math.isfinite(limit) else 0):
         best = _solve(best[1], asked, times, values, limit)
-        limit = _limit(best[1], asked, times, values)
-    return _made(best[1], best[2], asked, times, values, limit)
+        limit = _limit(best[1], asked, times, values, steps)
+    return _made(best[1], best[2], asked, times, values, steps, limit)
 
 
-def _limit(p: Parameters, asked: Asked, t: Any, x: Any) -> float:
+def _limit(p: Parameters, asked: Asked, t: Any, x: Any, steps: list[float]) -> float:
     """m. Where readings begin to count less; infinite where none does."""
     import numpy as np
 
     off = np.abs(_residuals(p, asked.law, t, x))
     reach = float(np.ptp(np.concatenate(x)))
-    usual = max(1.4826 * float(np.median(off)), EVEN * max(map(step_of, x)))
+    usual = max(1.4826 * float(np.median(off)), EVEN * max(steps))
     limit = max(WILD * usual, ROUNDING * reach)
     return limit if float(off.max()) > limit else math.inf
 
@@ -195,7 +196,7 @@ def _solve(
 
 
 def _made(
-    p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any, limit: float = math.inf
+    p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any, steps: list[float], limit: float
 ) -> Fit:
     import numpy as np
 
@@ -229,7 +230,7 @@ def _made(
             freedom,
             np.concatenate([_pushed(times, p.touch, motion.duration) for times in t]),
             np.concatenate(sizes_of(both, t, p)),
-            [step_of(values) for values in x],
+            steps,
         ),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
