@@ -13340,7 +13340,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     const room = ROOM2 * (high - low) || 1;
     return { t: span(begin, end2, 8), x: span(low - room, high + room, 8) };
   }
-  var DOT2 = "h.01";
+  var DOT2 = "h0.01";
   function dots(t, values, axis2, up_, room = [TOP6, BOTTOM6]) {
     return t.map((time, k) => `M${px(across2(axis2, time))} ${px(up2(up_, Number(values[k]), ...room))}${DOT2}`).join("");
   }

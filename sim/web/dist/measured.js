@@ -813,7 +813,7 @@
     const room = ROOM * (high - low) || 1;
     return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
   }
-  var DOT = "h.01";
+  var DOT = "h0.01";
   function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
     return t.map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}${DOT}`).join("");
   }

@@ -45,7 +45,7 @@ function planes(tracks) {
 }
 
 /** Not quite nothing: a PDF leaves out lines without length that end in squares. */
-const DOT = "h.01";
+const DOT = "h0.01";
 
 /** @param {number[]} t @param {number[]} values @param {Axis} axis @param {Axis} up_ @param {[number, number]} room */
 function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
