@@ -42,6 +42,25 @@ RESUMED_PARTING = {
     },
     "until": 10,
 }
+SPHERES_JUST_TURNING_TO_PULL = {
+    "carts": {
+        "A": {"mass": 1, "position": 0.4},
+        "B": {"mass": 1, "position": 0.6, "velocity": -0.9},
+        "C": {"mass": 1, "position": 1.0952, "velocity": 0.3513},
+    },
+    "track": {"left": "wall", "length": 2},
+    "contact": {
+        "law": "hertz",
+        "stiffness": 109.2,
+        "restitution": 0.2,
+        "pairs": {
+            "A-B": {"law": "bumper", "restitution": 0, "stiffness": 1000},
+            "left-A": {"law": "bumper", "restitution": 0.5, "stiffness": 100},
+        },
+    },
+    "effects": [{"incline": {"angle": -0.1992}}],
+    "until": 2,
+}
 
 CASES: dict[str, tuple[dict[str, Any], tuple[float, ...]]] = {
     "an idle release leaves no old closing speed": (IDLE_RELEASE, (1.30397, 0.69603)),
@@ -62,6 +81,14 @@ def test_a_run_ends_as_the_oracle_says(what: str) -> None:
     assert done.ledger.imbalance() < 1e-12
     near = stepped(scene, Way("rk4-events", step=1e-3)).run
     assert done.v == pytest.approx(near.v, abs=1e-6)
+
+
+def test_spheres_whose_spring_and_damper_just_cancel_are_not_left_out_of_the_row() -> None:
+    """A and B part at the very instant at which B-C turns from push to pull."""
+    done = run(read_scene(SPHERES_JUST_TURNING_TO_PULL))
+    speeds = (0.05598171469512609, 0.05598171469512609, -0.02686900143217931)
+    assert done.v == pytest.approx(speeds, abs=1e-13)
+    assert done.ledger.imbalance() < 1e-13
 
 
 def test_a_gap_that_opens_first_and_is_closed_by_a_third_is_seen_to_close() -> None:

@@ -24,6 +24,7 @@ from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
+from sim.laws.contact_law import ContactLaw
 
 FAINT = 1e-16
 """Of the greatest force in the row, or, as an impulse, of the lightest body's momentum at the
@@ -76,10 +77,16 @@ def _silent(gaps: list[Gap], row: Row, fastest: float) -> list[int]:
     return [
         k
         for k, gap in enumerate(gaps)
-        if curved(gap) is not None
-        and (abs(pushes[k]) <= FAINT * FAINTER * greatest if gap.room < 0.0 else True)
+        if (law := curved(gap)) is not None
+        and (gap.room >= 0.0 or _strength(law, gap) <= FAINT * FAINTER * greatest)
         and not fresh(gap, fastest)
     ]
+
+
+def _strength(law: ContactLaw, gap: Gap) -> float:
+    """N. Of spring and damper each: their sum passes through zero where neither is faint."""
+    spring = law.force(gap.mu, -gap.room, 0.0)
+    return spring + abs(law.force(gap.mu, -gap.room, -gap.rate) - spring)
 
 
 def _faint_until(series: RowSeries, span: float, momentum: float) -> float:
@@ -88,7 +95,7 @@ def _faint_until(series: RowSeries, span: float, momentum: float) -> float:
         gap, law = series.gaps[k], curved(series.gaps[k])
         assert law is not None
         while span > 0.0:
-            push = law.force(gap.mu, value(series.o[k], span), value(series.r[k], span))
+            push = abs(law.force(gap.mu, value(series.o[k], span), value(series.r[k], span)))
             others = [abs(value(n, span)) for n in (*series.force, *series.pull) if n]
             greatest = max([*others, *map(abs, series.row.steady)])
             if push <= FAINT * greatest or push * value(series.t, span) <= FAINT * momentum:
