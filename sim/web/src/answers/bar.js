@@ -5,7 +5,12 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say, svg } from "../shared/dom.js";
+import { recall, retain } from "../shared/tab.js";
 import { outline } from "./outline.js";
+
+/** What the tab remembers of who has just said who works here: the page is read anew for them. */
+export const CAME = "carts-just-came";
+const GREETS = 6000; // ms
 
 const SHEET = "M3 1.5h7l3 3v10H3zM5.5 7.5h5M5.5 10.5h3";
 
@@ -53,6 +58,7 @@ export class Bar {
       this.show();
       this.root.dataset.ready = ""; // what was kept is back
       this.#place(); // whole: nothing in it moves any more
+      this.#greet();
     });
   }
 
@@ -61,6 +67,18 @@ export class Bar {
     const title = outline() ? null : document.querySelector(".md-header__title");
     if (title) title.after(this.root);
     else document.body.append(this.root);
+  }
+
+  /** Says whose answers these are, to whom has just given a code word. */
+  #greet() {
+    const { student } = this.book;
+    if (!student || recall(CAME) !== student) return;
+    retain(CAME, "");
+    const told = html("p", "carts-bar-told");
+    told.setAttribute("role", "status");
+    this.root.prepend(told);
+    setTimeout(() => say(told, tr("These are the answers of {student}.", { student })), 0);
+    setTimeout(() => told.remove(), GREETS);
   }
 
   show() {

@@ -2,7 +2,8 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
-import { forgetTab } from "../shared/tab.js";
+import { forgetTab, retain } from "../shared/tab.js";
+import { CAME } from "./bar.js";
 import { readCode } from "./codes.js";
 import { button, codeBox, part, status } from "./parts.js";
 
@@ -69,7 +70,9 @@ export function whoPart(book) {
     try {
       const anew = await book.become(code, carry);
       if (!carry) forgetTab();
-      if (anew) location.reload();
+      if (!anew) return;
+      retain(CAME, code);
+      location.reload();
     } catch {
       say(
         told,
