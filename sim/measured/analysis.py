@@ -84,8 +84,8 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
         try:
             rows = _whole_model(story, wanted)
         except (FitError, ReadingError) as error:
-            if refused and isinstance(error, FitError) and refused.code in ("no-contact", "no-fit"):
-                refused = FitError(error.reason, error.hint, refused.code)
+            if refused and refused.code in ("no-contact", "no-fit"):
+                refused = _plainer(refused, error)
             rows = []
     made = _chosen(rows, wanted) if rows else None
     if made is not None and not made.parameters.approach > 0.0:
@@ -102,6 +102,13 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     else:
         report = by_velocities(measured, story, made, rows, wanted.masses)
     return Analysis(story, report, made)
+
+
+def _plainer(refused: FitError, error: FitError | ReadingError) -> FitError:
+    """Why the model could not be fitted, if that says more than that no contact was found."""
+    if isinstance(error, ReadingError) or error.code == "no-contact":
+        return refused
+    return FitError(error.reason, error.hint, refused.code)
 
 
 def happened(measured: Measured, hints: Hints) -> Story:

@@ -6,8 +6,8 @@ one member that holds readings; nothing is unpacked beyond MOST_BYTES.
 
 from __future__ import annotations
 
-from sim.measured.cells import MOST_BYTES, decoded
 from sim.measured.refusal import refuse
+from sim.measured.sheet.cells import MOST_BYTES, decoded
 
 MOST_ZIPPED = 30_000_000
 """Bytes: a film is in it."""

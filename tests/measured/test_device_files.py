@@ -10,8 +10,8 @@ from random import Random
 
 import pytest
 
-from sim.measured.cells import MOST_BYTES
 from sim.measured.refusal import ReadingError
+from sim.measured.sheet.cells import MOST_BYTES
 from sim.measured.tracks import between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import MOST_ZIPPED, texts_of

@@ -10,8 +10,8 @@ from random import Random
 import pytest
 
 from sim.measured.analysis import analysed
-from sim.measured.cells import decoded
 from sim.measured.refusal import ReadingError
+from sim.measured.sheet.cells import decoded
 from sim.measured.tracks import read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of

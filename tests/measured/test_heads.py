@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from sim.measured.clock import seconds_of
-from sim.measured.heads import quantity_of
 from sim.measured.refusal import ReadingError
+from sim.measured.sheet.clock import seconds_of
+from sim.measured.sheet.heads import quantity_of
 from sim.measured.tracks import read_measured
 from sim.measured.units import head
 from tests.measured.devices import Motion, motion_capture

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sim.measured.cells import decoded
+from sim.measured.sheet.cells import decoded
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import Units
 from tests.measured.written_films import PLAIN, VARIANTS, A, B, T, rows, with_y

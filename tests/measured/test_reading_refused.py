@@ -7,9 +7,9 @@ from random import Random
 
 import pytest
 
-from sim.measured.cells import MOST_BYTES, decoded
 from sim.measured.model.fit import fit
 from sim.measured.refusal import FitError, ReadingError
+from sim.measured.sheet.cells import MOST_BYTES, decoded
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.zipped import MOST_ZIPPED
 from tests.measured.written_films import PLAIN, VARIANTS, A, T, rows, with_y

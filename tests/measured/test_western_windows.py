@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sim.measured.cells import decoded
 from sim.measured.refusal import ReadingError
+from sim.measured.sheet.cells import decoded
 
 TEXT = "t in s;x von Wägelchen A in m;x von Wägelchen B in m\n0,00;0,40;1,20\n0,05;0,42;1,20\n"
 

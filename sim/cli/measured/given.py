@@ -9,7 +9,7 @@ import click
 
 from sim.cli.named_file import bytes_of
 from sim.measured.refusal import ReadingError
-from sim.measured.runs import run_place
+from sim.measured.sheet.runs import run_place
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import MOST_ZIPPED, texts_of

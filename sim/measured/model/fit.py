@@ -212,7 +212,8 @@ def _made(
         if before < EACH_SIDE or after < EACH_SIDE:
             when, count = ("before", before) if before < EACH_SIDE else ("after", after)
             reason = f"only {count} readings of cart {cart} lie {when} the contact"
-            raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}")
+            code = "no-fit" if count else "no-contact"
+            raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}", code)
     counted = np.clip(residuals, -limit, limit)
     squares = float(counted @ counted)
     noise = math.sqrt(squares / freedom)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterable
 
-from sim.measured.table import Column
+from sim.measured.sheet.table import Column
 
 IDLE = 8.0
 """Of 10⁴ normal readings none is so far off in a million files."""

@@ -12,7 +12,7 @@ import re
 
 from sim.measured.readers.qualisys import axis_of
 from sim.measured.refusal import refuse
-from sim.measured.table import Column, read_table
+from sim.measured.sheet.table import Column, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
 

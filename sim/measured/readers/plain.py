@@ -1,7 +1,7 @@
 """Tables as Tracker, spreadsheets and loggers write them: columns of time, places or forces.
 
-time      t, time, Zeit, temps, tiempo, 时间 (sim.measured.heads), or a unit of time; else the first
-          column
+time      t, time, Zeit, temps, tiempo, 时间 (sim.measured.sheet.heads), or a unit of time; else
+          the first column
 position  x of each track; x_A, xA, x1, A.x; other columns (y, v_x …) are left out
 force     F_A, force 2, or a unit of force
 """
@@ -12,14 +12,14 @@ import itertools
 import re
 from collections.abc import Sequence
 
-from sim.measured.heads import holds_times, quantity_of
 from sim.measured.readers.idle import are_idle
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
-from sim.measured.runs import of_one_run, run_place
-from sim.measured.table import MOST_FAULTS, Column, Table, read_table
+from sim.measured.sheet.heads import holds_times, quantity_of
+from sim.measured.sheet.runs import of_one_run, run_place
+from sim.measured.sheet.table import MOST_FAULTS, Column, Table, read_table
+from sim.measured.sheet.whose import are_velocities, cart_names, is_force, place_of
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
-from sim.measured.whose import are_velocities, cart_names, is_force, place_of
 
 _COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
 

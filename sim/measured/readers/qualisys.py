@@ -15,9 +15,9 @@ import itertools
 import math
 from collections.abc import Sequence
 
-from sim.measured import cells
-from sim.measured.cells import Row
 from sim.measured.refusal import refuse, shown
+from sim.measured.sheet import cells
+from sim.measured.sheet.cells import Row
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units
 

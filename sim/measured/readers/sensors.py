@@ -15,12 +15,12 @@ import itertools
 import re
 from dataclasses import replace
 
-from sim.measured.heads import Quantity, has_speeds, is_time, quantity_of
-from sim.measured.prefixes import parted
 from sim.measured.readers import plain
 from sim.measured.refusal import refuse, shown
-from sim.measured.runs import of_one_run, run_place
-from sim.measured.table import Column, Table, read_table
+from sim.measured.sheet.heads import Quantity, has_speeds, is_time, quantity_of
+from sim.measured.sheet.prefixes import parted
+from sim.measured.sheet.runs import of_one_run, run_place
+from sim.measured.sheet.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor, plain_unit
 from sim.scene.quantity import SPEED

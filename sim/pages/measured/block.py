@@ -17,9 +17,9 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from sim.measured.cells import decoded
 from sim.measured.model.contact import LAWS, Law
 from sim.measured.refusal import ReadingError
+from sim.measured.sheet.cells import decoded
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import OFFERED, Units
 from sim.pages.findings import AuthorError, Finding

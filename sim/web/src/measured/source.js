@@ -5,7 +5,7 @@ import { download } from "../shared/download.js";
 import { Films, isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
-export const MOST_BYTES = 4_000_000; // of one file, as in sim/measured/cells.py; a test holds the two together
+export const MOST_BYTES = 4_000_000; // of one file, as in sim/measured/sheet/cells.py; a test holds the two together
 export const MOST_ZIPPED = 30_000_000; // of a zip, in which a film may be, as in sim/measured/zipped.py
 const ZIP_NAME = /\.(zip|trz)$/i;
 const ZIP = 0x504b0304; // the first four bytes

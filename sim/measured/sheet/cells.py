@@ -32,7 +32,8 @@ _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", r
 _DATED = re.compile(r"(\d[-/.]\d+[-/.]\d\d+),? +(?=\d+:\d+:)")
 _BESIDE = re.compile(r", |[,.]\S*[,.]")
 _NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", "|": "bar", " ": "space"}
-_EMPTY = ("", "nan", "-nan", "null", "none", "n/a", "-")
+_EMPTY = ("", "nan", "-nan", "null", "none", "n/a", "n.a.", "na", "#n/a", "#nv", "-", "--", "–",
+          "—", "?")  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,21 +146,32 @@ def number_of(cell: str) -> float:
     return value if abs(value) <= LARGEST else math.inf
 
 
+_IN_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:[ '’\u00a0\u2009\u202f]\d{3})+(?:[.,]\d*)?", re.ASCII)
+_BOTH_SIGNS = re.compile(r"[+-]?[1-9]\d{0,2}(?:(?:,\d{3})+\.|(?:\.\d{3})+,)\d*", re.ASCII)
+
+
 def _plain(cell: str) -> str:
-    return cell.strip().translate(_MINUS)
+    """The number without what parts its thousands, where that is certain: 1'850.2 or 1,850.2."""
+    cell = cell.strip().translate(_MINUS)
+    if _IN_GROUPS.fullmatch(cell):
+        return re.sub(r"[^\d.,+-]", "", cell)
+    if _BOTH_SIGNS.fullmatch(cell):
+        return cell.replace("," if cell.rfind(".") > cell.rfind(",") else ".", "")
+    return cell
 
 
 def check_decimals(rows: Sequence[Row]) -> None:
     """Refuses a text in which some numbers have a decimal point and others a decimal comma."""
-    seen: dict[str, int] = {}
-    for line, cell in _numbers(rows):
+    seen: dict[str, tuple[int, str]] = {}
+    for line, cell in numbers(rows):
         sign = "," if "," in cell else "." if "." in cell else ""
         other = seen.get("." if sign == "," else ",") if sign else None
         if other is not None:
-            reason = f"“{shown(cell)}” has another decimal sign than line {other}"
+            where = f"“{shown(other[1])}”" + ("" if other[0] == line else f" in line {other[0]}")
+            reason = f"“{shown(cell)}” has another decimal sign than {where}"
             raise refuse(line, reason, "use the point or the comma in the whole file")
         if sign:
-            seen.setdefault(sign, line)
+            seen.setdefault(sign, (line, cell))
 
 
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
@@ -189,8 +201,9 @@ def check_thousands(rows: Sequence[Row], units: Sequence[str]) -> None:
             raise refuse(line, reason, hint)
 
 
-def _numbers(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
-    return ((row.line, cell) for row in rows for cell in row.cells if is_number(cell))
+def numbers(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
+    """All cells that hold a number, with their lines; without what parts thousands."""
+    return ((row.line, _plain(cell)) for row in rows for cell in row.cells if is_number(cell))
 
 
 def two_readings(row: Row, columns: int) -> Fault | None:

@@ -1,6 +1,6 @@
 """Whose place or force a column holds, where its head is all that says so: x_A, “Force on B”.
 
-More ways of writing than in sim.measured.heads, for what has no unit of velocity beside it.
+More ways of writing than in sim.measured.sheet.heads, for what has no unit of velocity beside it.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from sim.measured.heads import SIDEWAYS, WORDS, longest_first, owner, quantity_of
+from sim.measured.sheet.heads import SIDEWAYS, WORDS, longest_first, owner, quantity_of
 from sim.measured.units import kind_of_unit
 
 _LOWER = "a-zà-ÿа-я"

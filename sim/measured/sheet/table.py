@@ -1,4 +1,4 @@
-"""Rows of cells as a table: heads of columns (sim.measured.head_rows), numbers with their lines."""
+"""Rows of cells as a table: heads of columns (`head_rows`), numbers with their lines."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim.measured import cells
-from sim.measured.cells import Row, Rows
-from sim.measured.clock import seconds_of
-from sim.measured.head_rows import heads_of, no_heads
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
+from sim.measured.sheet import cells
+from sim.measured.sheet.cells import Row, Rows
+from sim.measured.sheet.clock import seconds_of
+from sim.measured.sheet.head_rows import heads_of, no_heads
+from sim.measured.sheet.stacked import Start, stacked, without_figures
 from sim.measured.units import kind_of_unit
 
 MOST_FAULTS = 5
@@ -31,26 +32,28 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Columns of one length; `lines[k]` is the line of the file that row k stands on."""
+    """Columns of one length; `lines[k]` is the line of the file that row k stands on. `starts`:
+    where each of the runs that stand below each other begins."""
 
     columns: tuple[Column, ...]
     lines: tuple[int, ...]
     heads_line: int
     separator: str
     decimal: str
+    starts: tuple[Start, ...] = ()
 
 
 def read_table(text: str) -> Table:
     """The table in a text; raises ReadingError."""
     found = cells.rows_of(text)
-    rows = [row for row in found.rows if not _is_remark(row)]
+    rows = without_figures([row for row in found.rows if not _is_remark(row)])
     multi = any(_is_multi(row) for row in found.rows)
     first = next((k for k, row in enumerate(rows) if _is_data(row)), None)
     if first is None:
         line = rows[0].line if rows else found.rows[0].line
         raise refuse(line, "there is no row of numbers", "t and x in columns, a row for each frame")
     heads, heads_line = heads_of(rows[:first], multi)
-    data = rows[first:]
+    data, starts = stacked(rows[first:], rows[:first])
     if found.separator == "," and (fault := cells.two_readings(data[0], len(heads))):
         raise ReadingError([fault])
     cells.check_decimals(data)
@@ -66,9 +69,8 @@ def read_table(text: str) -> Table:
         for k, one in enumerate(heads)
         if one.name
     )
-    return Table(
-        columns, tuple(row.line for row in data), heads_line, found.separator_name, _decimal(found)
-    )
+    lines = tuple(row.line for row in data)
+    return Table(columns, lines, heads_line, found.separator_name, _decimal(found), tuple(starts))
 
 
 def _is_remark(row: Row) -> bool:
@@ -148,8 +150,5 @@ def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
 
 
 def _decimal(found: Rows) -> str:
-    for row in found.rows:
-        for cell in row.cells:
-            if cells.is_number(cell) and ("," in cell or "." in cell):
-                return "comma" if "," in cell else "point"
-    return "point"
+    signed = (cell for _, cell in cells.numbers(found.rows) if "," in cell or "." in cell)
+    return "comma" if "," in next(signed, "") else "point"

@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.measured.refusal import refuse
-from sim.measured.table import Table
+from sim.measured.sheet import stacked
+from sim.measured.sheet.table import Table
 
 
 def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
-    """The columns of one of the runs that stand side by side, the names of all, and a note; raises
-    ReadingError where there are several and another was asked for. A column without a label is of
-    the run to its left; before all, it is for each.
+    """One of the runs that stand side by side or below each other, the names of all, and a note;
+    raises ReadingError where there are several and another was asked for. A column without a label
+    is of the run to its left; before all, it is for each.
     """
+    if len(table.starts) > 1:
+        return _of_those_below(table, asked)
     labels, current = [], ""
     for column in table.columns:
         current = column.run or current
@@ -24,9 +27,22 @@ def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[s
     read = runs[run_place(asked, runs)]
     pairs = zip(table.columns, labels, strict=True)
     kept = tuple(column for column, label in pairs if label in ("", read))
+    return replace(table, columns=kept), runs, [_note(read, runs)]
+
+
+def _of_those_below(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
+    runs = stacked.names(table.starts)
+    place = run_place(asked, runs)
+    ends = [start.row for start in table.starts[1:]] + [len(table.lines)]
+    rows = slice(table.starts[place].row, ends[place])
+    columns = tuple(replace(column, values=column.values[rows], run="") for column in table.columns)
+    one = replace(table, columns=columns, lines=table.lines[rows], starts=())
+    return one, runs, [_note(runs[place], runs)]
+
+
+def _note(read: str, runs: Sequence[str]) -> str:
     left = ", ".join(run for run in runs if run != read)
-    note = f"run {read} is read; other runs in the file: {left}"
-    return replace(table, columns=kept), runs, [note]
+    return f"run {read} is read; other runs in the file: {left}"
 
 
 def run_place(asked: str, runs: Sequence[str]) -> int:

@@ -11,14 +11,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from sim.measured.heads import SIDEWAYS, holds_times, quantity_of
+from sim.measured.sheet.heads import SIDEWAYS, holds_times, quantity_of
+from sim.measured.sheet.whose import force_on, is_force
 from sim.measured.units import head, narrow
-from sim.measured.whose import force_on, is_force
 
 _NUMBER = r"[\W_]{0,3}(?:(?:nr|no|n°|nº)\.?\s*)?(?P<number>\d{1,4})"
 _WORDS = (
-    "run|data\\s?set|trial|lauf|durchlauf|durchgang|datensatz|messreihe|versuch|essai|"
-    "jeu de données|ensayo|prueba|conjunto de datos|larian|数据集|运行|实验"
+    "run|data\\s?set|trial|lauf|durchlauf|durchgang|datensatz|messreihe|messung|versuch|essai|mesure|"
+    "jeu de données|ensayo|prueba|medición|conjunto de datos|larian|cubaan|数据集|运行|实验|测量"
 )
 _RUN = rf"(?:(?:{_WORDS}){_NUMBER}|(?P<latest>latest))"
 _ALONE = re.compile(rf"[\W_]*{_RUN}[\W_]*", re.I)

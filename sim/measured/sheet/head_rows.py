@@ -16,10 +16,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim.measured.cells import Row
-from sim.measured.heads import quantity_of
-from sim.measured.prefixes import parted, run_alone
 from sim.measured.refusal import refuse
+from sim.measured.sheet.cells import Row
+from sim.measured.sheet.heads import quantity_of
+from sim.measured.sheet.prefixes import parted, run_alone
 from sim.measured.units import head
 
 
