@@ -92,6 +92,30 @@
     );
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var OURS = "carts";
+  var BROWSER = () => localStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function forgetTab() {
+    try {
+      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
+    } catch {
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/answers/outline.js
   var found = null;
   function outline() {
@@ -131,6 +155,8 @@
   }
 
   // src/answers/bar.js
+  var CAME = "carts-just-came";
+  var GREETS = 6e3;
   var SHEET = "M3 1.5h7l3 3v10H3zM5.5 7.5h5M5.5 10.5h3";
   function sheet() {
     const drawn = svg("svg", {
@@ -173,12 +199,23 @@
         this.show();
         this.root.dataset.ready = "";
         this.#place();
+        this.#greet();
       });
     }
     #place() {
       const title = outline() ? null : document.querySelector(".md-header__title");
       if (title) title.after(this.root);
       else document.body.append(this.root);
+    }
+    #greet() {
+      const { student } = this.book;
+      if (!student || recall(CAME) !== student) return;
+      retain(CAME, "");
+      const told2 = html("p", "carts-bar-told");
+      told2.setAttribute("role", "status");
+      this.root.prepend(told2);
+      setTimeout(() => say(told2, tr("These are the answers of {student}.", { student })), 0);
+      setTimeout(() => told2.remove(), GREETS);
     }
     show() {
       const { done, of } = this.book.progress(practised());
@@ -276,30 +313,6 @@
   function codeWord(typed) {
     const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
     return [...new Set(parts)].sort().join("+");
-  }
-
-  // src/shared/tab.js
-  var TAB = () => sessionStorage;
-  var OURS = "carts";
-  var BROWSER = () => localStorage;
-  function recall(key, where = TAB) {
-    try {
-      return JSON.parse(where().getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function forgetTab() {
-    try {
-      for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
-    } catch {
-    }
-  }
-  function retain(key, value, where = TAB) {
-    try {
-      where().setItem(key, JSON.stringify(value));
-    } catch {
-    }
   }
 
   // src/shared/text-store.js
@@ -1748,7 +1761,9 @@
       try {
         const anew = await book2.become(code, carry);
         if (!carry) forgetTab();
-        if (anew) location.reload();
+        if (!anew) return;
+        retain(CAME, code);
+        location.reload();
       } catch {
         say(
           told2,

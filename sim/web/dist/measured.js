@@ -2512,8 +2512,19 @@
     return loading;
   }
   async function loadPart(base, name, number, part) {
+    const address = new URL(part.src, base);
+    try {
+      return await checkedPart(address.href, name, number, part);
+    } catch (error) {
+      const damaged = error instanceof RuntimeFailure && error.reason === "payload-damaged";
+      if (!damaged || !isFetching()) throw error;
+      address.searchParams.set("again", "1");
+      return checkedPart(address.href, name, number, part);
+    }
+  }
+  async function checkedPart(address, name, number, part) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part.src, base).href, name);
+    if (!inside) await runScript(address, name);
     const key = `${name}.${number}`;
     const text2 = page.__cartsParts?.[key];
     if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);

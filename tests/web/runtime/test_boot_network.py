@@ -34,6 +34,7 @@ class Network:
 
     address: str = ""
     drops: dict[str, int] = field(default_factory=dict)
+    cuts: dict[str, int] = field(default_factory=dict)  # the same, of one that ends in its middle
     held: str = ""  # a file that comes late
     late: float = 0.0  # s by which every file of the runtime comes later
     asked: Counter[str] = field(default_factory=Counter)
@@ -55,6 +56,9 @@ class Network:
     def is_dropped(self, name: str) -> bool:
         return any(part in name and self.asked[name] <= n for part, n in self.drops.items())
 
+    def is_cut(self, name: str) -> bool:
+        return any(part in name and self.asked[name] <= n for part, n in self.cuts.items())
+
 
 @contextmanager
 def serving(folder: Path) -> Iterator[Network]:
@@ -65,17 +69,28 @@ def serving(folder: Path) -> Iterator[Network]:
             pass
 
         def do_GET(self) -> None:
-            name = self.path.rpartition("/")[2]
+            name = self.path.rpartition("/")[2].partition("?")[0]
             if "/runtime/" not in self.path:
                 return super().do_GET()
             state.begun(name)
             try:
                 if state.is_dropped(name):
                     self.send_error(503)
+                elif state.is_cut(name):
+                    self.half()
                 else:
                     super().do_GET()
             finally:
                 state.over()
+
+        def half(self) -> None:
+            """The first half of a file, as if that were all of it."""
+            whole = Path(self.translate_path(self.path)).read_bytes()
+            self.send_response(200)
+            self.send_header("Content-Type", "text/javascript")
+            self.send_header("Cache-Control", "max-age=3600")
+            self.end_headers()
+            self.wfile.write(whole[: len(whole) // 2])
 
     made = functools.partial(Handler, directory=str(folder))
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), made) as server:
@@ -96,6 +111,24 @@ def test_a_request_that_was_dropped_is_made_again(open_page: OpenPage, network: 
     result = booted(open_page(f"{network.address}/index.html"))
     assert result.get("start") == "snapshot", result
     assert network.asked["index.js"] == 2
+
+
+def test_a_file_that_a_network_cut_short_is_asked_for_again(
+    open_page: OpenPage, network: Network
+) -> None:
+    """By another address: a cache on the way has the half of it."""
+    network.cuts = {"pyodide.asm.wasm": 1, "python.zip": 1}
+    result = booted(open_page(f"{network.address}/index.html"))
+    assert result.get("start") == "snapshot", result
+
+
+def test_a_file_that_stays_damaged_is_told_in_words_for_the_web(
+    open_page: OpenPage, network: Network
+) -> None:
+    network.cuts = {"pyodide.asm.wasm": 99}
+    result = booted(open_page(f"{network.address}/index.html"))
+    assert result["reason"] == "payload-damaged"
+    assert "load the page again" in result["message"]
 
 
 def test_what_never_comes_is_told_in_words_for_the_web(

@@ -2,7 +2,7 @@
 // read by a page on file://. Every part is checked before it is used and let go of afterwards.
 import { isLeaving, staying } from "../shared/leaving.js";
 import { RuntimeFailure } from "./failure.js";
-import { isOnWeb, persistently } from "./line.js";
+import { isFetching, isOnWeb, persistently } from "./line.js";
 import { HELD, PATIENCE, watch } from "./watch.js";
 
 /** @typedef {{src: string, sha256: string, size: number}} Part */
@@ -98,7 +98,8 @@ export function loadIndex(base) {
 }
 
 /**
- * One part of a file, checked.
+ * One part of a file, checked. What a network, or a cache on the way, has cut short or changed is asked
+ * for once more by another address.
  * @param {string} base
  * @param {string} name
  * @param {number} number
@@ -106,8 +107,21 @@ export function loadIndex(base) {
  * @returns {Promise<Uint8Array<ArrayBuffer>>} gzip bytes
  */
 export async function loadPart(base, name, number, part) {
+  const address = new URL(part.src, base);
+  try {
+    return await checkedPart(address.href, name, number, part);
+  } catch (error) {
+    const damaged = error instanceof RuntimeFailure && error.reason === "payload-damaged";
+    if (!damaged || !isFetching()) throw error;
+    address.searchParams.set("again", "1");
+    return checkedPart(address.href, name, number, part);
+  }
+}
+
+/** @param {string} address @param {string} name @param {number} number @param {Part} part */
+async function checkedPart(address, name, number, part) {
   const inside = Boolean(page.__cartsInside); // a page of one file has all parts in itself
-  if (!inside) await runScript(new URL(part.src, base).href, name);
+  if (!inside) await runScript(address, name);
   const key = `${name}.${number}`;
   const text = page.__cartsParts?.[key]; // a script cut short does not run: there is no text then
   if (text === undefined) throw new RuntimeFailure("payload-damaged", part.src, name);
