@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from sim.measured.events.correlated import inflation
 from sim.measured.events.stretch import STILL
 from sim.measured.rounding import EVEN, step_of, unseen
+from sim.measured.scatter import scatter_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -75,7 +76,7 @@ def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
         root = np.sqrt(weight)
         numbers = np.linalg.lstsq(matrix * root[:, None], x * root, rcond=None)[0]
         left = x - matrix @ numbers
-        scale = np.maximum(max(1.4826 * float(np.median(np.abs(left))), 1e-12), even)
+        scale = np.maximum(max(scatter_of(left), 1e-12), even)
         weight = np.minimum(1.0, HUBER * scale / np.maximum(np.abs(left), 1e-300))
     freedom = max(len(x) - matrix.shape[1], 1)
     noise = max(float(np.sum(weight * left**2)) / freedom, float(np.mean(even**2)))

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from sim.measured.events.even import braked
 from sim.measured.events.grid import Grid
 from sim.measured.events.in_step import in_step
+from sim.measured.scatter import scatter_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -120,7 +121,7 @@ def _noise(grid: Grid, cells: int) -> list[float]:
 
     told = cells + 2 * grid.half
     slope = (12.0 / (told**3 - told)) ** 0.5 / grid.step
-    rough = [1.4826 * float(np.median(np.abs(np.diff(x, 3)))) / 20.0**0.5 for x in grid.x]
+    rough = [scatter_of(np.diff(x, 3)) / 20.0**0.5 for x in grid.x]
     return [slope * one for one in rough]
 
 

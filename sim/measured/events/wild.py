@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from sim.measured.refusal import shown
+from sim.measured.scatter import scatter_of
 from sim.measured.track import FEWEST, Track
 from sim.measured.tracks import Measured
 
@@ -82,7 +83,7 @@ def wild_of(track: Track) -> set[int]:
         if len(alive) < FEWEST + LONGEST:
             break
         missed = _missed(t[alive], x[alive], np.arange(len(alive)))
-        usual = max(1.4826 * float(np.median(missed)), _finest(x[alive]))
+        usual = max(scatter_of(missed), _finest(x[alive]))
         found: set[int] = set()
         for k in np.argsort(-missed):
             if missed[k] <= FAR * usual:

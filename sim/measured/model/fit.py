@@ -32,6 +32,7 @@ from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, Effect, names_of, with_values
 from sim.measured.refusal import FitError
 from sim.measured.rounding import EVEN, step_of
+from sim.measured.scatter import scatter_of
 from sim.measured.tracks import Measured
 
 if TYPE_CHECKING:
@@ -137,7 +138,7 @@ def _limit(p: Parameters, asked: Asked, t: Any, x: Any, steps: list[float]) -> f
 
     off = np.abs(_residuals(p, asked.law, t, x))
     reach = float(np.ptp(np.concatenate(x)))
-    usual = max(1.4826 * float(np.median(off)), EVEN * max(steps))
+    usual = max(scatter_of(off), EVEN * max(steps))
     limit = max(WILD * usual, ROUNDING * reach)
     return limit if float(off.max()) > limit else math.inf
 

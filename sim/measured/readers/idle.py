@@ -9,6 +9,7 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterable
 
+from sim.measured.scatter import OF_MEDIAN
 from sim.measured.sheet.table import Column
 
 IDLE = 8.0
@@ -30,5 +31,5 @@ def _pushes(force: Column) -> bool:
         return False
     middle = statistics.median(told)
     off = sorted(abs(value - middle) for value in told)
-    usual = max(1.4826 * statistics.median(off), off[int(MOST * (len(off) - 1))] / NORMAL)
+    usual = max(OF_MEDIAN * statistics.median(off), off[int(MOST * (len(off) - 1))] / NORMAL)
     return off[-1] > IDLE * usual
