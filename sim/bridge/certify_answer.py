@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from time import monotonic, perf_counter
 from typing import Any
 
+from sim.bridge.alive import alive
 from sim.bridge.protocol import plain_of
 from sim.certify.certificate import Certificate, certify, document
 from sim.certify.numbers.balls import bounds
@@ -47,7 +48,7 @@ def certify_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[fl
     scene = read_scene(plain_of(request))
     exact = _seconds(scene)
     begun = perf_counter()
-    limit = Limit(MOST_CHANGES, monotonic() + PATIENCE)
+    limit = Limit(MOST_CHANGES, monotonic() + PATIENCE, alive)
     found = certify(scene, limit=limit)
     if scene.tolerances:
         # The band is drawn in a second proof, which knows where the first found its steps.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import inf
 from time import monotonic
 from typing import NamedTuple
@@ -17,11 +17,17 @@ MOST_EVENTS = 10_000
 """Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
 
 
+def _nobody() -> None:
+    """Nobody waits for signs of life."""
+
+
 class Limit(NamedTuple):
-    """Where a run gives up: after so many changes, or past a time of `monotonic` [s]."""
+    """Where a run gives up: after so many changes, or past a time of `monotonic` [s]. `alive` is
+    called all along: a proof may take long, and who waits for it should know that it is at work."""
 
     changes: int = MOST_EVENTS
     moment: float = inf
+    alive: Callable[[], object] = _nobody
 
 
 class BallRun(Releases):
@@ -40,6 +46,7 @@ class BallRun(Releases):
             self.set_free(bursts.pop(0), self.zero)
         self.running = True
         while True:
+            limit.alive()
             coming = [one for _, ends in self.phases.values() for one in ends]
             coming += [one for gap in self.gaps for one in self.of_gap(gap)]
             coming += self.halts() + [self._now(one) for one in switches[:1]]
@@ -48,12 +55,14 @@ class BallRun(Releases):
             if waiting:
                 known = min((one.when.ends()[0] for one in coming), default=waiting[-1])
                 while waiting and waiting[0] <= known:
+                    limit.alive()
                     self.look(waiting.popleft())
             if first is None:
                 break
             for t in waiting:
                 if t > first.when.ends()[1]:
                     break
+                limit.alive()
                 self.glimpse(t)
             if first.kind == "switch":
                 switches = switches[1:]

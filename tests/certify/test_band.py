@@ -137,3 +137,12 @@ def test_too_many_changes_for_a_page_are_refused_by_number() -> None:
     told = proved(scene)["certificate"]
     assert told["order"] == "not-provable"
     assert told["reason"]["code"] == "there are more than {most} changes"
+
+
+def test_a_proof_tells_all_along_that_it_is_at_work() -> None:
+    """A page takes a Python without a sign for lost, and a slow laptop proves for a minute."""
+    signs: list[int] = []
+    instants = [0.1 * k for k in range(1, 40)]
+    found = certify(read_scene(PAIR), limit=Limit(alive=lambda: signs.append(1)), instants=instants)
+    assert found.x
+    assert len(signs) > len(instants)

@@ -44,10 +44,19 @@ expect.set_options(timeout=PATIENCE)
 OpenPage = Callable[..., Page]
 
 
-def launch(driver: Playwright, name: str) -> Browser:
-    """Start a browser by name; Chromium without a desktop's windows where Debian has it so."""
-    light = {"executable_path": LIGHT} if name == "chromium" and LIGHT.exists() else {}
-    return getattr(driver, name).launch(**LAUNCH[name] | light)
+# Python in a page is started some five hundred times here, and seldom computes for long: to compile it
+# again for speed, beside what runs, takes a quarter of a start. Benchmarks do without.
+BRIEFLY = "--js-flags=--liftoff-only"
+
+
+def launch(driver: Playwright, name: str, *, briefly: bool = False) -> Browser:
+    """Start a browser by name; Chromium without a desktop's windows where Debian has it so.
+    `briefly`: for pages that live a moment."""
+    options = dict(LAUNCH[name])
+    if name == "chromium":
+        options |= {"executable_path": LIGHT} if LIGHT.exists() else {}
+        options |= {"args": [*options["args"], BRIEFLY]} if briefly else {}
+    return getattr(driver, name).launch(**options)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

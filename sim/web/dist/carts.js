@@ -3165,6 +3165,7 @@
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
   var PATIENCE2 = 8;
+  var AT_WORK = 60;
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
@@ -3508,6 +3509,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
+  var LONG = ["certify", "class", "measured", "relevance"];
   async function startRuntime({ base, packages: packages2 = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -3551,7 +3553,8 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE2);
+        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE2;
+        const patience = Number(message.patience ?? usual);
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();
@@ -4648,7 +4651,7 @@
 
   // src/predict/arrow-parts.js
   var ALIKE = 0.06;
-  var LONG = 120;
+  var LONG2 = 120;
   function asked2(element, { contacts, track }) {
     const { pair = "", on = "" } = element.dataset;
     const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
@@ -4863,7 +4866,7 @@
     }
   };
   function arrow(size, full, className, side) {
-    return pulled(arrowLength(size, full, LONG), className, side, isCut(size, full));
+    return pulled(arrowLength(size, full, LONG2), className, side, isCut(size, full));
   }
 
   // ../view/pad.js
@@ -5256,7 +5259,7 @@
   }
   function cell2({ style, side }, part, look) {
     const made3 = html("span", `carts-compare-arrow ${style} ${side}`);
-    made3.append(pulled(part * LONG, look, side));
+    made3.append(pulled(part * LONG2, look, side));
     return made3;
   }
 
@@ -8467,7 +8470,7 @@ ${lines4.join("\n")}
   var LETTER = 8;
   var BELOW_LINE = 5;
   var NEAR2 = 0.7;
-  var LONG2 = 8;
+  var LONG3 = 8;
   var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t3) {
@@ -8510,7 +8513,7 @@ ${lines4.join("\n")}
     let x0 = timeX(plane, Number(times2[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d2 = `M${px(x0)} ${px(y0)}`;
-    const isLong = (k, x2) => k < last && timeX(plane, Number(times2[k + 1])) - x2 > LONG2;
+    const isLong = (k, x2) => k < last && timeX(plane, Number(times2[k + 1])) - x2 > LONG3;
     for (let k = 1; k <= last; k += 1) {
       if (Number(times2[k]) > seen) return d2 + tail2(curve2, times2, plane, Number(times2[k - 1]), seen);
       const x2 = timeX(plane, Number(times2[k]));

@@ -1362,6 +1362,7 @@
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
   var PATIENCE = 8;
+  var AT_WORK = 60;
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
@@ -1705,6 +1706,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
+  var LONG = ["certify", "class", "measured", "relevance"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -1748,7 +1750,8 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE);
+        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
+        const patience = Number(message.patience ?? usual);
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

@@ -2986,6 +2986,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
   var PATIENCE3 = 8;
+  var AT_WORK = 60;
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
@@ -3329,6 +3330,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
+  var LONG = ["certify", "class", "measured", "relevance"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -3372,7 +3374,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE3);
+        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE3;
+        const patience = Number(message.patience ?? usual);
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

@@ -2441,6 +2441,7 @@
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
   var PATIENCE3 = 8;
+  var AT_WORK = 60;
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
@@ -2784,6 +2785,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
+  var LONG = ["certify", "class", "measured", "relevance"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -2827,7 +2829,8 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE3);
+        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE3;
+        const patience = Number(message.patience ?? usual);
         const text2 = JSON.stringify(message);
         this.queue.push({ number: this.number, text: text2, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

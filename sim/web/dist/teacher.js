@@ -277,6 +277,7 @@
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
   var PATIENCE = 8;
+  var AT_WORK = 60;
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
@@ -620,6 +621,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
+  var LONG = ["certify", "class", "measured", "relevance"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -663,7 +665,8 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const patience = Number(message.patience ?? PATIENCE);
+        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
+        const patience = Number(message.patience ?? usual);
         const text2 = JSON.stringify(message);
         this.queue.push({ number: this.number, text: text2, patience, resolve, reject });
         if (this.queue.length === 1) this.send();
@@ -2988,7 +2991,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
 
   // ../view/skeleton/time.js
-  var LONG = 60;
+  var LONG2 = 60;
   var SPEEDS = [1, 10, 100];
   var START = "M3 3v10M13 3L6 8l7 5z";
   var BACK2 = "M12.5 3v10M10 3L3 8l7 5z";
@@ -3020,8 +3023,8 @@ ${fence.watch === "first" && html2`<button type="button" class="carts-button car
     return html2`<button type="button" class="carts-button carts-${name}" aria-label=${label} title=${title} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${icon}/></svg></button>`;
   }
   function openingSpeed(until) {
-    if (until <= LONG) return 1;
-    return until >= 10 * LONG ? 100 : 10;
+    if (until <= LONG2) return 1;
+    return until >= 10 * LONG2 ? 100 : 10;
   }
 
   // ../view/skeleton/scene.js

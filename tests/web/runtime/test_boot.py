@@ -158,6 +158,20 @@ def test_an_answer_that_tells_of_its_parts_may_take_longer_than_a_page_waits(
 
 
 @pytest.mark.one_browser
+def test_a_fit_may_take_longer_than_a_run_without_a_sign(
+    open_page: OpenPage, free_site: Path
+) -> None:
+    """On a slow laptop readings are fitted for twenty seconds, and no picture waits for them."""
+    page = open_page(free_site / "index.html")
+    booted(page)
+    ask = """([kind, run]) => runtime.request({ kind, run })
+        .then(({ header }) => header.result, ({ reason }) => reason)"""
+    silent = "__import__('time').sleep(6.5) or 7"
+    assert page.evaluate(ask, ["measured", silent]) == 7
+    assert page.evaluate(ask, ["run", silent]) == "worker-lost"
+
+
+@pytest.mark.one_browser
 def test_a_numpy_page_starts_the_plain_way_too(open_page: OpenPage, free_site: Path) -> None:
     index = read_index(free_site)
     parts = index["files"].pop("memory.snapshot")

@@ -4,13 +4,14 @@ import { isFetching } from "./line.js";
 import { loadIndex } from "./payload.js";
 import { SLOW, SLOW_LINE, SNAPSHOT, Start } from "./start.js";
 import { requireWasm } from "./wasm.js";
-import { PATIENCE, SLOW_AFTER, watch } from "./watch.js";
+import { AT_WORK, PATIENCE, SLOW_AFTER, watch } from "./watch.js";
 
 /** @typedef {import("./failure.js").Reason} Reason */
 /** @typedef {import("./start.js").Progress} Progress */
 /** @typedef {{header: any, numbers: Float64Array}} Answer */
 
 const PICK_UP = 3; // s until an idle worker must have taken up a request
+const LONG = ["certify", "class", "measured", "relevance"]; // kinds of requests that no picture waits for
 
 /**
  * Starts Python for a page.
@@ -84,7 +85,8 @@ export class Runtime {
     if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
     return new Promise((resolve, reject) => {
       this.number += 1;
-      const patience = Number(message.patience ?? PATIENCE);
+      const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
+      const patience = Number(message.patience ?? usual);
       const text = JSON.stringify(message);
       this.queue.push({ number: this.number, text, patience, resolve, reject });
       if (this.queue.length === 1) this.send();

@@ -9,6 +9,9 @@ export const SLOW_AFTER = 3;
 /** In s without progress after which Python, or its table of contents, counts as lost. */
 export const PATIENCE = 8;
 
+/** In s without a sign, of what takes long: readings are fitted here in a second, on a slow laptop in twenty. */
+export const AT_WORK = 60;
+
 /**
  * In s without progress while Python starts: then it is given up. A step of the plain start, without a
  * memory snapshot, is silent for two seconds here, and for half a minute on a laptop fifteen times as slow.
