@@ -44,8 +44,8 @@ expect.set_options(timeout=PATIENCE)
 OpenPage = Callable[..., Page]
 
 
-# Python in a page is started some five hundred times here, and seldom computes for long: to compile it
-# again for speed, beside what runs, takes a quarter of a start. Benchmarks do without.
+# Python in a page is started some five hundred times here, and seldom computes for long: to compile
+# it again for speed, beside what runs, takes a quarter of a start. Benchmarks do without.
 BRIEFLY = "--js-flags=--liftoff-only"
 
 
@@ -106,7 +106,7 @@ def browser(driver: Playwright, browser_name: str) -> Browser:
     if not Path(LAUNCH[browser_name]["executable_path"]).exists():
         pytest.fail(f"{browser_name} is not installed: run `make browsers`")
     if browser_name not in _running or not _running[browser_name].is_connected():
-        _running[browser_name] = launch(driver, browser_name)
+        _running[browser_name] = launch(driver, browser_name, briefly=True)
     return _running[browser_name]
 
 

@@ -33,6 +33,7 @@ def test_no_answer_is_lost_when_the_browser_is_killed(
     assert lost_answers(driver, browser_name, tmp_path, file, delays, told=True) == []
 
 
+@pytest.mark.one_browser
 def test_a_prediction_its_lock_and_its_watched_run_are_there_when_the_browser_is_killed(
     driver: Playwright, browser_name: str, widget_site: Path, tmp_path: Path
 ) -> None:

@@ -81,11 +81,17 @@ def shift_of(page: Page) -> float:
     return float(page.evaluate("window.shifted"))
 
 
-def one_of_each_kind(site: Path) -> list[str]:
-    """The first page with each set of scripts and of elements of ours."""
-    kinds: dict[frozenset[str], str] = {}
+KINDS = re.compile(r'<(carts-[a-z]+)|<script src="[^"]*?([\w.-]+\.js)"|data-packages="([^"]+)"')
+
+
+def of_each_kind(site: Path) -> list[str]:
+    """Few pages that have every script, every element of ours and all packages between them."""
+    of_page = {}
     for name in pages(site):
-        text = (site / name).read_text(encoding="utf-8")
-        kind = re.findall(r'<(carts-[a-z]+)|<script src="[^"]*?([\w.-]+\.js)"', text)
-        kinds.setdefault(frozenset(element or script for element, script in kind), name)
-    return list(kinds.values())
+        found = KINDS.findall((site / name).read_text(encoding="utf-8"))
+        of_page[name] = {next(filter(None, one)) for one in found}
+    left, chosen = set[str]().union(*of_page.values()), list[str]()
+    while left:
+        chosen.append(max(of_page, key=lambda name: len(of_page[name] & left)))
+        left -= of_page[chosen[-1]]
+    return chosen

@@ -1,8 +1,8 @@
 """Every page of the built site, visited once: it complains of nothing, nothing jumps, every text
 can be told from what lies behind it, and axe-core finds nothing, with all that can be opened open.
 
-All pages from disk in one browser; from a server, wider and in the other browser one of each kind
-(in test_site_policy.py).
+All pages from disk in one browser; from a server, wider and in the other browser a few that have
+between them whatever pages have (in test_site_policy.py).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from tests.web.site.pages_of import (
     DRAWN,
     MOST_SHIFT,
     listen,
-    one_of_each_kind,
+    of_each_kind,
     pages,
     shift_of,
 )
@@ -42,8 +42,9 @@ VIEWS = (
     (360, "dark", "screen"),
     (1280, "dark", "print"),
 )
-# Colours belong to the kind of a page: one of each kind is looked at in all views, the others in
-# that which differs most from how they were read in.
+# Colours belong to the kind of a page: of each kind one is looked at in all views, the others in
+# that which differs most from how they were read in; and there axe looks at what an author wrote
+# around the elements of ours.
 FEWER = (VIEWS[2],)
 
 
@@ -65,7 +66,7 @@ def found(site: Path, browser: Browser) -> Found:
     at_once(page)
     page.add_init_script(COUNT_SHIFTS)
     heard = listen(page)
-    first_of_kind = set(one_of_each_kind(site))
+    chosen = set(of_each_kind(site))
     for name in pages(site):
         look(page, *VIEWS[0])
         page.goto((site / name).as_uri())
@@ -73,17 +74,17 @@ def found(site: Path, browser: Browser) -> Found:
             all_.jumps.append((name, (shift, page.evaluate("window.moved"))))
         all_.said += [(name, said) for said in heard]
         heard.clear()
-        for view in VIEWS if name in first_of_kind else FEWER:
+        for view in VIEWS if name in chosen else FEWER:
             look(page, *view)
             page.evaluate(DRAWN)
             all_.pale += [(name, (view, text)) for text in page.evaluate(PALE)]
-        if name in first_of_kind:
+        if name in chosen:
             look(page, *VIEWS[1])
         page.evaluate(OPEN_ALL)
         page.wait_for_function(WIDE_CODE)
         page.evaluate(axe)
         all_.violations += [
-            (name, violation) for violation in page.evaluate(RUN_AXE, name in first_of_kind)
+            (name, violation) for violation in page.evaluate(RUN_AXE, name in chosen)
         ]
         heard.clear()  # what axe itself had to say
     context.close()

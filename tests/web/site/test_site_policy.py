@@ -12,7 +12,7 @@ from tests.web.site.pages_of import (
     COUNT_SHIFTS,
     MOST_SHIFT,
     listen,
-    one_of_each_kind,
+    of_each_kind,
     settle,
     shift_of,
 )
@@ -28,7 +28,7 @@ def test_no_page_breaks_its_policy_from_disk(
         pytest.skip("all pages are visited in Chromium: see test_every_page.py")
     page = open_page(site / "index.html")
     heard = listen(page)
-    for name in one_of_each_kind(site):
+    for name in of_each_kind(site):
         page.goto((site / name).as_uri())
         settle(page)
     assert heard == []
@@ -45,7 +45,7 @@ def test_no_page_breaks_its_policy_or_jumps_on_a_desktop_from_a_server(
     page = open_page(f"{address}/index.html", viewport={"width": 1280, "height": 800})
     page.add_init_script(COUNT_SHIFTS)
     heard = listen(page)
-    for name in one_of_each_kind(hosted_site):
+    for name in of_each_kind(hosted_site):
         page.goto(f"{address}/{name}")
         moved[name] = shift_of(page)
     assert heard == []
