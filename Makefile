@@ -51,7 +51,7 @@ pictures: site browsers
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
 test: site browsers
-	@CARTS_SITE_MADE=site $(PY) -m pytest -n 3 --dist loadfile --no-loadscope-reorder
+	@CARTS_SITE_MADE=site $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
 #   make test-fast     the tests that need no browser and no site (two minutes)
 test-fast: node_modules/ready

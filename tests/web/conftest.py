@@ -76,9 +76,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 _drivers: list[Playwright] = []  # at most one: a second in the same process refuses to start
-_running: dict[str, Browser] = {}
-"""The browsers that run, by name: each is started once and stays for the files to come (started
-anew for every file Chromium costs a second, Firefox three)."""
+_running: dict[tuple[str, bool], Browser] = {}
+"""The browsers that run, by name and whether for pages that live a moment. Each is started once and
+stays for the files to come (started anew for every file Chromium costs a second, Firefox three)."""
 
 
 @pytest.fixture(scope="session")
@@ -103,11 +103,17 @@ def browser_name(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="session")
 def browser(driver: Playwright, browser_name: str) -> Browser:
-    if not Path(LAUNCH[browser_name]["executable_path"]).exists():
-        pytest.fail(f"{browser_name} is not installed: run `make browsers`")
-    if browser_name not in _running or not _running[browser_name].is_connected():
-        _running[browser_name] = launch(driver, browser_name, briefly=True)
-    return _running[browser_name]
+    return running(driver, browser_name, briefly=True)
+
+
+def running(driver: Playwright, name: str, *, briefly: bool) -> Browser:
+    """The browser that runs already, or one that is started and stays."""
+    if not Path(LAUNCH[name]["executable_path"]).exists():
+        pytest.fail(f"{name} is not installed: run `make browsers`")
+    key = (name, briefly and name == "chromium")
+    if key not in _running or not _running[key].is_connected():
+        _running[key] = launch(driver, name, briefly=briefly)
+    return _running[key]
 
 
 @pytest.fixture

@@ -103,6 +103,14 @@
       return null;
     }
   }
+  function recallOnce(key, where = TAB) {
+    const kept = recall(key, where);
+    try {
+      where().removeItem(key);
+    } catch {
+    }
+    return kept;
+  }
   function forgetTab() {
     try {
       for (const key of Object.keys(TAB())) if (key.startsWith(OURS)) TAB().removeItem(key);
@@ -209,8 +217,7 @@
     }
     #greet() {
       const { student } = this.book;
-      if (!student || recall(CAME) !== student) return;
-      retain(CAME, "");
+      if (recallOnce(CAME) !== student || !student) return;
       const told2 = html("p", "carts-bar-told");
       told2.setAttribute("role", "status");
       this.root.prepend(told2);

@@ -158,7 +158,7 @@ def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
     expect(faults).to_contain_text("row 4: “near” is not a number", timeout=STARTS)
     page.locator(".carts-measured-grid tr").nth(4).locator("input").nth(1).fill("0,5")
     page.locator(".carts-measured-typed-take").click()
-    expect(faults).to_contain_text("row 4: “0,5” has another decimal sign than row 1")
+    expect(faults).to_contain_text("row 4: “0,5” has another decimal sign than “0.0000” in row 1")
     page.locator(".carts-measured-grid tr").nth(4).locator("input").nth(1).fill(f"{rows[3][1]:.4f}")
     page.locator(".carts-measured-typed-take").click()
     expect(faults).to_be_empty()

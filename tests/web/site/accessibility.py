@@ -9,7 +9,8 @@ PALE = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
 # and there at what surrounds the text too: head and navigation are the same on all pages. So it is
 # for links in a text, told from it by their colour: that alone takes axe a third of its time. No
 # rule here reads style sheets, which axe else loads first.
-RUN_AXE = """(whole) => axe.run(whole ? document : { include: ["article"],
+RUN_AXE = """(whole) => axe.run(whole ? document : {
+    include: [document.querySelector("article") ?? document.body],
     exclude: [...new Set([...document.querySelectorAll("article *")].map((one) => one.localName))]
       .filter((name) => name.startsWith("carts-")) }, { resultTypes: ["violations"],
     preload: false, rules: { "color-contrast": { enabled: whole },

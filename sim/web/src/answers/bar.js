@@ -5,7 +5,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say, svg } from "../shared/dom.js";
-import { recall, retain } from "../shared/tab.js";
+import { recallOnce } from "../shared/tab.js";
 import { outline } from "./outline.js";
 
 /** What the tab remembers of who has just said who works here: the page is read anew for them. */
@@ -72,8 +72,7 @@ export class Bar {
   /** Says whose answers these are, to whom has just given a code word. */
   #greet() {
     const { student } = this.book;
-    if (!student || recall(CAME) !== student) return;
-    retain(CAME, "");
+    if (recallOnce(CAME) !== student || !student) return;
     const told = html("p", "carts-bar-told");
     told.setAttribute("role", "status");
     this.root.prepend(told);

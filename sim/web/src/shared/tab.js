@@ -20,6 +20,17 @@ export function recall(key, where = TAB) {
   }
 }
 
+/** What was kept once, and is not kept any more. @param {string} key @param {Where} where @returns {any} */
+export function recallOnce(key, where = TAB) {
+  const kept = recall(key, where);
+  try {
+    where().removeItem(key);
+  } catch {
+    // as above
+  }
+  return kept;
+}
+
 /** Somebody else works in this tab from now on: what the one before has watched and tried is gone. */
 export function forgetTab() {
   try {
