@@ -49,7 +49,7 @@ release: wheel
 pictures: site browsers
 	@$(PY) -m tests.pictures
 
-#   make test          every test, browsers included (at most 20 minutes on two cores)
+#   make test          every test, browsers included (two cores: 20 to 35 minutes)
 test: site browsers
 	@CARTS_SITE_MADE=site $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
