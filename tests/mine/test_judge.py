@@ -16,7 +16,7 @@ from sim.scene import read_scene
 from tests.mine.laws import RIGHT, SPRING, WRONG
 
 LONG = 3 * IN_A_PAGE
-"""Questions. What a reader would wait a minute for."""
+"""Questions. More than a page asks."""
 
 
 @pytest.mark.parametrize("name", WRONG)

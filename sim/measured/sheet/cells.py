@@ -146,18 +146,21 @@ def number_of(cell: str) -> float:
     return value if abs(value) <= LARGEST else math.inf
 
 
-_IN_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:[ '’\u00a0\u2009\u202f]\d{3})+(?:[.,]\d*)?", re.ASCII)
-_BOTH_SIGNS = re.compile(r"[+-]?[1-9]\d{0,2}(?:(?:,\d{3})+\.|(?:\.\d{3})+,)\d*", re.ASCII)
+_THOUSANDS_APART = re.compile(
+    r"[+-]?[1-9]\d{0,2}(?:(?:[ '’\u00a0\u2009\u202f]\d{3})+(?:[.,]\d*)?"
+    r"|(?:,\d{3})+\.\d*|(?:\.\d{3})+,\d*)",
+    re.ASCII,
+)
 
 
 def _plain(cell: str) -> str:
     """The number without what parts its thousands, where that is certain: 1'850.2 or 1,850.2."""
     cell = cell.strip().translate(_MINUS)
-    if _IN_GROUPS.fullmatch(cell):
-        return re.sub(r"[^\d.,+-]", "", cell)
-    if _BOTH_SIGNS.fullmatch(cell):
-        return cell.replace("," if cell.rfind(".") > cell.rfind(",") else ".", "")
-    return cell
+    if _THOUSANDS_APART.fullmatch(cell) is None:
+        return cell
+    decimals = re.search(r"(?:[.,]\d*)?$", cell)
+    assert decimals is not None
+    return re.sub(r"[^\d+-]", "", cell[: decimals.start()]) + decimals[0]
 
 
 def check_decimals(rows: Sequence[Row]) -> None:

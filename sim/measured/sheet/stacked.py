@@ -60,15 +60,16 @@ def stacked(rows: Sequence[Row], above: Sequence[Row]) -> tuple[list[Row], list[
     heads = {_folded(row) for row in above}
     first = next((run for row in above if (run := _named(row))), "")
     data: list[Row] = []
-    starts, name, between = [Start(0, first)], "", False
+    starts = [Start(0, first)]
+    begins: str | None = None  # the name of the run that the next row begins, if it does
     for row in rows:
         run = _named(row)
         if run or _folded(row) in heads:
-            name, between = run or name, True
+            begins = run or begins or ""
             continue
-        if between and data:
-            starts.append(Start(len(data), name))
-        name, between = "", False
+        if begins is not None:
+            starts.append(Start(len(data), begins))
+            begins = None
         data.append(row)
     return data, starts
 

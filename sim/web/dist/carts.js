@@ -1341,7 +1341,6 @@
   }
 
   // src/hard/element.js
-  var PATIENCE = 60;
   function hardElement(client2) {
     return class CartsHard extends HTMLElement {
       #cases = null;
@@ -1386,7 +1385,7 @@
               await client2.need(one.packages);
             }
             if (this.#turn !== turn) return;
-            const message = { kind: "hard", patience: PATIENCE, ...asked(one) };
+            const message = { kind: "hard", ...asked(one) };
             const { header } = await client2.ask(this, () => message);
             if (this.#turn !== turn) return;
             if (!header.ok) throw refusal(header.problems ?? []);
@@ -3164,7 +3163,7 @@
   // src/runtime/watch.js
   var SECOND = 1e3;
   var SLOW_AFTER = 3;
-  var PATIENCE2 = 8;
+  var PATIENCE = 8;
   var AT_WORK = 60;
   var LOST = 60;
   var HELD = 180;
@@ -3216,7 +3215,7 @@
   function patiently(promise) {
     if (isOnWeb()) return promise;
     return new Promise((resolve, reject) => {
-      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
+      const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
@@ -3509,7 +3508,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "hard", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages: packages2 = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -3553,8 +3552,7 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE2;
-        const patience = Number(message.patience ?? usual);
+        const patience = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();
@@ -3905,7 +3903,7 @@
   }
 
   // src/shared/brought-over.js
-  var PATIENCE3 = 5e3;
+  var PATIENCE2 = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
     void remember(store, site);
@@ -3915,7 +3913,7 @@
     const take = () => takeOver(store, texts).catch(() => {
     });
     const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
-    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE3));
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE2));
     await Promise.race([taken.catch(take), late]);
   }
   async function remember(store, site) {
@@ -3980,7 +3978,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE4 = 2e4;
+  var PATIENCE3 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
@@ -3992,7 +3990,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE4);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE3);
     });
   }
   async function reopening(name) {

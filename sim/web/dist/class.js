@@ -1706,7 +1706,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "hard", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -1750,8 +1750,7 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
-        const patience = Number(message.patience ?? usual);
+        const patience = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

@@ -2785,7 +2785,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "hard", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -2829,8 +2829,7 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE3;
-        const patience = Number(message.patience ?? usual);
+        const patience = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE3;
         const text2 = JSON.stringify(message);
         this.queue.push({ number: this.number, text: text2, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

@@ -53,11 +53,8 @@ class Network:
         with self.lock:
             self.under_way -= 1
 
-    def is_dropped(self, name: str) -> bool:
-        return any(part in name and self.asked[name] <= n for part, n in self.drops.items())
-
-    def is_cut(self, name: str) -> bool:
-        return any(part in name and self.asked[name] <= n for part, n in self.cuts.items())
+    def is_among(self, those: dict[str, int], name: str) -> bool:
+        return any(part in name and self.asked[name] <= n for part, n in those.items())
 
 
 @contextmanager
@@ -74,9 +71,9 @@ def serving(folder: Path) -> Iterator[Network]:
                 return super().do_GET()
             state.begun(name)
             try:
-                if state.is_dropped(name):
+                if state.is_among(state.drops, name):
                     self.send_error(503)
-                elif state.is_cut(name):
+                elif state.is_among(state.cuts, name):
                     self.half()
                 else:
                     super().do_GET()

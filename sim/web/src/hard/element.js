@@ -7,8 +7,6 @@ import { refusal } from "../shared/waiting.js";
 /** @typedef {{scene: object, expected: words.Wanted, within: number[], events: boolean, packages: string[]}} Case */
 /** @typedef {{exact: {got: words.Got, seconds: number}, stepped: {method: string, verdict: string, got: words.Got}[]}} Answer */
 
-const PATIENCE = 60; // s for one case: a slow laptop may need them, and there is a button to stop
-
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function hardElement(client) {
   return class CartsHard extends HTMLElement {
@@ -60,7 +58,7 @@ export function hardElement(client) {
             await client.need(one.packages);
           }
           if (this.#turn !== turn) return;
-          const message = { kind: "hard", patience: PATIENCE, ...asked(one) };
+          const message = { kind: "hard", ...asked(one) };
           const { header } = await client.ask(this, () => message);
           if (this.#turn !== turn) return;
           if (!header.ok) throw refusal(header.problems ?? []);

@@ -11,7 +11,7 @@ import { AT_WORK, PATIENCE, SLOW_AFTER, watch } from "./watch.js";
 /** @typedef {{header: any, numbers: Float64Array}} Answer */
 
 const PICK_UP = 3; // s until an idle worker must have taken up a request
-const LONG = ["certify", "class", "measured", "relevance", "teach"]; // kinds of requests that no picture waits for
+const LONG = ["certify", "class", "hard", "measured", "relevance", "teach"]; // kinds of requests that no picture waits for
 
 /**
  * Starts Python for a page.
@@ -77,16 +77,14 @@ export class Runtime {
 
   /**
    * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-   * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
-   *   reader knows that it takes long and can stop it
+   * @param {Record<string, unknown>} message
    * @returns {Promise<Answer>}
    */
   request(message) {
     if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
     return new Promise((resolve, reject) => {
       this.number += 1;
-      const usual = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
-      const patience = Number(message.patience ?? usual);
+      const patience = LONG.includes(String(message.kind)) ? AT_WORK : PATIENCE;
       const text = JSON.stringify(message);
       this.queue.push({ number: this.number, text, patience, resolve, reject });
       if (this.queue.length === 1) this.send();
