@@ -7318,7 +7318,7 @@ ${lines4.join("\n")}
     }
     #slow(what) {
       if (this.element.dataset.state !== "starting") return;
-      const told4 = slow(what, this.acts.stepwise());
+      const told4 = slow(what, this.acts.told() && this.acts.stepwise());
       note(this.element, told4);
       const over = () => {
         if (need(this.element, ".carts-note").textContent === told4) note(this.element, "");
@@ -8462,7 +8462,7 @@ ${lines4.join("\n")}
   var TOP6 = 8;
   var BOTTOM5 = 129;
   var WIDTH6 = 360;
-  var HEIGHT3 = 160;
+  var HEIGHT3 = 163;
   var GAP2 = 5;
   var WIDEST = 9.2;
   var LETTER = 8;

@@ -17,7 +17,7 @@ const SLOW = {
 };
 export const PREDICTION_KEPT = tr("Your prediction is kept.");
 
-/** What is said while a start takes long. @param {keyof typeof SLOW} what @param {boolean} stepwise there are prepared runs */
+/** What is said while a start takes long. @param {keyof typeof SLOW} what @param {boolean} stepwise there are sliders, and prepared runs for them */
 export const slow = (what, stepwise) => (stepwise ? `${SLOW[what]} ${STEPWISE}` : SLOW[what]);
 
 /** What still works where Python does not. @param {boolean} told no prediction is waited for @param {boolean} stepwise there are prepared runs */

@@ -61,7 +61,7 @@ export class Live {
    * reason to give up. @param {"slow" | "slow-line"} what */
   #slow(what) {
     if (this.element.dataset.state !== "starting") return;
-    const told = words.slow(what, this.acts.stepwise());
+    const told = words.slow(what, this.acts.told() && this.acts.stepwise());
     words.note(this.element, told);
     const over = () => {
       if (need(this.element, ".carts-note").textContent === told) words.note(this.element, "");
