@@ -175,7 +175,7 @@ def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
                     quantity = said(key.replace("_", " "))
                     label = said("{quantity} of {cart}", quantity=quantity, cart=name)
                     return field, label, getattr(cart, key)
-    contact = next((contact for contact in scene.contacts if contact is not None), None)
+    contact = scene.common
     if target == "contact.restitution" and contact is not None and contact.restitution is not None:
         return RESTITUTION, said("bounciness e"), contact.restitution
     if target == "contact.stiffness" and contact is not None and contact.stiffness is not None:

@@ -83,6 +83,8 @@ class Scene:
     title: str | None
     carts: tuple[Cart, ...]
     track: Track
+    common: Contact | None
+    """The contact of all neighbourhoods that have no own, whether there is such a one or not."""
     contacts: tuple[Contact | None, ...]
     gaps: tuple[float, ...]  # m, edge to edge; negative: overlap
     approaches: tuple[float, ...]  # m/s, right velocity minus left; negative: closing

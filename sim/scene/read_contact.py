@@ -17,6 +17,11 @@ KEYS = ("law", "restitution", "stiffness")
 HINT = "contact: {restitution: 0.8, stiffness: 400 N/m, law: bumper}"
 
 
+def common_contact(value: object) -> Contact | None:
+    """What a pair has that `pairs` leaves alone; None where it cannot be read."""
+    return _contact(value, {}, ("contact",), []) if isinstance(value, Mapping) else None
+
+
 def read_contacts(
     value: object, names: list[str] | None, track: Track | None, problems: list[Problem]
 ) -> tuple[Contact | None, ...]:

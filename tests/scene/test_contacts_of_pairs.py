@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.scene import SceneError, apply_changes, read_scene
+from sim.scene import Problem, SceneError, apply_changes, read_scene
+from sim.scene.controls import read_controls
 from sim.scene.laws import laws
 
 STIFFNESS = {"hertz": "1e5 N/m^1.5"}
@@ -83,3 +84,22 @@ def test_two_neighbours_have_a_contact_or_the_scene_is_refused(outer: str, inner
     done = run(scene)
     assert done.x == tuple(sorted(done.x))
     assert done.v[2] > 0.0  # momentum has come through
+
+
+@pytest.mark.parametrize("key", ["restitution", "stiffness"])
+def test_a_slider_of_the_contact_begins_where_pairs_without_their_own_stand(key: str) -> None:
+    """Not at the wall's, which is the first from the left and has its own."""
+    contact = {
+        "restitution": 0.5,
+        "stiffness": "400 N/m",
+        "pairs": {"left-A": {"restitution": 1, "stiffness": "900 N/m"}},
+    }
+    scene = read_scene(three(contact))
+    slider = {"set": f"contact.{key}", "from": 0, "to": 1, "step": 0.1}
+    if key == "stiffness":
+        slider |= {"from": "100 N/m", "to": "1000 N/m", "step": "100 N/m"}
+    problems: list[Problem] = []
+    (control,) = read_controls([slider], scene, problems)
+    assert not problems
+    moved = apply_changes(three(contact), {f"contact.{key}": control.value})
+    assert read_scene(moved) == scene
