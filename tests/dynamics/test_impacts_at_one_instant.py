@@ -107,3 +107,34 @@ def test_a_light_cart_between_a_heavy_one_and_a_wall_has_many_impacts_and_an_end
     )  # fmt: skip
     assert found.outcome.kind == "reached-end"
     assert sum(event.kind == "contact" for event in found.record.events) == 6283
+
+
+FAINT = 1e-9
+"""N/m. What such a spring does in a second is no more than `FAINT` of any velocity."""
+
+
+def touching_three(v: tuple[float, ...], *springs: tuple[str, str], e: float) -> dict[str, Any]:
+    """Three carts that touch, the last one heavier."""
+    bodies = zip("ABC", (1.0, 1.0, 4.0), (0.6, 0.8, 1.0), v, strict=True)
+    return {
+        "carts": {n: {"mass": m, "position": x, "velocity": u} for n, m, x, u in bodies},
+        "track": {"left": "open", "right": "open"},
+        "contact": {"law": "instant", "restitution": e},
+        "effects": [
+            {"spring": {"between": list(pair), "stiffness": FAINT, "length": 0.3}}
+            for pair in springs
+        ],
+        "until": 1,
+    }
+
+
+@pytest.mark.parametrize("e", [1, 0.5, 0])
+@pytest.mark.parametrize("v", [(1, 0.2, 0), (1, 0.8, 0), (1, 0.5, 0), (1, 0, -1)])
+@pytest.mark.parametrize("springs", [["AB"], ["BC"], ["AB", "BC"]], ids="+".join)
+def test_a_spring_that_is_nearly_nothing_leaves_the_order_of_impacts_as_it_is(
+    v: tuple[float, ...], springs: list[str], e: float
+) -> None:
+    """Those that close fastest are struck first, springs between them or not."""
+    pairs = [(one[0], one[1]) for one in springs]
+    held = run(read_scene(touching_three(v, *pairs, e=e)))
+    assert held.v == pytest.approx(run(read_scene(touching_three(v, e=e))).v, abs=10 * FAINT)

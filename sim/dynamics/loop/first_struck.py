@@ -37,7 +37,8 @@ def first_struck(chain: Chain, gap: Gap, now: Time) -> list[list[Gap]]:
         row.insert(0, before)
     while (after := chain.neighbours(row[-1])[1]) is not None and touches(after, now):
         row.append(after)
-    return fastest_of([one for one in row if one is gap or _is_due(one, now)], now) or [[gap]]
+    due = [one for one in row if one is gap or _is_due(one, now) or closes_on_springs(one, now)]
+    return fastest_of(due, now) or [[gap]]
 
 
 def fastest_of(row: list[Gap], now: Time) -> list[list[Gap]]:
@@ -59,11 +60,22 @@ def touches(gap: Gap, now: Time) -> bool:
     """Does a gap touch at this instant by a law without a duration?"""
     if gap.law is not None or gap.joined:
         return False
-    if gap.solver is not None:  # at rest, pressed together
-        return gap.touching is not None
+    if gap.solver is not None:  # at rest, pressed together; or springs hold the two
+        return gap.touching is not None or closes_on_springs(gap, now)
     if gap.room > 0.0:
         return _is_due(gap, now)
     return gap.room + moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now) <= 0.0
+
+
+def closes_on_springs(gap: Gap, now: Time) -> bool:
+    """Do two that springs hold touch at this instant, by a law without a duration?"""
+    motion = gap.solver
+    return (
+        gap.law is None
+        and motion is not None
+        and abs(motion.time_left(now)) <= AT_ONCE * now[0]
+        and any(end.cause == "touch" and motion.members[end.k] is gap for end in motion.ends)
+    )
 
 
 def _is_due(gap: Gap, now: Time) -> bool:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 
-from sim.dynamics.loop import still, synchronise
+from sim.dynamics.loop import still, synchronise, transitions
 from sim.dynamics.loop.calendar import Calendar
 from sim.dynamics.loop.predictions import Predictions
+from sim.dynamics.loop.rooms import no_approach, resting
 from sim.dynamics.loop.select_solver import select_solvers
 from sim.dynamics.loop.strikes import Strikes
 from sim.dynamics.result.ledger import Ledger
@@ -38,6 +40,22 @@ class Forming:
     def settle(self, bodies: list[Body], now: Time) -> tuple[list[Body], list[Gap]]:
         """Settle the components of these bodies; the free gaps around them are brought to `now`."""
         return synchronise.components(self.chain, bodies, now, self.record, self.ledger)
+
+    def settle_touched(
+        self, bodies: list[Body], touched: list[Gap], now: Time
+    ) -> tuple[list[Body], list[Gap]]:
+        """As `settle`; the gaps that touch at this instant are among those returned."""
+        for gap in touched:
+            if now != ZERO and not transitions.is_push(gap):
+                gap.room = -resting(gap)  # rounding of the search left: that is what a touch is
+        settled, gaps = self.settle(bodies, now)
+        for gap in touched:
+            if gap.left.mass < math.inf or gap.right.mass < math.inf:
+                gap.rate = gap.right.v - gap.left.v
+                if no_approach(gap, now):
+                    gap.rate = 0.0
+            self.strikes.see(gap)
+        return settled, [*gaps, *touched]
 
     def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
         """What still belongs together gets new solvers; everything around is predicted anew."""

@@ -7,17 +7,17 @@ have a shorter way.
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 
 from sim.dynamics.loop import collapse, contacts, dead_rounds, impacts, release, transitions
 from sim.dynamics.loop.first_struck import first_struck, is_alone
 from sim.dynamics.loop.forming import Forming
-from sim.dynamics.loop.rooms import no_approach, resting
+from sim.dynamics.loop.rooms import resting
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import place, velocity
-from sim.dynamics.state.clock import ZERO, Time
+from sim.dynamics.state.clock import Time
 
 MISSED = 5e-9
 """Of the longest cart. Touches are found to rounding; with so much room left the search gave up."""
@@ -40,7 +40,7 @@ class Simulation(Forming):
         elif isinstance(gap.solver, PairContact):
             self.separate(gap, gap.solver, now)
         else:
-            self.motion_ends(gap.left if gap.left.carts else gap.right, now)
+            self.motion_ends(_moved_in(gap), now)
 
     def begin(self, gap: Gap, now: Time) -> None:
         """Two bodies touch."""
@@ -107,6 +107,11 @@ class Simulation(Forming):
         blocks = first_struck(self.chain, gap, now)
         if all(gap not in block for block in blocks):
             self.calendar.gap(gap, now, 0.0)  # it waits for its turn
+        struck = [one for block in blocks for one in block]
+        if held := [one for one in struck if one.solver is not None]:
+            free = [one for one in struck if one.solver is None]
+            self.motion_ends(_moved_in(held[0]), now, beside=free)
+            return
         for block in blocks:
             self.happened += len(block)
             if self.forces is None and _are_free(block):
@@ -150,17 +155,7 @@ class Simulation(Forming):
         pair = [body for gap in touched for body in (gap.left, gap.right)]
         motions = [body.motion for body in pair]
         in_contact = any(motion is not None and motion.tier > 0 for motion in motions)
-        for gap in touched:
-            if now != ZERO and not transitions.is_push(gap):
-                gap.room = -resting(gap)  # rounding of the search left: that is what a touch is
-        bodies, gaps = self.settle(pair, now)
-        for gap in touched:
-            if gap.left.mass < math.inf or gap.right.mass < math.inf:
-                gap.rate = gap.right.v - gap.left.v
-                if no_approach(gap, now):
-                    gap.rate = 0.0
-            self.strikes.see(gap)
-        gaps = [*gaps, *touched]
+        bodies, gaps = self.settle_touched(pair, touched, now)
         gap = touched[0]
         if gap.law is not None:
             flips.note(gap, now, self.instant)
@@ -192,15 +187,19 @@ class Simulation(Forming):
                     other.touching = None  # it rested; now it opens, or is struck in its turn
         return [body for body in bodies if self.chain.bodies[body.carts[0]] is body]
 
-    def motion_ends(self, body: Body, now: Time) -> None:
-        """A cluster's step or a flight is over, or something happened in it."""
+    def motion_ends(self, body: Body, now: Time, beside: Sequence[Gap] = ()) -> None:
+        """A cluster's step or a flight is over, or something happened in it.
+
+        `beside`: gaps that no springs hold, struck at this instant with those that they do.
+        """
         motion = body.motion
         assert motion is not None
-        bodies, gaps = self.settle([body], now)
+        near = [one for gap in beside for one in (gap.left, gap.right)]
+        bodies, gaps = self.settle_touched([body, *near], list(beside), now)
         for gap in motion.members:
             gap.plain = 0 if motion.ends else gap.plain + 1
         self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
-        for block in transitions.struck(motion, self.chain, self.ledger, now):
+        for block in transitions.struck(motion, beside, self.chain, self.ledger, now):
             self.happened += len(block)
             for gap in block:
                 self.strikes.see(gap)
@@ -225,6 +224,11 @@ class Simulation(Forming):
         forces.move_to(now[0])
         bodies, gaps = self.settle(list(dict.fromkeys(self.chain.bodies)), now)
         self.form_again(bodies, gaps, now)
+
+
+def _moved_in(gap: Gap) -> Body:
+    """One of the two whose motion the gap is a member of: no wall."""
+    return gap.left if gap.left.carts else gap.right
 
 
 def _are_free(gaps: list[Gap]) -> bool:

@@ -10,6 +10,7 @@ nearest a pair that never touches turns round
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from sim.dynamics.loop import contacts, impacts, release
 from sim.dynamics.loop.first_struck import fastest_of
@@ -133,11 +134,14 @@ def _nearest(gap: Gap, now: Time, record: Record) -> int:
     return 1
 
 
-def struck(motion: Motion, chain: Chain, ledger: Ledger, now: Time) -> list[list[Gap]]:
+def struck(
+    motion: Motion, beside: Sequence[Gap], chain: Chain, ledger: Ledger, now: Time
+) -> list[list[Gap]]:
     """Linked pairs that touch at the end of the motion by a law without a duration.
 
-    Those that turn round where they touch do so here, and are not struck. Of several that close the
-    fastest are (`first_struck`); the others touch still when the row has formed anew.
+    Those that turn round where they touch do so here, and are not struck. Of several that close,
+    pairs without links `beside` them too, the fastest are (`first_struck`); the others touch still
+    when the row has formed anew.
     """
     touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
     found = []
@@ -148,6 +152,7 @@ def struck(motion: Motion, chain: Chain, ledger: Ledger, now: Time) -> list[list
             impacts.graze(chain, gap, ledger)
         else:
             found.append(gap)
+    found = sorted([*found, *beside], key=lambda gap: gap.index)
     return fastest_of(found, now) if len(found) > 1 else [[gap] for gap in found]
 
 
