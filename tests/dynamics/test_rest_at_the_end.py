@@ -91,3 +91,13 @@ def test_a_stepped_run_tells_a_turn_from_rest_too() -> None:
     assert turning.outcome.kind == "reached-end"
     resting = stepped(read_scene(alone(v=0)), Way("verlet", step=1 / 64)).run
     assert resting.outcome.kind == "came-to-rest"
+
+
+def test_carts_that_lie_against_a_wall_lie_there_however_long() -> None:
+    """By a contact that gives nothing there is no swing to fade: they do not creep by rounding."""
+    plain = pressed("instant") | {"contact": {"law": "instant", "restitution": 1}}
+    plain["carts"]["B"]["position"] = 0.5
+    plain["effects"] = [{"incline": {"angle": "-10 deg"}}, {"friction": {"coefficient": 0.05}}]
+    soon, late = (run(read_scene(plain | {"until": t})) for t in (20, 600))
+    assert soon.v == (0.0, 0.0)
+    assert late.x == soon.x

@@ -50,9 +50,11 @@ def at_rest(
 ) -> Step | None:
     """The step of a row at rest, `limit` s long; None where it is not at rest.
 
-    `fastest` [1/s] bounds the rates of its oscillations.
+    `fastest` [1/s] bounds the rates of its oscillations; 0 where all contacts are locked, and
+    nothing can swing.
     """
-    if not _may_rest(bodies, gaps, branches) or not 0.0 < fastest < math.inf:
+    swings = 0.0 < fastest < math.inf
+    if not _may_rest(bodies, gaps, branches) or not (swings or all(b.locked for b in branches)):
         return None
     deepest = max(abs(gap.room) for gap in gaps)
     if max(abs(gap.rate) for gap in gaps) > NEARLY * QUIET * fastest * deepest:
