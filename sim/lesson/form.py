@@ -10,7 +10,7 @@ from typing import Any
 from sim.lesson import keys
 from sim.lesson.bank import Bank, known_items
 from sim.lesson.keys import PROSE, TEXT, TEXTS, Key, one_of
-from sim.lesson.opening import FORMS, RULES, Rule, read_rule
+from sim.lesson.opening import FORMS, RULES, Rule, check_order, read_rule
 from sim.lesson.problems import LessonError
 from sim.lesson.question import LEVELS, Question
 from sim.scene.presentation import ID
@@ -128,6 +128,7 @@ def read_form(plain: object, bank: Bank | None) -> Form:
         close=read_rule(table, "close", ("date",), problems),
         review=read_rule(table, "review", RULES, problems) if "review" in table else None,
     )
+    check_order(form.open, form.close, problems)
     if problems:
         raise LessonError(problems)
     return form

@@ -69,6 +69,13 @@ def read_rule(
     )
 
 
+def check_order(opens: Rule, closes: Rule, problems: list[Problem]) -> None:
+    """A form whose last day comes before its first is never open."""
+    if opens.date and closes.date and closes.date < opens.date:
+        message = f"the last day of this form, {closes.date}, is before it opens on {opens.date}"
+        problems.append(Problem(("close", "date"), "out-of-range", message, "a later day"))
+
+
 def _word(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> str:
     word = str(table.get("word", "")).strip()
     if "word" in table and len("".join(word.split())) < 4:

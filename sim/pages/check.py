@@ -26,7 +26,7 @@ from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
-from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
+from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, described, shown
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections
@@ -38,6 +38,7 @@ from sim.scene import SceneError, read_fence
 LESSON_SUFFIXES = (".md",)
 HIDDEN_SUFFIX = ".md.txt"  # an editor adds it, a file manager hides it
 NEAR_SUFFIXES = (".md", ".markdown", ".mdown", ".mdwn", ".mkd", ".mkdn")  # .MD too: as no lesson
+WRITTEN = (".docx", ".doc", ".odt", ".rtf", ".pages", ".text", ".txt")  # by a program for letters
 SCENE_SUFFIXES = (".yml", ".yaml")
 USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 
@@ -203,7 +204,8 @@ def _nearly_lesson(file: Path) -> bool:
     if file.name.lower().endswith(HIDDEN_SUFFIX):
         return True
     near = file.suffix.lower() in NEAR_SUFFIXES and file.suffix not in LESSON_SUFFIXES
-    return near and file.stem.lower() != "readme"
+    written = file.suffix.lower() in WRITTEN and file.parent.name == LESSONS
+    return (near or written) and file.stem.lower() != "readme"
 
 
 def _not_seen(file: str) -> Finding:
@@ -215,4 +217,7 @@ def _not_seen(file: str) -> Finding:
         stem, _, ending = name.rpartition(".")
         right = f"{stem}.md"
         message = f"this is no lesson: its name ends in .{ending}, that of a lesson in .md"
+        if f".{ending.lower()}" in WRITTEN[:5]:
+            hint = f"save it as plain text (UTF-8) under the name {right}"
+            return Finding(file, 1, 1, "hidden-ending", message, hint)
     return Finding(file, 1, 1, "hidden-ending", message, f"rename it to {right}")

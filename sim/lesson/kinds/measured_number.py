@@ -84,15 +84,30 @@ def _relative(table: Mapping[str, Any], unit: str) -> bool:
     return str(table.get("tolerance", "")).strip().endswith("%") and unit != "%"
 
 
-def not_of_nought(
-    table: Mapping[str, Any], exact: Fraction, unit: str, path: Path, problems: list[Problem]
+def check_tolerance(
+    table: Mapping[str, Any],
+    right: tuple[Fraction, Fraction],
+    measured: tuple[str, Dimension],
+    path: Path,
+    problems: list[Problem],
 ) -> None:
-    """Tells of a tolerance in percent of a right answer that is 0, where both could be read."""
-    shown = str(table["tolerance"]).strip()
+    """Tells of a tolerance that allows nothing, in percent of 0, or 0 and the other direction too.
+
+    `right`: the answer and its tolerance, SI, where both could be read.
+    """
+    exact, tolerance = right
+    unit, dimension = measured
+    shown = str(table.get("tolerance", "")).strip()
+    here = (*path, "tolerance")
     if not exact and _relative(table, unit) and read_quantity(shown, units.RATIO):
         message = f"{shown} of 0 is 0: no other number would be right"
         hint = f"give it as a number: tolerance: 0.01 {unit}".rstrip()
-        problems.append(Problem((*path, "tolerance"), "unreachable-tolerance", message, hint))
+        problems.append(Problem(here, "unreachable-tolerance", message, hint))
+    if exact and tolerance >= abs(exact):
+        part = abs(exact) / units.size_of(unit, dimension) / 20
+        message = "with this tolerance 0 is right too, and so is nearly every answer"
+        hint = f"tolerance: 5 %, or tolerance: {float(part):.2g} {unit}".rstrip()
+        problems.append(Problem(here, "out-of-range", message, hint))
 
 
 def lacks_unit(

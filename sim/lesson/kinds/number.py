@@ -14,8 +14,8 @@ from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
     FIGURES,
     TOLERANCE,
+    check_tolerance,
     lacks_unit,
-    not_of_nought,
     reachable,
     read_number,
     read_tolerance,
@@ -86,7 +86,7 @@ class Number(Question):
         exact = read_number(table, "answer", dimension, path, problems)
         tolerance = read_tolerance(table, exact, (unit, dimension), path, problems)
         if len(problems) == before:
-            not_of_nought(table, exact, unit, path, problems)
+            check_tolerance(table, (exact, tolerance), (unit, dimension), path, problems)
         wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
         if len(problems) == before and not reachable(
             exact, tolerance, units.size_of(unit, dimension)

@@ -19,7 +19,7 @@ from sim.lesson import keys, units
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
     TOLERANCE,
-    not_of_nought,
+    check_tolerance,
     read_number,
     read_tolerance,
     read_unit,
@@ -192,7 +192,7 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
     exact = read_number(cell, "answer", dimension, path, problems)
     tolerance = read_tolerance(cell, exact, (unit, dimension), path, problems)
     if len(problems) == before:
-        not_of_nought(cell, exact, unit, path, problems)
+        check_tolerance(cell, (exact, tolerance), (unit, dimension), path, problems)
     return Open(
         answer=units.tidy(exact, unit, dimension),
         tolerance=units.tidy(tolerance, unit, dimension),

@@ -25,6 +25,7 @@ AT_THE_TOP = (
     r"\A\ufeff?---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
 )
 _ORDER = re.compile(AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
+_LONG = re.compile(AT_THE_TOP + r"minutes:[ \t]*([^\n#]*)")
 _PLACE = re.compile(r"\d{1,4}")
 _LANGUAGE = re.compile(AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
 _KEY = re.compile(r"([^\W\d][\w-]*)[ \t]*:(?:\s|$)")
@@ -81,6 +82,10 @@ def front_matter(text: str) -> Iterator[Found]:
     if stated and not _PLACE.fullmatch(stated[1].strip()):
         message = f"order: “{stated[1].strip()}” is not a whole number"
         yield stated.start(1), "not-a-number", message, "for example order: 30"
+    long = _LONG.match(text) if inside else None
+    if long and not _PLACE.fullmatch(long[1].strip().strip("\"'")):
+        message = f"minutes: “{long[1].strip()[:20]}” is not a whole number"
+        yield long.start(1), "not-a-number", message, "for example minutes: 45"
     yield from _misspelt(inside, len(lines[0]) if lines else 0)
 
 

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
-from itertools import zip_longest
+from itertools import dropwhile, takewhile, zip_longest
 
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.plain_lines import lines_of
@@ -25,6 +25,7 @@ _OPENS = re.compile(
 )
 _NOTE = re.compile(r"\s*!!! ?(?P<words>[\w-]+(?: +[\w-]+)*)(?: +\".*\")?[ \t]*")
 WORD = "after"
+INSIDE = 4  # spaces before what belongs to a note
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +84,27 @@ def without_scene(text: str) -> Iterator[tuple[int, str]]:
             if not above or (named and named not in above):
                 yield at + len(found["indent"]), named
         at += len(line)
+
+
+def without_text(prose: str, text: str) -> Iterator[int]:
+    """Where something waits whose text does not belong to it, or not all of a paragraph: that is
+    there at once. `prose`: the text without its code, as long as that."""
+    whole = lines_of(text)
+    at = 0
+    for k, line in enumerate(lines_of(prose, keepends=True)):
+        if found := _OPENS.fullmatch(line.rstrip("\n")):
+            below = dropwhile(lambda one: not one.strip(), whole[k + 1 :])
+            first = list(takewhile(str.strip, below)) or [""]
+            inside = _room_before(found["indent"] + "!") + INSIDE
+            if any(_room_before(one) < inside for one in first):
+                yield at + len(found["indent"])
+        at += len(line)
+
+
+def _room_before(line: str) -> int:
+    """Columns before its first letter."""
+    line = line.expandtabs(INSIDE)
+    return len(line) - len(line.lstrip())
 
 
 def misspelt(text: str) -> Iterator[tuple[int, str]]:

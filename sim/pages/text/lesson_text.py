@@ -17,7 +17,7 @@ from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
-from sim.pages.text.held_back import misspelt, without_scene
+from sim.pages.text.held_back import misspelt, without_scene, without_text
 from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
 from sim.pages.text.plain_lines import lines_of, without_code
 
@@ -41,6 +41,9 @@ _OPEN_LIST = re.compile(r"^#{1,6} [^\n]*(\{:[^}\n]*)$", re.MULTILINE)
 _NO_MINUTES = re.compile(
     r"^#{1,6} [^\n]*\bdata-minutes=(?!\"?\d+\"?(?:[ }]|$))([^}\s]*)", re.MULTILINE
 )
+_NEARLY_MINUTES = re.compile(
+    r"^#{1,6} [^\n]*\{:[^}\n]*?((?!data-minutes=)\bdata-min\w*[ \t]*[=:][ \t]*\w*)", re.MULTILINE
+)
 _ROW = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)
 _ROW_FORMULA = re.compile(r"\\\((?:(?!\\\)).)*?(?<!\\)\|")
 _STATED = re.compile(AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
@@ -53,7 +56,7 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     found = [*front_matter(text), *_few_backticks(prose)]
     found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *language(text)]
     found += [*_headings(prose), *_formulas_in_rows(prose)]
-    found += [*_minutes_of_questions(prose), *_held_back(prose)]
+    found += [*_minutes_of_questions(prose), *_held_back(prose, text)]
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
     return _located(found, text, lesson)
@@ -81,8 +84,11 @@ def _few_backticks(prose: str) -> Iterator[Found]:
         yield opening.start(), "few-backticks", message, hint
 
 
-def _held_back(prose: str) -> Iterator[Found]:
+def _held_back(prose: str, text: str) -> Iterator[Found]:
     """Text that would wait, and is there at once."""
+    for at in without_text(prose, text):
+        message = "text below this “!!! after” does not belong to it, and is there at once"
+        yield at, "nothing-held", message, "begin each line of what waits with four spaces"
     hint = "put it below the scene whose run is watched first"
     for at, named in without_scene(prose):
         told = f"no scene “{named[:40]}” stands above it" if named else "no scene stands above it"
@@ -139,6 +145,9 @@ def _headings(prose: str) -> Iterator[Found]:
     for heading in _NO_MINUTES.finditer(prose):
         message = f"data-minutes: “{heading[1][:20]}” is not a whole number"
         yield heading.start(1), "not-a-number", message, "for example {: data-minutes=8 }"
+    for heading in _NEARLY_MINUTES.finditer(prose):
+        message = f"“{heading[1][:30]}” does not say how long this part takes"
+        yield heading.start(1), "unknown-word", message, "for example {: data-minutes=8 }"
 
 
 def _at(paragraph: re.Match[str], mark: re.Match[str]) -> int:
