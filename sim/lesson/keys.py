@@ -100,6 +100,12 @@ def texts(
         for item in listed
         if isinstance(item, (str, int, float))
     ]
+    if None in listed:
+        message = "YAML reads null, ~ and an empty place as nothing"
+        problems.append(
+            Problem((*path, name), "not-text", message, 'a word goes in quotes: "null"')
+        )
+        return ()
     if len(found) != len(listed) or not all(found):
         problems.append(Problem((*path, name), "not-text", f"{name} lists texts", hint))
         return ()

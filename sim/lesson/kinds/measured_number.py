@@ -41,6 +41,17 @@ def read_unit(
     return unit, dimension
 
 
+def is_number(table: Mapping[str, Any], name: str, path: Path, problems: list[Problem]) -> bool:
+    """Whether this is a number, of whatever unit; else that is told."""
+    try:
+        read_quantity(table[name], units.RATIO)
+    except QuantityError as error:
+        if error.code != "wrong-unit":
+            problems.append(Problem((*path, name), error.code, error.message, error.hint))
+            return False
+    return True
+
+
 def read_number(
     table: Mapping[str, Any], name: str, dimension: Dimension, path: Path, problems: list[Problem]
 ) -> Fraction:

@@ -15,6 +15,7 @@ from sim.lesson.kinds.measured_number import (
     FIGURES,
     TOLERANCE,
     check_tolerance,
+    is_number,
     lacks_unit,
     reachable,
     read_number,
@@ -76,7 +77,7 @@ class Number(Question):
         before = len(problems)
         unit, dimension = read_unit(table, "answer", path, problems)
         others = units.of_others(_numbers(table), dimension) if "answer" in table else ""
-        if len(problems) == before and others:
+        if len(problems) == before and others and is_number(table, "answer", path, problems):
             given = f"in {unit}" if unit else "a plain number"
             message = f"the answer is {given}, the other numbers of this question are in {others}"
             here = (*path, "answer")

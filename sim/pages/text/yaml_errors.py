@@ -50,7 +50,10 @@ def unclosed(lines: Sequence[str], last: int) -> tuple[int, int, str, str] | Non
 
 def of_first_sign(line: str, problem: str) -> tuple[int, str, str] | None:
     """Column (from 0), message and hint, if the text of `key: text` begins with a sign that cannot
-    begin a text, or goes on after the quote or bracket with which it began."""
+    begin a text, goes on after the quote or bracket with which it began, or lacks a brace."""
+    several = "mapping values" in problem or "expected <block end>" in problem
+    if several and (told := _braces(line)):
+        return told
     if "unknown escape character" in problem or "expected escape sequence" in problem:
         return line.index("\\"), *BACKSLASH
     found = _VALUE.match(line)
@@ -67,6 +70,35 @@ def of_first_sign(line: str, problem: str) -> tuple[int, str, str] | None:
     closing = "]" if first == "[" else first
     hint = f"put the whole text in single quotes: '{text[:40]}'"
     return at, f"the text goes on after the closing {closing}", hint
+
+
+_GLUED = re.compile(r"(\s*(?:- +)?)([\w.-]+):(?![\s/])\S")
+"""`key:text`, which is one word; but no address, as in https://."""
+
+
+def glued(lines: Sequence[str], line: int, problem: str) -> tuple[int, int, str, str] | None:
+    """Line and column (from 0), message and hint, where the line above has no space behind its
+    colon: then it is a text, and the colon of this line is one too many."""
+    if "mapping values are not allowed" not in problem or line < 1:
+        return None
+    above = lines[line - 1]
+    if not (found := _GLUED.match(above)):
+        return None
+    told = f"{found[2]}: {above[found.end(2) + 1 :].strip()[:40]}"
+    return line - 1, found.end(2), "a space is missing behind this colon", f"write {told}"
+
+
+def _braces(line: str) -> tuple[int, str, str] | None:
+    """The same of a line with several keys, which braces hold together."""
+    begins = re.match(r"\s*(?:- +)?[\w.-]+: *(\(?)", line)
+    opened, closed = line.count("{"), line.count("}")
+    if begins is None or "'" in line or '"' in line:
+        return None
+    if begins[1] and ":" in line[begins.end() :]:
+        return begins.start(1), "round brackets hold no keys", "for example: {mass: 0.5 kg}"
+    if closed > opened == 0:
+        return begins.end(), "the opening { is missing", "for example: {mass: 0.5 kg}"
+    return (line.rindex("}"), "a } too many", "every { needs one }") if closed > opened else None
 
 
 # Part of what PyYAML says; the message and the hint that we give instead.

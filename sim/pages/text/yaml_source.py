@@ -18,7 +18,14 @@ from itertools import pairwise
 import yaml
 
 from sim.pages.text.yaml_cut import cut_off
-from sim.pages.text.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError, of_first_sign, unclosed
+from sim.pages.text.yaml_errors import (
+    EXPLAINED,
+    FOUND_TOO_LATE,
+    YamlError,
+    glued,
+    of_first_sign,
+    unclosed,
+)
 from sim.pages.text.yaml_loader import RefusedError, composed
 from sim.pages.text.yaml_lost import lost
 from sim.pages.text.yaml_numbers import WHOLE, misread
@@ -139,7 +146,7 @@ class _Reader:
         if "\t" in here[col : col + 1]:
             return self.error(line, col, "a tab character", "use spaces")
         last = error.problem_mark.line if error.problem_mark else 0
-        if told := unclosed(lines, last) or cut_off(text):
+        if told := unclosed(lines, last) or cut_off(text) or glued(lines, line, problem):
             return self.error(*told)
         if found := of_first_sign(here, problem):
             col, message, hint = found
