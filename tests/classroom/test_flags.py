@@ -49,6 +49,19 @@ def test_every_flag_is_a_question() -> None:
         assert flag["files"]
 
 
+def test_an_answer_that_the_page_told_to_be_right_and_the_key_does_not_is_asked_about() -> None:
+    """The number of a question was changed after the lesson: its words, and so its hash, were not."""
+    told = answers(BANK, "FOX", "pre", ALL | {"item-0": "d"})  # the key says a
+    for row in told["items"]:
+        row |= {"tries": 1, "right": 1}
+    asked = [flag["sentence"] for flag in report(told)["flags"] if flag["code"] == "told-right"]
+    marked = {row["id"]: row["right"] for row in report(told)["lessons"][0]["forms"][0]["items"]}
+    assert [one.partition(" (")[0] for one in asked] == [
+        f"Question {k}" for k, right in enumerate(marked.values(), 1) if not right
+    ]
+    assert asked[0].startswith("Question 1 (")
+
+
 def test_equal_files_are_counted_and_asked_about() -> None:
     made = report(answers(BANK, "FOX", "pre", ALL), answers(BANK, "OWL", "pre", ALL, start=5))
     (flag,) = made["flags"]

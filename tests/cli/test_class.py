@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 from typing import Any
@@ -139,7 +140,13 @@ def test_the_html_report_has_no_script_and_no_address(school: Path) -> None:
 def test_tables_are_written_for_spreadsheets(school: Path) -> None:
     marks, items = school / "marks.csv", school / "items.csv"
     as_json(school, "--csv", marks, "--items", items)
-    assert len(marks.read_text(encoding="utf-8-sig").splitlines()) == 49
+    lines = marks.read_text(encoding="utf-8-sig").splitlines()
+    assert len(lines) == 49
+    rows = list(csv.DictReader(lines))
+    asked = [name for name in rows[0] if name.startswith("question ")]
+    assert asked == [f"question {k}" for k in range(1, len(BANK.items) + 1)]
+    for row in rows:
+        assert sum(int(row[name] or 0) for name in asked) == int(row["marks"])
     assert items.read_bytes().startswith(b"\xef\xbb\xbflesson,form,item")
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from sim.classroom.report.flag import Flag
-from sim.classroom.report.flags_of_origin import foreign, nameless, unanswered
+from sim.classroom.report.flags_of_origin import foreign, nameless, told_right, unanswered
 from sim.classroom.report.flags_of_times import order, times
 from sim.classroom.report.marked import Marked
 from sim.lesson.mark import is_empty
@@ -42,6 +42,7 @@ def sort_out(files: Sequence[Marked], now: str = "") -> Sorted:
         flags += times(file, now)
     flags += order(counted)
     flags += foreign(counted)
+    flags += told_right(counted)
     flags += nameless(counted)
     flags += unanswered(counted)
     return Sorted(tuple(counted), tuple(aside), tuple(flags))

@@ -76,6 +76,31 @@ def _versions(files: Sequence[Marked]) -> list[Flag]:
     return flags
 
 
+def told_right(files: Sequence[Marked]) -> list[Flag]:
+    """Answers that the page told to be right, and the key does not: one of the two was changed."""
+    by_form: dict[tuple[str, str], dict[int, list[Marked]]] = {}
+    for file in files:
+        for number, answer in enumerate(file.answers.values(), 1):
+            told = answer.item is not None and answer.item.right
+            if told and answer.mark and answer.mark.verdict == "wrong" and not answer.foreign:
+                asked = by_form.setdefault((file.file.lesson, file.file.form), {})
+                asked.setdefault(number, []).append(file)
+    flags = []
+    for (lesson, form), asked in by_form.items():
+        for number, found in asked.items():
+            text = counted(
+                "Question {number} ({lesson}, form {form}): the page told 1 student that the "
+                "answer is right, and the key says wrong. Was the answer changed after the lesson? "
+                "Then mark with the key of then.",
+                "Question {number} ({lesson}, form {form}): the page told {n} students that their "
+                "answer is right, and the key says wrong. Was the answer changed after the lesson? "
+                "Then mark with the key of then.",
+                n=len(found), number=f"{number}", lesson=lesson, form=form,
+            )  # fmt: skip
+            flags.append(Flag("told-right", text, tuple(file.name for file in found)))
+    return flags
+
+
 def nameless(files: Sequence[Marked]) -> list[Flag]:
     """Files that say nothing of whose they are."""
     names = tuple(file.name for file in files if not file.file.student.strip())

@@ -182,6 +182,8 @@ def _student(file: Marked, counted: Sequence[str], *, has_key: bool) -> dict[str
     return {
         "student": file.who, "group": file.group, "file": file.name,
         "total": file.total(counted) if whole else None,
+        "marks": [a.mark.marks if a.mark and a.worth and not a.foreign else None
+                  for a in file.answers.values()] if has_key else [],
         "open": list(file.open), "waiting": list(file.waiting), "foreign": list(file.foreign),
         "saved": file.file.saved,
     }  # fmt: skip

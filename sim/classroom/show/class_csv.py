@@ -36,18 +36,25 @@ def _heads(columns: Sequence[str], words: Mapping[str, str]) -> Sequence[str]:
 
 
 def students_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:
-    """Marks by student and form; `words`: each English sentence in the language."""
+    """Marks by student and form, in all and by question, as students number them; empty where a
+    question gives none, or none yet. `words`: each English sentence in the language."""
+    forms = [form for lesson in report["lessons"] for form in lesson["forms"]]
+    most = max((len(row["marks"]) for form in forms for row in form["students"]), default=0)
+    asked = [f"{number}" for number in range(1, most + 1)]
     rows = [
         [
             lesson["lesson"], form["form"], in_words(row["group"], words),
             in_words(row["student"], words), row["total"], form["of"],
             " ".join(row["open"]), " ".join(row["waiting"]), in_words(row["file"], words),
+            *row["marks"], *[None] * (most - len(row["marks"])),
         ]
         for lesson in report["lessons"]
         for form in lesson["forms"]
         for row in form["students"]
     ]  # fmt: skip
-    return csv_text(_heads(STUDENT_COLUMNS, words), rows)
+    heads = _heads(("item", *STUDENT_COLUMNS), words)
+    question = heads[0] if words else "question"  # programs know that column by another name
+    return csv_text([*heads[1:], *(f"{question} {number}" for number in asked)], rows)
 
 
 def items_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:

@@ -95,6 +95,7 @@ def _who(found: Judged) -> Who:
                 "open": [name for name, mark in row.items.items()
                          if mark is None and name not in row.chosen
                          and name in lesson.forms[form].counted],
+                "marks": [None if mark is None else plain(mark) for mark in row.items.values()],
                 "waiting": [], "foreign": [], "saved": "",
             }
             for row in sorted(
