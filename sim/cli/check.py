@@ -7,9 +7,11 @@ from pathlib import Path
 
 import click
 
+from sim.cli.site.site_folder import findings
 from sim.pages.check import USUAL_PLACES, check_paths
 from sim.pages.findings import Finding
 from sim.pages.question.by_default import CODE, TEXT
+from sim.pages.settings_file import SETTINGS
 
 
 @click.command("check")
@@ -29,8 +31,9 @@ def command(
 ) -> None:
     """Look for mistakes in lessons (.md) and scene files (.yml).
 
-    PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes
-    are checked. Exit code 1 means that a mistake was found, 2 that there is nothing to check.
+    PATH is a file or a folder. Without one, mkdocs.yml and the folders worksheets, docs and
+    tests/scenes are checked. Exit code 1 means that a mistake was found, 2 that there is nothing to
+    check.
     A warning stops nothing: a lesson in a folder that is not built, a catalogue whose lesson is
     not there, hidden forces that no reader can find. A hint is no finding: an effect that a scene
     lists in vain, or one that it misses much. Nor is what is so by default: it is counted, and
@@ -55,6 +58,8 @@ def command(
             "or name a file: carts check my-lesson.md"
         )
     found = check_paths(places, root, hints=True)
+    if not paths or root / SETTINGS in places:
+        found = [*findings(root), *found]
     counted = [] if defaults else [finding for finding in found if finding.code in (CODE, TEXT)]
     found = [finding for finding in found if finding not in counted]
     if form == "github":

@@ -19,6 +19,7 @@ import click
 from sim import __version__
 from sim.cli import starter_files
 from sim.cli.site import site_folder
+from sim.pages.settings_file import SETTINGS
 from sim.pages.text.lesson_list import lessons_in
 from sim.pages.text.lesson_places import LESSONS
 
@@ -126,7 +127,7 @@ def _folder(here: Path) -> Iterator[Line]:
 
 
 def _site(here: Path) -> Iterator[Line]:
-    if not (here / site_folder.SETTINGS).is_file():
+    if not (here / SETTINGS).is_file():
         help_ = "cd to the folder of your site, or make one: carts new my-lessons"
         yield Line("note", "no site here", help_)
         return

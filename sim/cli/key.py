@@ -14,6 +14,7 @@ from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.language import language_folder
 from sim.pages.question.key_page import Key, lesson_key
+from sim.pages.settings_file import SETTINGS
 from sim.pages.text.front_matter import stated_language
 from sim.pages.text.lesson_list import lessons_in
 from sim.pages.text.lesson_places import LESSONS, shown
@@ -42,7 +43,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     carts key worksheets/test-forces-and-motion.md
     """
     root = Path.cwd()
-    site = site_folder.read(root) if (root / site_folder.SETTINGS).is_file() else None
+    site = site_folder.read(root) if (root / SETTINGS).is_file() else None
     if site:
         _not_to_students(out, site)
     for path in paths:

@@ -50,7 +50,7 @@ def test_every_flag_is_a_question() -> None:
 
 
 def test_an_answer_that_the_page_told_to_be_right_and_the_key_does_not_is_asked_about() -> None:
-    """The number of a question was changed after the lesson: its words, and so its hash, were not."""
+    """The number was changed after the lesson, and not the words, of which the hash is."""
     told = answers(BANK, "FOX", "pre", ALL | {"item-0": "d"})  # the key says a
     for row in told["items"]:
         row |= {"tries": 1, "right": 1}

@@ -90,6 +90,9 @@ def build_site(
     `site_dir` is where the site goes; None: where mkdocs.yml says. `seen` is told what was built.
     `settings`: of the plugin, in place of those in mkdocs.yml.
     """
+    if wrong := site_folder.findings(root):
+        click.echo("\n".join(map(str, wrong)), err=True)
+        return None
     os.environ["NO_MKDOCS_2_WARNING"] = "1"  # the theme's notice to programmers
     from mkdocs.commands.build import build
     from mkdocs.config import load_config

@@ -11,10 +11,9 @@ import click
 import yaml
 
 from sim import __version__
-from sim.pages.findings import SiteError
+from sim.pages.findings import Finding, SiteError
+from sim.pages.settings_file import SETTINGS, not_yaml, settings_findings
 from sim.pages.site_id import facts_of
-
-SETTINGS = "mkdocs.yml"
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,9 +61,7 @@ def read(root: Path) -> SiteFolder:
     except SiteError as error:
         raise click.ClickException(str(error)) from None
     except yaml.YAMLError as error:
-        text = f"{SETTINGS}{_place(error, text)}: error: this is not YAML: {_reason(error)}"
-        hint = "two spaces in front of what belongs to the line above; a space behind each colon"
-        raise click.ClickException(f"{text}\n  hint: {hint}") from None
+        raise click.ClickException(str(not_yaml(error, text))) from None
     except (UnicodeDecodeError, AttributeError):
         text = f"{SETTINGS}: error: this is no list of settings in UTF-8"
         raise click.ClickException(f"{text}\n  hint: for example site_name: My lessons") from None
@@ -82,19 +79,13 @@ def read(root: Path) -> SiteFolder:
     )
 
 
-def _place(error: yaml.YAMLError, text: str) -> str:
-    """Line and column of a mistake, as messages have them."""
-    if isinstance(error, yaml.reader.ReaderError):
-        before = text[: error.position]
-        return f":{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}"
-    mark = error.problem_mark if isinstance(error, yaml.MarkedYAMLError) else None
-    return f":{mark.line + 1}:{mark.column + 1}" if mark else ""
+def findings(root: Path) -> list[Finding]:
+    """What is wrong with mkdocs.yml, with its places; none where there is no such file."""
+    if not (root / SETTINGS).is_file():
+        return []
+    from sim.pages.plugin import CartsConfig
 
-
-def _reason(error: yaml.YAMLError) -> str:
-    if isinstance(error, yaml.reader.ReaderError):
-        return "a character that nobody sees stands here"
-    return str(error.problem if isinstance(error, yaml.MarkedYAMLError) else error)
+    return settings_findings(root, dict(CartsConfig()._schema))
 
 
 def newer(one: str, other: str) -> bool:

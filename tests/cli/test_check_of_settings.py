@@ -1,0 +1,63 @@
+"""Mistakes in mkdocs.yml are told with their place, before anything is built."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+
+MISTAKES = [
+    ("site_name: Physik: 9b\n", "1:18", "this is not YAML", 'site_name: "Physics: 9b"'),
+    ("\tsite_name: x\n", "1:1", "a tab character", "use spaces"),
+    ("site_name: a\nsiteid: b\n", "2:1", "“siteid” is no setting", "extra: {carts: {site_id"),
+    ("site_nam: a\n", "1:1", "“site_nam” is no setting", "did you mean “site_name”?"),
+    ("theme:\n  language: deutsch\n", "2:13", "does not speak “deutsch”", "de, fr, ms"),
+    ("plugins:\n  - carts:\n    teacher_word: EULE\n", "3:5", "not under it", "with 6 spaces"),
+    ("plugins:\n  - carts:\n      teacher_wort: X\n", "3:7", "no setting of carts", "teacher_word"),
+    ("extra:\n  carts:\n    siteid: a-b\n", "3:5", "“siteid” says nothing", "“site_id”"),
+    ("extra:\n  carts:\n    site_id: A b\n", "3:14", "not allowed", "my-school-physics"),
+    ("- site_name\n", "1:1", "no list of settings", "site_name: My lessons"),
+]
+
+
+@pytest.fixture
+def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "worksheets").mkdir()
+    (tmp_path / "worksheets" / "carts.md").write_text("# Carts\n", encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize(("text", "place", "told", "hint"), MISTAKES)
+def test_a_mistake_in_the_settings_is_found_without_building(
+    site: Path, text: str, place: str, told: str, hint: str
+) -> None:
+    (site / "mkdocs.yml").write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(main, ["check"])
+    assert result.exit_code == 1
+    first, second = result.output.splitlines()[:2]
+    assert first.startswith(f"mkdocs.yml:{place}: error: ")
+    assert told in first
+    assert hint in second
+
+
+@pytest.mark.parametrize("text", [one for one, place, *_ in MISTAKES if "theme" in one])
+def test_a_build_stops_at_such_a_mistake_in_the_same_words(site: Path, text: str) -> None:
+    (site / "mkdocs.yml").write_text(f"site_name: a\n{text}", encoding="utf-8")
+    result = CliRunner().invoke(main, ["build"])
+    assert result.exit_code == 1
+    assert "mkdocs.yml:3:13: error: the theme does not speak" in result.output
+    assert "Traceback" not in result.output
+
+
+def test_what_other_plugins_and_extensions_are_told_is_theirs(site: Path) -> None:
+    text = (
+        "site_name: a\nplugins:\n  - search:\n      lang: de\n  - carts\n  - other: {any: 1}\n"
+        "markdown_extensions:\n  - emoji:\n      index: !!python/name:material.emoji\n"
+        "theme: material\nextra: {own: 1, carts: {site_id: a-b-c}}\n"
+    )
+    (site / "mkdocs.yml").write_text(text, encoding="utf-8")
+    assert CliRunner().invoke(main, ["check"]).exit_code == 0
