@@ -48,7 +48,10 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
         _site(name, title, like)
         return
     if not re.fullmatch(r"[a-z][a-z0-9-]{1,40}", name):
-        raise click.UsageError("NAME has small letters, digits and hyphens: carts new two-trains")
+        raise click.UsageError(
+            "NAME has small letters, digits and hyphens; any title goes beside it: "
+            'carts new two-trains --title "Two trains"'
+        )
     if not (here / WORKSHEETS).is_dir():
         raise click.UsageError(
             "There is no folder worksheets here. Go to the folder of your site, or make one first:"

@@ -23,6 +23,7 @@ from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
+from sim.pages.steep import steep_slopes
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
@@ -103,7 +104,7 @@ def _read(
         found = forces_nobody_finds(scene, run.header)
         if hints:
             called_for = relevance_hints(scene.fence.scene, scene.places)
-            return [*found, *watched_by_default(scene), *called_for]
+            return [*found, *watched_by_default(scene), *called_for, *steep_slopes(scene)]
         return found
     return []
 

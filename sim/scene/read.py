@@ -141,7 +141,7 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
                     path,
                     "bad-name",
                     f"“{str(name)[:40]}” cannot name a cart",
-                    "use a letter, then up to 15 letters, digits, - or _; "
+                    "use a letter (a to z), then up to 15 letters, digits, - or _; "
                     "“left” and “right” are the walls, “null” means nothing",
                 )
             )

@@ -18,6 +18,8 @@ export const GAP = 5; // units between the numbers of the values and their axis
 const WIDEST = 9.2; // units, the width of a figure in the larger letters of a phone
 const LETTER = 8; // units, the width of a figure; a point takes half
 const BELOW_LINE = 5; // units, from a grid line to the foot of its number
+const [FEW, ENOUGH, MANY] = [5, 4, 8]; // numbers beside an axis: at most, at least, and where those are too few
+const HARDLY = 0.05; // of the values; a curve no further beyond zero needs no number there
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
 const LONG = 8; // units along the time axis
 const PIECES = 8; // straight ones, in place of the part of a bend that was seen
@@ -71,7 +73,17 @@ export function reached(run, [low, high, factor, room], mirrored = false) {
  * @param {[number, number]} values @param {[number, number]} window in s @returns {Plane}
  */
 export function planeFor(values, window) {
-  return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
+  return { time: span(window[0], window[1], 6), value: readable(values[0], values[1]) };
+}
+
+/** Some more numbers where there would be few, or none on one side of zero. @param {number} low @param {number} high @returns {Axis} */
+function readable(low, high) {
+  const plain = axis(low, high, FEW);
+  const found = ticks(plain);
+  const hardly = HARDLY * (high - low);
+  const sides =
+    (low >= -hardly || found.some((v) => v < 0)) && (high <= hardly || found.some((v) => v > 0));
+  return found.length >= ENOUGH && sides ? plain : axis(low, high, MANY);
 }
 
 /**

@@ -31,3 +31,26 @@ def test_a_table_or_a_letter_elsewhere_is_the_teachers_own(
     (tmp_path / "worksheets" / "data" / "real.txt").write_text("t x\n", encoding="utf-8")
     (tmp_path / "letter.docx").write_bytes(b"PK")
     assert CliRunner().invoke(main, ["check"]).exit_code == 0
+
+
+def test_rich_text_under_the_name_of_a_lesson_is_told(tmp_path: Path) -> None:
+    lesson = tmp_path / "carts.md"
+    lesson.write_text("{\\rtf1\\ansi # Carts}", encoding="ascii")
+    result = CliRunner().invoke(main, ["check", str(lesson)])
+    assert result.exit_code == 1
+    assert "this is rich text (RTF)" in result.output
+
+
+@pytest.mark.parametrize(("angle", "told"), [("1", True), ("0.05", False), ("1 rad", False)])
+def test_a_plain_angle_that_was_meant_in_degrees_is_a_hint(
+    angle: str, told: bool, tmp_path: Path
+) -> None:
+    lesson = tmp_path / "slope.md"
+    lesson.write_text(
+        "# A\n\n```scene\nid: a\ncarts: {A: {mass: 1 kg, position: 0.5 m}}\n"
+        f"effects: [{{incline: {{angle: {angle}}}}}]\n```\n",
+        encoding="utf-8",
+    )
+    result = CliRunner().invoke(main, ["check", str(lesson)])
+    assert result.exit_code == 0
+    assert ("For 1° write angle: 1 deg" in result.output) == told

@@ -5263,11 +5263,18 @@
 
   // src/predict/sure.js
   var Sure = class {
+    #asked = false;
     constructor(root, chosen) {
       const radios = root.querySelectorAll(".carts-certainty input");
       this.radios = /** @type {HTMLInputElement[]} */
       [...radios];
       for (const radio of this.radios) radio.addEventListener("change", () => chosen(radio.value));
+    }
+    passedOver() {
+      const said = this.radios.some((radio) => radio.checked);
+      if (said || this.#asked || !this.radios.length) return "";
+      this.#asked = true;
+      return tr("How sure are you? Choose one, or lock without it.");
     }
     show(word, open2) {
       for (const radio of this.radios) {
@@ -5519,7 +5526,7 @@
       await this.#keep();
     }
     async #lock() {
-      const problem = this.form.problem();
+      const problem = this.form.problem() || this.sure.passedOver();
       if (problem) return this.complain(problem);
       this.#entry.value = this.form.value;
       this.#entry.asked = this.spec.ask;
@@ -7671,7 +7678,9 @@ ${lines4.join("\n")}
       if (!focused || focused === document.body || focused.matches(".carts-lock")) {
         next.focus({ preventScroll: true });
       }
-      this.world.scrollIntoView({ block: "nearest" });
+      const { scrollMarginTop, scrollMarginBottom } = getComputedStyle(this.world);
+      const room = innerHeight - Number.parseFloat(scrollMarginTop) - Number.parseFloat(scrollMarginBottom);
+      this.world.scrollIntoView({ block: this.world.offsetHeight > room ? "start" : "nearest" });
       this.tell([sentence]);
     }
     tell(sentences) {
@@ -8467,6 +8476,8 @@ ${lines4.join("\n")}
   var WIDEST = 9.2;
   var LETTER = 8;
   var BELOW_LINE = 5;
+  var [FEW3, ENOUGH, MANY4] = [5, 4, 8];
+  var HARDLY = 0.05;
   var NEAR2 = 0.7;
   var LONG3 = 8;
   var PIECES = 8;
@@ -8500,7 +8511,14 @@ ${lines4.join("\n")}
     return most > 0 ? [Math.max(down, -most), Math.min(up2, most)] : [down, up2];
   }
   function planeFor(values, window) {
-    return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
+    return { time: span(window[0], window[1], 6), value: readable(values[0], values[1]) };
+  }
+  function readable(low, high) {
+    const plain3 = axis(low, high, FEW3);
+    const found3 = ticks2(plain3);
+    const hardly = HARDLY * (high - low);
+    const sides = (low >= -hardly || found3.some((v2) => v2 < 0)) && (high <= hardly || found3.some((v2) => v2 > 0));
+    return found3.length >= ENOUGH && sides ? plain3 : axis(low, high, MANY4);
   }
   function path2(curve2, times2, plane, seen = Infinity) {
     const { values, slopes } = curve2;

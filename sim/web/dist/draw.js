@@ -12302,6 +12302,8 @@ ${rows}</tbody></table></div>
   var WIDEST = 9.2;
   var LETTER = 8;
   var BELOW_LINE = 5;
+  var [FEW2, ENOUGH, MANY2] = [5, 4, 8];
+  var HARDLY = 0.05;
   var NEAR = 0.7;
   var LONG = 8;
   var PIECES = 8;
@@ -12335,7 +12337,14 @@ ${rows}</tbody></table></div>
     return most > 0 ? [Math.max(down, -most), Math.min(up3, most)] : [down, up3];
   }
   function planeFor(values, window2) {
-    return { time: span(window2[0], window2[1], 6), value: axis(values[0], values[1], 5) };
+    return { time: span(window2[0], window2[1], 6), value: readable(values[0], values[1]) };
+  }
+  function readable(low, high) {
+    const plain2 = axis(low, high, FEW2);
+    const found = ticks2(plain2);
+    const hardly = HARDLY * (high - low);
+    const sides = (low >= -hardly || found.some((v) => v < 0)) && (high <= hardly || found.some((v) => v > 0));
+    return found.length >= ENOUGH && sides ? plain2 : axis(low, high, MANY2);
   }
   function path(curve3, times2, plane, seen = Infinity) {
     const { values, slopes } = curve3;

@@ -25,10 +25,6 @@ export function listPart(book) {
       button(tr("Print empty"), () => print(true)),
     );
     root.append(row);
-    const told = tr(
-      "Check works without a network because the right answers of worksheets are in their pages.",
-    );
-    root.append(html("p", "carts-quiet", told));
   }
   if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
   if (hidden)

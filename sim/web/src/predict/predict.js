@@ -182,7 +182,7 @@ export class Predict {
   }
 
   async #lock() {
-    const problem = this.form.problem();
+    const problem = this.form.problem() || this.sure.passedOver();
     if (problem) return this.complain(problem);
     this.#entry.value = this.form.value;
     this.#entry.asked = this.spec.ask;

@@ -17,7 +17,10 @@ export class Announcer {
     if (!focused || focused === document.body || focused.matches(".carts-lock")) {
       next.focus({ preventScroll: true });
     }
-    this.world.scrollIntoView({ block: "nearest" });
+    const { top, height } = this.world.getBoundingClientRect();
+    // Where little fits, its upper part is seen, with the velocities; “nearest” may show the lower.
+    const upper = top < 0 || height > innerHeight / 2;
+    this.world.scrollIntoView({ block: upper ? "start" : "nearest" });
     this.tell([sentence]);
   }
 
