@@ -11,19 +11,31 @@ from sim.scene import quantity
 from sim.scene.notation import same_unit, written_like
 from sim.scene.quantity import Dimension, unit_of
 
+TOGETHER = {
+    "momentum": ("Ns", "kgm/s", "kgms⁻¹"),
+    "force": ("kgm/s²",),
+    "energy": ("Nm",),
+}
+"""Written without a blank between two symbols. Each is named: “ms⁻¹” could be one per millisecond,
+and none of these has a second meaning."""
+
+
+def _more(dimension: Dimension, *units: str) -> Dimension:
+    """With other names of its SI unit."""
+    return replace(dimension, units={**dimension.units, **dict.fromkeys(units, Fraction(1))})
+
+
 MOMENTUM = Dimension(
     "momentum",
     "kg m/s",
     "0.3 kg m/s",
     {
-        **dict.fromkeys(("kg m/s", "N s", "Ns"), Fraction(1)),
+        **dict.fromkeys(("kg m/s", "N s", *TOGETHER["momentum"]), Fraction(1)),
         **dict.fromkeys(("g m/s", "mN s"), Fraction(1, 1000)),
     },
 )
-FORCE = replace(quantity.FORCE, units={**quantity.FORCE.units, "kg m/s²": Fraction(1)})
-ENERGY = replace(
-    quantity.ENERGY, units={**quantity.ENERGY.units, "N m": Fraction(1), "kg m²/s²": Fraction(1)}
-)
+FORCE = _more(quantity.FORCE, "kg m/s²", *TOGETHER["force"])
+ENERGY = _more(quantity.ENERGY, "N m", "kg m²/s²", *TOGETHER["energy"])
 """A student may write what a named unit is made of; a scene has its name."""
 RATIO = Dimension("number", "", "0.8", {"": Fraction(1), "%": Fraction(1, 100)})
 DIMENSIONS = (

@@ -95,8 +95,10 @@ def test_a_schools_own_way_of_writing_units_is_that_of_its_hints() -> None:
 
 @pytest.mark.parametrize(
     ("answer", "typed"),
-    [("2 N", "2 kg m/s²"), ("2 N", "2 kg m s^-2"), ("2 N", "2 kg*m/s/s"), ("3 J", "3 N m")],
-)
+    [("2 N", "2 kg m/s²"), ("2 N", "2 kg m s^-2"), ("2 N", "2 kg*m/s/s"), ("3 J", "3 N m"),
+     ("2 N", "2 kgm/s^2"), ("3 J", "3 Nm"), ("4 kg m/s", "4 kgm/s"), ("4 kg m/s", "4kgms^-1"),
+     ("4 kg m s⁻¹", "4 kgm s-1"), ("4 N s", "4 kgm/s")],
+)  # fmt: skip
 def test_a_unit_with_a_name_of_its_own_may_be_written_in_those_it_is_made_of(
     answer: str, typed: str
 ) -> None:
