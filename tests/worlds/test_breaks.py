@@ -13,7 +13,8 @@ from sim.scene import read_fence
 from sim.worlds.breaks import Broken, broken
 from sim.worlds.describe import kinds
 from sim.worlds.follow import follow
-from tests.worlds.scenes import HEAVY_INTO_LIGHT, followed
+from sim.worlds.sentences import speed
+from tests.worlds.scenes import HEAVY_INTO_LIGHT, LIGHT_INTO_HEAVY, followed
 
 LESSON = Path(__file__).parents[2] / "worksheets" / "newtons-first-law.md"
 MOVING = [name for name, kind in kinds().items() if kind.moves]
@@ -118,3 +119,13 @@ def test_observers_are_asked_where_a_hand_pushes() -> None:
 def test_amounts_are_written_out_as_a_lesson_writes_numbers(mass: float, told: str) -> None:
     plain = two((mass, 0.4), (mass / 4, 0.0), contact={"restitution": 0.8, "stiffness": 50 * mass})
     assert told in found(plain, "bigger-pushes-more").sentences[0]
+
+
+def test_what_the_train_computes_is_told_as_the_ground_sees_it() -> None:
+    """A train measures other velocities in every world; they are no disagreement."""
+    said = found(LIGHT_INTO_HEAVY, "mover-pushes-more")
+    assert said.observers is not None
+    cart, ground, train = said.observers
+    sentence = next(one for one in said.sentences if one.startswith("Two observers disagree."))
+    assert f"from the ground, {cart} ends with {speed(ground)}." in sentence
+    assert f"train's velocity added back at the end, {cart} ends with {speed(train)}." in sentence
