@@ -45,9 +45,9 @@ def observers_said(cart: str, ground: float, train: float) -> str:
     """Of m/s of one cart at the end, both as the ground sees it: from a train every velocity is
     another, and that alone would be no disagreement."""
     return said(
-        "Two observers disagree. Computed from the ground, {cart} ends with {ground}. Computed from "
-        "a moving train, with the train's velocity added back at the end, {cart} ends with "
-        "{train}. In our world both agree.",
+        "Two observers disagree. Computed from the ground, {cart} ends with {ground}. "
+        "Computed from a moving train, with the train's velocity added back at the end, {cart} "
+        "ends with {train}. In our world both agree.",
         cart=cart,
         ground=speed(ground),
         train=speed(train),

@@ -11,17 +11,30 @@ from collections.abc import Sequence
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.layout import Column, Layout, norm, place_of, with_most
-from sim.classroom.tables.words import CLASS, GROUP
+from sim.classroom.tables.words import CLASS, GROUP, words
 
 _QUESTION = re.compile(r"\D{1,12}?[.\s]*[0-9]{1,3}\s*/\s*[0-9]+(?:[.,][0-9]+)?")
 _GRADE = re.compile(r"[^\d/]{2,30}/\s*[0-9]+(?:[.,][0-9]+)?")
-MAIL = ("email address", "e-mail-adresse", "alamat e-mel", "电子邮件地址", "email", "e-mail")
-NUMBER = ("id number", "id-nummer", "nombor id", "学号", "username", "anmeldename")
-SURNAME = ("surname", "last name", "nachname", "nama keluarga", "姓", "姓氏", "குடும்பப்பெயர்")
-FIRST = ("first name", "vorname", "nama pertama", "名", "名字", "முதல் பெயர்")
-WHOLE_NAME = ("full name", "name", "vollständiger name", "nama penuh", "姓名")
-STATE = ("state", "status", "keadaan", "状态", "நிலை")
-BEGUN = ("started on", "started", "begonnen am", "bermula pada", "开始于")
+MAIL = words("""
+    email address | e-mail-adresse | alamat e-mel | adresse de courriel | dirección de correo |
+    dirección email | correo electrónico | 电子邮件地址 | email | e-mail
+""")
+NUMBER = words("""
+    id number | id-nummer | nombor id | numéro d'identification | número de id | 学号 | username |
+    anmeldename | nom d'utilisateur | nombre de usuario
+""")
+SURNAME = words("""
+    surname | last name | nachname | nama keluarga | nom | nom de famille | apellido(s) |
+    apellidos | 姓 | 姓氏 | குடும்பப்பெயர்
+""")
+FIRST = words("first name | vorname | nama pertama | prénom | nombre | 名 | 名字 | முதல் பெயர்")
+WHOLE_NAME = words("""
+    full name | name | vollständiger name | nama penuh | nom complet | nombre completo | 姓名
+""")
+STATE = words("state | status | keadaan | état | statut | estado | 状态 | நிலை")
+BEGUN = words("""
+    started on | started | begonnen am | bermula pada | commencé le | comenzado el | 开始于
+""")
 
 
 def layout(heads: Sequence[str]) -> Layout | None:

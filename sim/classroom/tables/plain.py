@@ -27,7 +27,7 @@ from sim.classroom.tables.layout import (
     with_most,
 )
 from sim.classroom.tables.marks import NOTHING, is_mark, mark
-from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, OTHER, STUDENT, TIME, TOTAL
+from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, STUDENT, TIME, TOTAL
 
 ADDS_UP = 0.9
 """Share of the rows in which the items add up to the total, for them to be its items."""
@@ -54,7 +54,8 @@ def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> La
     used = {place for place in (person, group, klass, time, item) if place is not None}
     rest = [k for k, head in enumerate(heads) if k not in used and norm(head) not in OTHER_NAMES]
     if item is not None:
-        marks = [k for k in rest if norm(with_most(heads[k])[0]) in MARK]
+        called = {k: norm(with_most(heads[k])[0]) for k in rest}
+        marks = [k for names in (MARK, NOTE) for k in rest if called[k] in names]
         if not marks:
             raise TableError("a column of items needs one of marks beside it (mark)")
         answers = Column(marks[0], "", "", with_most(heads[marks[0]])[1])

@@ -78,6 +78,59 @@ def test_every_usual_way_to_save_a_table_gives_the_same_marks(
     ]  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    "head",
+    [
+        "Nom;Classe;avant (20);après (20)",
+        "Élève;classe;Prétest /20;Post-test /20",
+        "eleve;groupe;avant (sur 20);apres (sur 20)",
+        "Nombre;Grupo;antes (20);después (20)",
+        "Alumno;Clase;Antes (máx. 20);Despues (de 20)",
+        "Estudiante;grupo;puntuación antes /20;puntuación después /20",
+    ],
+)
+def test_french_and_spanish_heads_are_a_test_before_and_one_after(head: str) -> None:
+    rows = "Ana;B;7,5;12\nLuc;B;8;\nMoyenne;;7,75;12\n"
+    table = read_table("m.csv", f"{head}\n{rows}".encode())
+    assert [(t.student, t.form, float(t.marks), float(t.of or 0)) for t in table.taken] == [
+        ("Ana", "pre", 7.5, 20), ("Ana", "post", 12, 20), ("Luc", "pre", 8, 20),
+    ]  # fmt: skip
+    assert {t.group or t.klass for t in table.taken} == {"B"}
+
+
+@pytest.mark.parametrize(
+    ("head", "times"),
+    [("élève;moment;question;note", ("avant", "après")),
+     ("alumno;momento;pregunta;nota", ("antes", "después"))],
+)  # fmt: skip
+def test_french_and_spanish_tables_have_a_row_for_each_answer(
+    head: str, times: tuple[str, str]
+) -> None:
+    rows = "".join(f"Ana;{time};Q{k};{k % 2}\n" for time in times for k in (1, 2, 3))
+    table = read_table("m.csv", f"{head}\n{rows}".encode())
+    assert [(t.student, t.form, t.marks) for t in table.taken] == [
+        ("Ana", "pre", 2), ("Ana", "post", 2),
+    ]  # fmt: skip
+
+
+def test_a_note_beside_a_mark_is_a_remark() -> None:
+    table = read_table("m.csv", b"student,item,note,mark\nA,Q1,late,1\nA,Q2,,0\n")
+    assert [dict(t.items) for t in table.taken] == [{"Q1": 1, "Q2": 0}]
+    assert table.left_out == ("note",)
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["Nom;Prénom;État;Commencé le;Note/2,00;Q. 1 /1,00;Q. 2 /1,00",
+     "Apellido(s);Nombre;Estado;Comenzado el;Calificación/2,00;P. 1 /1,00;P. 2 /1,00"],
+)  # fmt: skip
+def test_moodle_in_french_and_in_spanish(head: str) -> None:
+    rows = "Roy;Luc;Terminé;3 mai;2,00;1,00;1,00\nSol;Ana;En cours;3 mai;-;-;-\n"
+    table = read_table("m.csv", f"{head}\n{rows}".encode(), form="post")
+    assert [(t.student, t.form, t.marks) for t in table.taken] == [("Luc Roy", "post", 2)]
+    assert len(table.refused) == 1  # not handed in
+
+
 def test_wide_and_long_tables_are_the_same_table() -> None:
     dice = random.Random(1)
     marks = {(f"s{k}", form, f"Q{i}"): dice.randint(0, 1)
