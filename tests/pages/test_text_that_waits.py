@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import markdown
 import pytest
@@ -14,6 +15,8 @@ from sim.pages.scene_block import Lesson
 from sim.pages.teach.frame import Site
 from sim.pages.teach.preview import Desk
 
+ROOT = Path(__file__).parents[2]
+
 SCENE = """\
 ```scene
 id: one
@@ -23,6 +26,7 @@ predict: {text: What}
 ```
 """
 QUESTION = "```question\nid: why\ntype: long\nask: Why?\nrubric: {1: a, 0: b}\n```\n"
+PLACE = '<carts-place data-block="1"></carts-place>'
 EXTENSIONS = ["admonition", "attr_list", "toc"]
 
 
@@ -122,3 +126,20 @@ def test_teacher_mode_holds_back_a_scene_with_its_text(found: list[Finding]) -> 
                         Site(extensions=EXTENSIONS)).frame or ""  # fmt: skip
     assert 'class="admonition after carts-wide"' in frame
     assert '<carts-place data-block="1">' in waiting(frame)
+
+
+@pytest.mark.parametrize("week", [1, 3, 8])
+def test_a_return_asks_its_questions_when_its_run_was_watched(
+    found: list[Finding], week: int
+) -> None:
+    """They answer at once, and two of them with what the run shows."""
+    file = ROOT / "worksheets" / f"return-week-{week}.md"
+    text = file.read_text(encoding="utf-8").partition("\n---\n")[2]
+    lesson = Lesson(file.name, bank_folders=(file.parent / "banks",))
+    set_page(Page(lesson, report=found.append))
+    built = markdown.markdown(text, extensions=[*EXTENSIONS, CartsExtension()])
+    frame = Desk().look(text, lesson, Site(extensions=EXTENSIONS)).frame or ""
+    assert f'data-after="return-{week}-run"' in built
+    assert waiting(built).count("<carts-question") == built.count("<carts-question") == 3
+    assert waiting(frame) == waiting(built).partition("<carts-quiz")[0] + PLACE
+    assert not found

@@ -65,3 +65,19 @@ def test_what_is_optional_is_not_counted_as_missing(printed: Page) -> None:
     asked = [one for one in printed.evaluate(OUTLINE) if one["id"] in ids]
     assert 0 < len(asked) < len(printed.evaluate(OUTLINE))
     expect(printed.locator(".carts-bar-count")).to_have_text(f"0 of {len(asked)}")
+
+
+def test_questions_that_wait_for_a_run_are_on_the_sheet(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "worksheets" / "return-week-1.html", folder=site)
+    page.evaluate("window.print = () => {}")
+    form = page.locator("carts-quiz")
+    expect(form).to_be_hidden()
+    expect(page.locator("carts-after > .carts-q-waits")).to_be_visible()
+    page.get_by_role("button", name="My answers").click()
+    page.get_by_role("button", name="Print empty").click()
+    page.emulate_media(media="print")
+    assert form.locator("carts-question").locator("visible=true").count() == 3
+    assert page.locator(".carts-q-waits").locator("visible=true").count() == 0
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.emulate_media(media="screen")
+    expect(form).to_be_hidden()
