@@ -14,10 +14,18 @@ MOST_ZIPPED = 30_000_000
 
 SUFFIXES = (".csv", ".txt", ".tsv", ".trk")
 ASIDE = ("meta/", "__MACOSX/")
+WORKBOOKS = ("xl/workbook.xml", "xl/workbook.bin", "content.xml", "Index/Document.iwa")
+"""What is in a workbook of Excel, LibreOffice and Numbers, which are zips too."""
+
+OLD_WORKBOOK = b"\xd0\xcf\x11\xe0"
+NO_TABLE = ("this is a workbook of a spreadsheet and no table of text",
+            "open it and save its sheet as CSV: File, Save as, CSV UTF-8")  # fmt: skip
 
 
 def texts_of(content: bytes) -> list[str]:
     """One text; raises ReadingError."""
+    if content[:4] == OLD_WORKBOOK:
+        raise refuse(1, *NO_TABLE)
     if content[:4] != b"PK\x03\x04":
         return [decoded(content)]
     if len(content) > MOST_ZIPPED:
@@ -37,6 +45,8 @@ def _unzipped(content: bytes) -> bytes:
 
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as pack:
+            if set(WORKBOOKS) & set(pack.namelist()):
+                raise refuse(1, *NO_TABLE)
             names = [
                 name
                 for name in pack.namelist()

@@ -1,6 +1,9 @@
 """phyphox: the acceleration of a phone that rides on a cart, as its CSV.
 
     Time (s), Linear Acceleration x (m/s^2), … y …, … z …, Absolute acceleration (m/s^2)
+    Zeit (s), Lineare Beschleunigung x (m/s^2), …
+
+Heads in other languages are known by their unit and by the letter of the axis.
 
 The phone lies as it lies: the direction of the track is that in which it is pushed most (the first
 principal axis of the accelerations), + along its largest part.
@@ -12,21 +15,40 @@ import re
 
 from sim.measured.readers.qualisys import axis_of
 from sim.measured.refusal import refuse
+from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.table import Column, read_table
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor
+from sim.measured.units import Units, factor, head, plain_unit
 
 G = 9.80665
 """m/s², what loggers of phones call g."""
 
 _AXIS = re.compile(r"(?:linear\s+)?acceleration[\s_]*(?P<axis>[xyz])", re.I)
+_BY_UNIT = re.compile(r"(?:.*[\s_]|a)?(?P<axis>[xyz])", re.I)
+_UNIT = re.compile(r"m\W?s\W{0,2}[2²]|m\W?s⁻²|g", re.I)
 _HEAD = re.compile(r"acceleration[\s_]*x\b[^\n]*acceleration[\s_]*y\b", re.I)
 
 
 def claims(text: str) -> bool:
     """Heads with accelerations along x and y, and no position."""
-    head = next((line for line in text[:4000].splitlines() if _HEAD.search(line)), "")
-    return bool(head) and "position" not in head.lower()
+    lines = text[:4000].splitlines()
+    found = next((line for line in lines if _HEAD.search(line) or _has_axes(line)), "")
+    return bool(found) and "position" not in found.lower()
+
+
+def _has_axes(line: str) -> bool:
+    """Whether a line of heads has accelerations along x and y, by their units, and no places."""
+    parts = [head(cell.strip(' "')) for cell in re.split(r"[\t;,]", line)]
+    if any(quantity_of(*part)[0] in ("pos", "vel") for part in parts):
+        return False
+    return {"x", "y"} <= {_axis_of(*part) for part in parts}
+
+
+def _axis_of(name: str, unit: str) -> str:
+    """The axis along which a column holds an acceleration; empty: it holds none."""
+    by_unit = _BY_UNIT.fullmatch(name) if _UNIT.fullmatch(plain_unit(unit)) else None
+    match = _AXIS.fullmatch(name) or by_unit
+    return match["axis"].lower() if match else ""
 
 
 def read(text: str, units: Units) -> Reading:
@@ -35,8 +57,8 @@ def read(text: str, units: Units) -> Reading:
     time = next((one for one in table.columns if factor(one.unit, "time")), table.columns[0])
     found: dict[str, Column] = {}
     for column in table.columns:
-        if match := _AXIS.fullmatch(column.name):
-            found.setdefault(match["axis"].lower(), column)
+        if axis_named := _axis_of(column.name, column.unit):
+            found.setdefault(axis_named, column)
     if len(found) < 2:
         raise refuse(table.heads_line, "no acceleration along x and y", "export all columns")
     listed = list(found.values())

@@ -43,6 +43,7 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
     time = _time_column(table)
     wanted, kind = _wanted(table, time)
     if not wanted:
+        _no_accelerations(table)
         names = ", ".join(shown(c.name) for c in table.columns[:8]) or "none"
         raise refuse(
             table.heads_line,
@@ -120,6 +121,18 @@ def _no_velocities(table: Table, columns: Sequence[Column]) -> None:
             table.heads_line,
             f"“{name}” has no unit and is no place",
             f"write its unit: {name} (m/s)",
+        )
+
+
+def _no_accelerations(table: Table) -> None:
+    """Accelerations of a phone are read along all its axes; those of carts tell no place."""
+    with_unit = [c for c in table.columns if c.unit]
+    named = (c.name for c in with_unit if quantity_of(c.name, c.unit)[0] == "acc")
+    if name := next(named, ""):
+        raise refuse(
+            table.heads_line,
+            f"“{shown(name)}” is an acceleration: these columns hold no positions or forces",
+            "of a phone export x, y and z; of carts positions or velocities",
         )
 
 

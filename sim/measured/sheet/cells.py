@@ -83,7 +83,7 @@ def rows_of(text: str) -> Rows:
         )
     for number, line in enumerate(lines, 1):
         if "\0" in line:
-            raise refuse(number, "this is no text", "export the readings as text")
+            raise refuse(number, "this is no text", "export the readings as text, for example CSV")
         if len(line) > LONGEST_LINE:
             raise refuse(number, f"this line has {len(line):,} characters", "is this the file?")
     filled = [(k, line) for k, line in enumerate(lines, 1) if line.strip(" \t;,|\u00a0")]

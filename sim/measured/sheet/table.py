@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row, Rows
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import heads_of, no_heads
+from sim.measured.sheet.no_readings import ANEW, MADE, is_made_date, of_remarks
 from sim.measured.sheet.stacked import Start, stacked, without_figures
 from sim.measured.units import kind_of_unit
 
@@ -58,7 +59,9 @@ def read_table(text: str) -> Table:
         raise ReadingError([fault])
     cells.check_decimals(data)
     width = len(heads) or max(len(row.cells) for row in data)
-    numbers = _numbers(data, width, [bool(one.name) for one in heads] or [True] * width)
+    remarks = of_remarks(heads, data, _is_reading)
+    heads = [replace(one, name="") if k in remarks else one for k, one in enumerate(heads)]
+    numbers = _numbers(data, width, [one.name for one in heads] or None)
     if not heads:
         heads, heads_line = no_heads(width, data[0].line), data[0].line
     clocks = {k for k, c in enumerate(data[0].cells) if _is_clock(c)}
@@ -88,7 +91,13 @@ def _is_multi(row: Row) -> bool:
 def _is_data(row: Row) -> bool:
     """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake."""
     filled = [cell for cell in row.cells if not cells.is_empty(cell)]
-    return 2 * sum(cells.is_number(c) or _is_clock(c) or _has_unit(c) for c in filled) > len(filled)
+    told = sum(_is_reading(c) or (len(filled) > 1 and is_made_date(c)) for c in filled)
+    return 2 * told > len(filled)
+
+
+def _is_reading(cell: str) -> bool:
+    """A number, or what is a fault in the place of one."""
+    return cells.is_number(cell) or _is_clock(cell) or _has_unit(cell)
 
 
 def _is_clock(cell: str) -> bool:
@@ -105,9 +114,10 @@ _WITH_UNIT = re.compile(r"[-\d.,]+ *(\D+)")
 
 
 def _numbers(
-    data: Sequence[Row], width: int, wanted: Sequence[bool]
+    data: Sequence[Row], width: int, names: Sequence[str] | None
 ) -> list[tuple[float | None, ...]]:
-    """All rows as numbers; raises with the first lines that are none."""
+    """All rows as numbers; raises with the first lines that are none. `names` of the columns, if
+    there are any: one without a name is not wanted."""
     faults: list[Fault] = []
     numbers = []
     for row in data:
@@ -122,7 +132,9 @@ def _numbers(
         for k in range(width):
             cell = row.cells[k] if k < len(row.cells) else ""
             value, fault = _number(row.line, cell)
-            if fault and wanted[k]:
+            if fault and names and names[k]:
+                fault = replace(fault, reason=f"{fault.reason} (column {shown(names[k])})")
+            if fault and (names is None or names[k]):
                 faults.append(fault)
                 break
             values.append(value)
@@ -142,6 +154,8 @@ def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
         if _has_unit(cell):
             hint = "write the unit once, in the head of the column: x (cm)"
             return None, Fault(line, f"a unit stands in a cell: “{shown(cell)}”", hint)
+        if is_made_date(cell):
+            return None, Fault(line, f"“{shown(cell)}” {MADE}", ANEW)
         return None, Fault(line, f"“{shown(cell)}” is not a number", "write numbers such as 0.512")
     value = cells.number_of(cell)
     if not math.isfinite(value):
