@@ -12,9 +12,8 @@ import math
 from collections.abc import Sequence
 
 from sim.measured.model.fit import Fit
-from sim.measured.model.motion import Motion
+from sim.measured.model.motion import GRAVITY, Motion
 
-GRAVITY = 9.81
 SHORTEST, USUAL = 0.10, 0.20
 """m. Carts shorter than the first would have no room for bumpers."""
 

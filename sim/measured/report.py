@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
+from sim.measured.as_tracker import tracker_text
 from sim.measured.events.quantities import with_loss
-from sim.measured.made import tracker_text
 from sim.measured.model.believable import believable
-from sim.measured.model.effects import Compared, called_for
+from sim.measured.model.effects import Compared, called_for, left_over
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known, Untold, told
 from sim.measured.model.motion import Motion
@@ -69,6 +69,7 @@ def motion_report(
             {
                 "effect": row.effect,
                 "noise": row.noise,
+                "rms": left_over(row.fit),
                 "chance": row.chance,
                 "neighbours": row.alike,
             }

@@ -10,6 +10,7 @@ residuals for chance, lasting or not, is wide enough.
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -91,6 +92,13 @@ def undecided(rows: Sequence[Compared]) -> bool:
     """Whether friction and a tilt are both no chance and leave nearly the same."""
     real = [row.noise for row in rows if row.chance is not None and row.chance < CHANCE]
     return len(real) > 1 and max(real) < AS_GOOD * min(real)
+
+
+def left_over(fit: Fit) -> float:
+    """m. Root mean square of the residuals, as under the picture: a model that was set by hand has
+    it too, and no degrees of freedom."""
+    every = list(itertools.chain(*fit.residuals))
+    return math.sqrt(sum(r * r for r in every) / len(every))
 
 
 def neighbours(fit: Fit) -> float:

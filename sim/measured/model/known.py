@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass
 
 from sim.measured.model.fit import Fit
+from sim.measured.model.motion import GRAVITY
 
 WIDEST = 0.5
 """Standard deviation of ln w0, or of any logarithm, above which no number is printed."""
@@ -68,12 +69,20 @@ def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
     for k, name in enumerate(names) if fit.asked.effect == "friction" else ():
         slopes = {f"friction{k + 1}": 1.0}
         what = f"deceleration of {name} by friction"
-        found.append(_plain(fit, f"friction_{'ab'[k]}", what, p.friction[k], slopes, "m/s²"))
+        brake = _plain(fit, f"friction_{'ab'[k]}", what, p.friction[k], slopes, "m/s²")
+        found += [brake, _coefficient(brake, name)]
     if fit.asked.effect == "tilt":
         slopes = {"tilt": 1.0}
         found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
     _masses(fit, names, mass, found, untold)
     return found, untold
+
+
+def _coefficient(brake: Known, name: str) -> Known:
+    """Of a deceleration on a level track, where a = μ g."""
+    what = f"coefficient of friction μ of {name}, level track"
+    value, low, high, sd = (x / GRAVITY for x in (brake.value, brake.low, brake.high, brake.sd))
+    return Known(brake.key.replace("friction", "mu"), what, value, low, high, sd, "")
 
 
 def _masses(

@@ -19,6 +19,9 @@ from functools import partial
 from sim.laws.damped_oscillation import Swing
 from sim.measured.model.contact import Law, Stretch, with_friction, without_friction
 
+GRAVITY = 9.81
+"""m/s²."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameters:

@@ -29,8 +29,9 @@ LAW_ENTRY = "bridge/law_answer.py"
 """With this and the layer `mine` a page runs and judges laws that its reader writes."""
 PROOF_ENTRY = "bridge/certify_answer.py"
 """With this and the layer `certify` a page proves digits, once a reader asks for it."""
-NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js"}
-"""In the folder of an effect beside what runs: a page carries no proofs, docs and scenes."""
+NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js", "lesson_set.py", "made.py"}
+"""Beside what runs: a page carries no proofs, docs and scenes of effects, nor what makes a
+lesson's readings, which holds their truth."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
