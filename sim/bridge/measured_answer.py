@@ -1,10 +1,11 @@
 """Readings of real carts, as the wire delivers them. This side keeps nothing between requests.
 
     {"id": 8, "kind": "measured", "do": "read", "texts": ["…"], "units": {"length": "cm"},
-     "synthetic": false}     whether a program made them: they are evidence for no law
+     "synthetic": false,     whether a program made them: they are evidence for no law
+     "own": true}            whether the reader brought them; a lesson's own may be a question
     {"id": 9, "kind": "measured", "do": "model", …as read…, "law": "bumper", "hand": {…}}
     {"id": 10, "kind": "measured", "do": "fit", …as read…, "law": …, "effect": "friction",
-     "distance": null, "masses": {"A": 0.5}}
+     "distance": null, "masses": {"A": 0.5}}     effect "called": what the readings call for
     {"id": 11, "kind": "measured", "do": "tracker", …as fit…}
     {"id": 12, "kind": "measured", "do": "segments", …as read…, "segments": […]}
     {"id": 13, "kind": "measured", "do": "unzip", "zip": "UEsDB…"}      base64
@@ -18,7 +19,7 @@ from array import array
 from binascii import a2b_base64
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 from sim.measured.analysis import Analysis, Wanted, analysed, happened
 from sim.measured.events.by_hand import Given
@@ -26,6 +27,7 @@ from sim.measured.events.frames import moved
 from sim.measured.events.story import Hints, Story
 from sim.measured.events.stretch import KINDS
 from sim.measured.model.contact import Law
+from sim.measured.model.effects import left_over
 from sim.measured.model.fit import warm_up
 from sim.measured.model.motion import Parameters
 from sim.measured.model.unknowns import Effect
@@ -120,16 +122,22 @@ def _analysed(request: Mapping[str, Any]) -> tuple[Measured, Analysis]:
     measured = _measured(request)
     if measured.kind != "length":
         raise FitError("these are no positions: the model is fitted to positions")
-    effect: Effect = request.get("effect") or "none"
+    chosen = request.get("effect") or "none"
+    effect: Effect | None = None if chosen == "called" else cast(Effect, chosen)
     weighed = request.get("masses") or {}
     masses = {name: float(weighed[name]) for name in measured.names if weighed.get(name)}
-    # All effects are compared on request only: which one is missing is for the reader to find.
-    every = bool(request.get("compare"))
+    # Of a lesson's readings they are named on request only: which one is missing is to be found.
+    every = _named(request)
     hints = Hints(distance=request.get("distance"), segments=_given(request, measured.names))
     found = analysed(measured, Wanted(
         law=_law(request), effect=effect, every=every, masses=masses, hints=hints,
     ))  # fmt: skip
     return measured, found
+
+
+def _named(request: Mapping[str, Any]) -> bool:
+    """Whether the answer may name which effect the readings call for."""
+    return bool(request.get("compare") or request.get("own"))
 
 
 def _given(request: Mapping[str, Any], names: tuple[str, str]) -> tuple[Given, ...]:
@@ -158,7 +166,7 @@ def _fit(request: Mapping[str, Any]) -> dict[str, Any]:
         one = found.refused
         return {"refused": [{"line": None, "reason": one.reason, "hint": one.hint}],
                 "names": found.report["names"], "segments": found.report["segments"]}  # fmt: skip
-    report = found.report if request.get("compare") else found.report | {"calls_for": None}
+    report = found.report if _named(request) else found.report | {"calls_for": None}
     law = _law(request)
     if found.fit is not None:
         frames = found.story.frames
@@ -168,7 +176,8 @@ def _fit(request: Mapping[str, Any]) -> dict[str, Any]:
     else:
         drawn = by_hand(measured, first_try(measured, law), law)
         return {"report": report} | _drawn(drawn)
-    return {"report": report} | _drawn(_as_read(drawn, found.story))
+    shown = {"spread": left_over(found.fit), "counted": sum(map(len, found.fit.residuals))}
+    return {"report": report} | _drawn(_as_read(drawn, found.story)) | shown
 
 
 def _as_read(made: Overlay, story: Story) -> Overlay:

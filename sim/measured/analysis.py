@@ -28,6 +28,7 @@ from sim.measured.model.unknowns import EFFECTS, Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between
+from sim.measured.words import head_of
 
 MOST_FITTED = 700
 """Readings of a cart that the whole model is fitted to; of more, every second or third is taken."""
@@ -60,7 +61,7 @@ class Wanted:
 
     law: Law = "bumper"
     effect: Effect | None = None
-    every: bool = True  # compare all effects
+    every: bool = True  # tell of all effects, and name them
     masses: Mapping[str, float] = field(default_factory=dict)
     hints: Hints = field(default_factory=Hints)
 
@@ -99,6 +100,8 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
         return Analysis(story, base_report(measured, story, None, refused), None, refused)
     if made is not None and white and (refused or _same(story, made, wanted)):
         report = by_model(measured, story, made, rows, wanted.masses, wanted.every)
+        effect = made.asked.effect
+        report |= head_of(effect, rows, wanted.effect, named=wanted.every)
     else:
         report = by_velocities(measured, story, made, rows, wanted.masses)
     return Analysis(story, report, made)
@@ -130,19 +133,13 @@ def _bounces(made: Fit) -> bool:
 
 
 def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
-    """The model with the effects that are asked for; more only if none leaves white residuals."""
+    """The model without and with each effect: which one is missing is told, whichever was asked
+    for."""
     smooth = _smooth(story)
     cut = _thinned(_free(story), MOST_SKETCHED if smooth else MOST_FITTED)
     plain = fit(cut, Asked(law=wanted.law, distance=wanted.hints.distance))
-    if smooth:  # for the scene alone
-        return compare(cut, plain, [])
-    effects = [one for one in EFFECTS if one != "none"]
-    if wanted.every or wanted.effect is None:
-        return compare(cut, plain, effects)
-    rows = compare(cut, plain, [one for one in effects if one == wanted.effect])
-    if not any(_white(row.fit, story) for row in rows):
-        rows += compare(cut, plain, [one for one in effects if one != wanted.effect])[1:]
-    return rows
+    # of smooth readings the model is for the scene alone
+    return compare(cut, plain, [] if smooth else [one for one in EFFECTS if one != "none"])
 
 
 def _free(story: Story) -> Measured:

@@ -125,7 +125,7 @@ def base_report(
         "law": "bumper", "law_words": _WORDS.get(outcome or "", LAWS["bumper"]), "effect": "none",
         "known": [], "untold": [], "noise": None, "compared": [], "calls_for": None,
         "aside": [{"cart": names[o.cart], "t": o.t, "x": o.value} for o in story.aside],
-        "momentum": None, "scene": "", "fence": "",
+        "momentum": None, "scene": "", "fence": "", "added": "", "doubt": "",
         "sentences": [*of_aside(story.aside, names), *of_story(story, names)],
     }  # fmt: skip
     if refused:

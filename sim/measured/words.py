@@ -7,14 +7,17 @@ from collections.abc import Mapping, Sequence
 
 from sim.measured.model.effects import (
     ALIKE,
+    AS_GOOD,
     CHANCE,
     Compared,
     called_for,
+    left_over,
     standing,
     undecided,
 )
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known
+from sim.measured.model.unknowns import Effect
 
 LAWS = {
     "bumper": "the bumper law: the force starts from zero and never pulls",
@@ -130,17 +133,17 @@ def of_effects(compared: Sequence[Compared], names: tuple[str, str]) -> list[str
     """Which effects the residuals call for."""
     if len(compared) < 2:
         return []  # nothing to compare with
-    rows = [f"{EFFECTS[row.effect]}: {number(1e3 * row.noise, 2)} mm" for row in compared]
+    rows = [f"{EFFECTS[row.effect]}: {number(1e3 * left_over(row.fit), 2)} mm" for row in compared]
     wanted = called_for(list(compared))
-    plain = compared[0].noise
+    plain = left_over(compared[0].fit)
     if wanted == "none":
         verdict = (
             "Neither friction nor a tilt makes the residuals smaller than chance would: these "
             "readings do not call for them. It does not show that there is none."
         )
     else:
-        best = next(row for row in compared if row.effect == wanted)
-        times = plain / best.noise if best.noise else math.inf
+        best = next(left_over(row.fit) for row in compared if row.effect == wanted)
+        times = plain / best if best else math.inf
         how = f"{number(times, 1)} times smaller" if times >= 1.05 else "a little smaller"
         how = "as good as gone" if times > 100.0 else how
         verdict = (
@@ -162,7 +165,39 @@ def of_effects(compared: Sequence[Compared], names: tuple[str, str]) -> list[str
             )
         else:
             verdict += "this scene calls for it."
-    return ["Left over (standard deviation) with " + "; with ".join(rows) + ".", verdict]
+    return ["Root mean square of the residuals with " + "; with ".join(rows) + ".", verdict]
+
+
+UNNAMED = (
+    "This model does not fit these readings: these carts do something that is not in it. The "
+    "numbers are off by more than they say, and their intervals do not count."
+)
+"""Where a lesson asks which effect its film calls for."""
+
+
+def head_of(
+    fitted: Effect, rows: Sequence[Compared], wanted: Effect | None, *, named: bool
+) -> dict[str, str]:
+    """What stands above the numbers: `added`, what these readings call for, where that was wanted;
+    `doubt`, that it is missing where another was chosen (narrow intervals stand around wrong
+    numbers then), by its name if it may be `named`. Of two that leave nearly the same either does.
+    """
+    if wanted is None:
+        what = EFFECTS[fitted].capitalize()
+        added = f"{what} was added: without it this model does not fit the readings."
+        if fitted == "none":
+            added = "Nothing was added: these readings call for neither friction nor a tilt."
+        return {"added": added}
+    left = {row.effect: row.noise for row in rows}
+    best = called_for(list(rows))
+    if best in ("none", fitted) or (fitted != "none" and left[fitted] < AS_GOOD * left[best]):
+        return {}
+    what = f"{EFFECTS['friction']} or {EFFECTS['tilt']}" if undecided(rows) else EFFECTS[best]
+    doubt = (
+        f"These readings call for {what}, and this fit is without: its numbers are off by more "
+        "than they say, and their intervals do not count."
+    )
+    return {"doubt": doubt if named else UNNAMED}
 
 
 def of_balance(

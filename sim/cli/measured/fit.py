@@ -215,7 +215,8 @@ def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
     lines = [f"{head}; {'; '.join(report['read'])}", ""]
     lines += [*strip_lines, ""] if strip_lines else []
     if report["kind"] == "motion" and report["known"]:
-        lines += [f"Fitted with {report['law_words']}.", ""]
+        above = (f"Fitted with {report['law_words']}.", report["added"], report["doubt"])
+        lines += [*filter(None, above), ""]
         rows = [(one["name"], one["text"].removeprefix(f"{one['name']}: ")) for one in
                 report["known"]]  # fmt: skip
         lines += [table(("what", "value ± half of the 95 % interval"), rows), ""]

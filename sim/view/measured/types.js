@@ -5,11 +5,11 @@
  * @typedef {{touch: number, x: number, distance: number, v: [number, number], ratio: number, e: number, duration: number}} Hand
  * @typedef {{t: number[], x: [number[], number[]]}} Curve
  * @typedef {{line: number | null, reason: string, hint: string}} Fault
- * @typedef {{parameters: Hand, curve: Curve, residuals: [number[], number[]], spread: number}} Drawn
+ * @typedef {{parameters: Hand, curve: Curve, residuals: [number[], number[]], spread: number, counted?: number}} Drawn in m; counted: readings, by a fit
  * @typedef {{kind: "length" | "force" | "acceleration", names: [string, string], read: string[], runs?: string[], tracks: [Track, Track],
  *   report?: Report, forces?: {t: number[], F: [number[], number[]]}}} Read
  * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
- * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],
+ * @typedef {{kind: string, names: string[], read: string[], law_words: string, added: string, doubt: string, effect: string, known: Known[],
  *   untold: {key: string, name: string, reason: string}[], noise: number, sentences: string[], scene: string,
  *   fence: string, calls_for: string | null, segments?: Segment[], rungs?: Rungs | null}} Report
  * @typedef {{scatter: number, line: string, taken: string, rows: {effect: string, changes: number, missed: number, without: number,

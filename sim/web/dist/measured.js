@@ -588,16 +588,17 @@
       from: "",
       until: "",
       law: facts.law,
-      effect: "none",
+      effect: usual([], facts),
       distance: "",
       masses: ["", ""],
       hand: null,
       fitted: ""
     };
   }
+  var usual = (texts, facts) => facts.text && !texts.length ? "none" : "called";
   function readings(kept, facts) {
-    if (kept.texts?.length) return { texts: kept.texts, synthetic: false };
-    return { texts: facts.text ? [facts.text] : [], synthetic: facts.synthetic };
+    if (kept.texts?.length) return { texts: kept.texts, synthetic: false, own: true };
+    return { texts: facts.text ? [facts.text] : [], synthetic: facts.synthetic, own: false };
   }
 
   // ../view/numbers.js
@@ -930,6 +931,8 @@
     const parts = [html("p", "carts-heading", "What the readings say")];
     if (report.known) {
       parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
+      if (report.added) parts.push(html("p", "", report.added));
+      if (report.doubt) parts.push(html("p", "carts-measured-doubt", report.doubt));
       parts.push(table(report));
       for (const { name, reason } of report.untold) {
         const row = html("p", "carts-measured-untold");
@@ -1462,10 +1465,12 @@
       this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1e3);
       this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
       showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
+      const all = read.tracks[0].t.length + read.tracks[1].t.length;
+      const of = (drawn.counted ?? all) < all ? ` (of the ${drawn.counted} readings that the fit counts)` : "";
       const spread = fixed(1e3 * drawn.spread, drawn.spread < FINE ? 2 : 0);
       say(
         this.#part("spread"),
-        `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm.`
+        `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm${of}.`
       );
       this.#begin = Number(drawn.curve.t[0]);
       this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
@@ -1602,7 +1607,8 @@
       this.run.value = this.#wanted;
       if (this.run.selectedIndex < 0) this.run.selectedIndex = 0;
     }
-    clear() {
+    clear(effect) {
+      this.effect.value = effect;
       for (const box of [...this.#masses, this.distance]) box.value = "";
       this.#wanted = "";
       this.run.replaceChildren();
@@ -2057,7 +2063,11 @@
       }
       #take(name, texts) {
         this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
-        this.settings?.clear();
+        this.settings?.clear(usual(
+          texts,
+          /** @type {Facts} */
+          this.#facts
+        ));
         this.strip?.clear();
         this.complete = this.#reading();
       }

@@ -5,7 +5,7 @@ import { Asking } from "./asking.js";
 import { wireButtons } from "./buttons.js";
 import { happened, PACKAGES, whenLive } from "./early.js";
 import { Hands } from "./hands.js";
-import { empty, keeper, readings } from "./keep.js";
+import { empty, keeper, readings, usual } from "./keep.js";
 import { Picture } from "./picture.js";
 import { Settings } from "./settings.js";
 import { Source } from "./source.js";
@@ -105,7 +105,7 @@ export function measuredElement(client, base) {
     /** @param {string} name @param {string[]} texts none: the lesson's own */
     #take(name, texts) {
       this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
-      this.settings?.clear();
+      this.settings?.clear(usual(texts, /** @type {Facts} */ (this.#facts)));
       this.strip?.clear();
       this.complete = this.#reading();
     }

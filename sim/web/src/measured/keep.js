@@ -35,7 +35,7 @@ export function empty(facts) {
     from: "",
     until: "",
     law: facts.law,
-    effect: "none",
+    effect: usual([], facts),
     distance: "",
     masses: ["", ""],
     hand: null,
@@ -43,8 +43,11 @@ export function empty(facts) {
   };
 }
 
+/** What is fitted beside the contact, where nobody has chosen: what the reader's own readings call for; of a lesson's it is a question. @param {string[]} texts opened by the reader @param {import("../../../view/measured/types.js").Facts} facts */
+export const usual = (texts, facts) => (facts.text && !texts.length ? "none" : "called");
+
 /** The readings that count: what the reader opened, or the lesson's own, which a program may have made. @param {Kept} kept @param {import("../../../view/measured/types.js").Facts} facts */
 export function readings(kept, facts) {
-  if (kept.texts?.length) return { texts: kept.texts, synthetic: false };
-  return { texts: facts.text ? [facts.text] : [], synthetic: facts.synthetic };
+  if (kept.texts?.length) return { texts: kept.texts, synthetic: false, own: true };
+  return { texts: facts.text ? [facts.text] : [], synthetic: facts.synthetic, own: false };
 }

@@ -89,10 +89,13 @@ export class Picture {
     this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1000);
     this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
     showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
+    const all = read.tracks[0].t.length + read.tracks[1].t.length;
+    const of =
+      (drawn.counted ?? all) < all ? ` (of the ${drawn.counted} readings that the fit counts)` : "";
     const spread = fixed(1000 * drawn.spread, drawn.spread < FINE ? 2 : 0);
     say(
       this.#part("spread"),
-      `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm.`,
+      `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm${of}.`,
     );
     this.#begin = Number(drawn.curve.t[0]);
     this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;

@@ -11,6 +11,8 @@ export function showResult(place, report) {
   const parts = [html("p", "carts-heading", "What the readings say")];
   if (report.known) {
     parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
+    if (report.added) parts.push(html("p", "", report.added));
+    if (report.doubt) parts.push(html("p", "carts-measured-doubt", report.doubt));
     parts.push(table(report));
     for (const { name, reason } of report.untold) {
       const row = html("p", "carts-measured-untold");

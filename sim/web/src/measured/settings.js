@@ -79,8 +79,9 @@ export class Settings {
     if (this.run.selectedIndex < 0) this.run.selectedIndex = 0;
   }
 
-  /** Another film has another clock and other carts, another log other runs. */
-  clear() {
+  /** Another film has another clock and other carts, another log other runs. @param {string} effect the usual one of these readings */
+  clear(effect) {
+    this.effect.value = effect;
     for (const box of [...this.#masses, this.distance]) box.value = "";
     this.#wanted = "";
     this.run.replaceChildren();
