@@ -1674,10 +1674,6 @@
         button(tr("Print empty"), () => print(true))
       );
       root.append(row);
-      const told2 = tr(
-        "Check works without a network because the right answers of worksheets are in their pages."
-      );
-      root.append(html("p", "carts-quiet", told2));
     }
     if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
     if (hidden)

@@ -7678,9 +7678,9 @@ ${lines4.join("\n")}
       if (!focused || focused === document.body || focused.matches(".carts-lock")) {
         next.focus({ preventScroll: true });
       }
-      const { scrollMarginTop, scrollMarginBottom } = getComputedStyle(this.world);
-      const room = innerHeight - Number.parseFloat(scrollMarginTop) - Number.parseFloat(scrollMarginBottom);
-      this.world.scrollIntoView({ block: this.world.offsetHeight > room ? "start" : "nearest" });
+      const { top, height } = this.world.getBoundingClientRect();
+      const upper = top < 0 || height > innerHeight / 2;
+      this.world.scrollIntoView({ block: upper ? "start" : "nearest" });
       this.tell([sentence]);
     }
     tell(sentences) {
