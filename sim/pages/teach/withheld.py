@@ -45,17 +45,24 @@ def restore(text: str, own: str) -> tuple[str, int]:
     return text, missing
 
 
+KEPT_OUT = "what only teachers read was kept out of the site"
+
+
 def withheld_findings(text: str, file: str) -> list[Finding]:
-    """A lesson saved without the teacher's own texts must not replace one that has them."""
-    if WORDS not in text:
+    """A lesson saved without the teacher's own texts must not replace one that has them: told once,
+    where the first is missing, for all have one remedy."""
+    places = [
+        (k, at.start() + 1)
+        for k, line in enumerate(Lines.of(text).lines, 1)
+        for at in re.finditer(re.escape(WORDS), line)
+    ]
+    if not places:
         return []
     hint = "in teacher mode add your own file of the lesson before you save, or write the text here"
-    message = "a text for teachers is missing here: it was kept out of the site"
-    found = []
-    for k, line in enumerate(Lines.of(text).lines):
-        for at in re.finditer(re.escape(WORDS), line):
-            found.append(Finding(file, k + 1, at.start() + 1, "withheld", message, hint))
-    return found
+    message = f"a text for teachers is missing here: {KEPT_OUT}"
+    if more := len(places) - 1:
+        message = f"texts for teachers are missing, here and in {more} more place{'s' * (more > 1)}: {KEPT_OUT}"
+    return [Finding(file, *places[0], "withheld", message, hint)]
 
 
 def _hidden(text: str) -> Iterator[tuple[Name, Value]]:
