@@ -61,7 +61,8 @@ def withheld_findings(text: str, file: str) -> list[Finding]:
     hint = "in teacher mode add your own file of the lesson before you save, or write the text here"
     message = f"a text for teachers is missing here: {KEPT_OUT}"
     if more := len(places) - 1:
-        message = f"texts for teachers are missing, here and in {more} more place{'s' * (more > 1)}: {KEPT_OUT}"
+        others = f"{more} more place{'s' * (more > 1)}"
+        message = f"texts for teachers are missing, here and in {others}: {KEPT_OUT}"
     return [Finding(file, *places[0], "withheld", message, hint)]
 
 
