@@ -5323,7 +5323,7 @@
     }
     draw(now, choose) {
       const set = html("fieldset", "carts-once-more");
-      set.append(html("legend", "", tr("You have seen it. The same question once more:")));
+      set.append(html("legend", "", tr("When you have seen enough, the same question once more:")));
       for (const { value, text } of this.options) {
         const line3 = html("label");
         const radio = document.createElement("input");

@@ -21,7 +21,7 @@ export class OnceMore {
   /** @param {string | null} now what was chosen at an earlier visit @param {(value: string) => void} choose */
   draw(now, choose) {
     const set = html("fieldset", "carts-once-more");
-    set.append(html("legend", "", tr("You have seen it. The same question once more:")));
+    set.append(html("legend", "", tr("When you have seen enough, the same question once more:")));
     for (const { value, text } of this.options) {
       const line = html("label");
       const radio = document.createElement("input");
