@@ -11,9 +11,9 @@ import { turnAfter, valueAt } from "./trajectory.js";
 export const LEFT = 52;
 export const RIGHT = 350;
 export const TOP = 8;
-export const BOTTOM = 129;
+export const BOTTOM = 127;
 export const WIDTH = 360;
-export const HEIGHT = 163;
+export const HEIGHT = 160;
 export const GAP = 5; // units between the numbers of the values and their axis
 const WIDEST = 9.2; // units, the width of a figure in the larger letters of a phone
 const LETTER = 8; // units, the width of a figure; a point takes half

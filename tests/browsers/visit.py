@@ -20,7 +20,12 @@ MARK = """const [name, css] = arguments;
   found?.setAttribute("data-tried", name);
   return found !== undefined"""
 PLAY = "carts-scene .carts-play"
-GUESS = "carts-scene .carts-predict input[type=radio][name$=-predict]"
+GUESS = """carts-scene .carts-predict :is(input[type=radio][name$=-predict],
+  .carts-guess input[type=range])"""
+ARROW = """carts-scene:has([data-tried=guess])
+  .carts-guess input[type=range]:not([data-tried])"""
+SURE = "carts-scene:has([data-tried=guess]) .carts-certainty input"
+END = "carts-scene .carts-end"
 FIELD = "carts-question :is(textarea, input[type=text], input[type=radio][name$=-answer])"
 NODE = "carts-question .carts-q-node:not([data-tried])"
 MOVES = """return document.querySelector("[data-tried=play]").closest("carts-scene").time > 0"""
@@ -81,6 +86,12 @@ def _mark(window: Session, name: str, css: str) -> bool:
 
 def _lock(window: Session) -> None:
     window.click("[data-tried=guess]")
+    drawn = 0
+    while _mark(window, f"arrow-{drawn}", ARROW):
+        window.click(f"[data-tried=arrow-{drawn}]")
+        drawn += 1
+    if _mark(window, "sure", SURE):
+        window.click("[data-tried=sure]")
     window.run("""document.querySelector("[data-tried=guess]").closest("carts-scene")
       .querySelector(".carts-lock").setAttribute("data-tried", "lock")""")
     window.click("[data-tried=lock]")
@@ -88,7 +99,10 @@ def _lock(window: Session) -> None:
 
 
 def _answer(window: Session) -> str:
-    """Answer one question; all answers of the page."""
+    """Answer one question; all answers of the page. Where all wait for a run, that is watched."""
+    if not _mark(window, "answer", FIELD) and _mark(window, "end", END):
+        window.click("[data-tried=end]")
+        window.wait(MARK, SOON, "answer", FIELD)
     if not _mark(window, "answer", FIELD):  # a diagram: from one object to the next
         for name in ("from", "answer"):
             assert _mark(window, name, NODE), "no question takes an answer"

@@ -26,7 +26,6 @@ ROW = 21.0  # of the force of an effect, under the track
 BASELINE = 15.0  # of the letters in a row, from its top
 RULER = 34.0
 LEGEND = 21.0
-WORD = 9.0  # more, where the key's word stands above its arrows
 TAPE = 26.0
 HEAD = 14.0  # above the highest velocity arrow
 FEW = 3  # carts; with more, all forces of one kind share a row
@@ -59,7 +58,6 @@ class Layout:
     slots: Mapping[str, float]  # y of the forces of effects, by “kind cart”
     tape: float  # y of the tape of a reader's ruler; 0: none
     tilt: float  # y of the foot of the wedge that shows a slope
-    above: bool  # the key's word stands above its arrows: there is no room before them
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values for the page."""
@@ -102,12 +100,11 @@ def lay_out(
     acting = slots(header, top + BEAM_ROW * row_count) if forces and scales.force else {}
     beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
     foot = top + beam + RULER + (TAPE if tape else 0.0)
-    above = scales.may_tear if wide else forces and scales.force > 0
     tilted = sum(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
         kind=kind,
         width=width,
-        height=foot + LEGEND + WORD * above + TILT * tilted,
+        height=foot + LEGEND + TILT * tilted,
         origin=left - low * scale,
         scale=scale,
         low=low,
@@ -126,7 +123,6 @@ def lay_out(
         slots=acting,
         tape=foot - TAPE / 2 if tape else 0.0,
         tilt=foot + TILT - 10.0,
-        above=above,
     )
 
 

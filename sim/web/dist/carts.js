@@ -5468,9 +5468,10 @@
       this.#entry = entry2;
       if (entry2.value !== null) this.form.value = entry2.value;
       const talking = Boolean(this.#entry.talk) && !this.#entry.before;
-      this.form.enable(!this.isLocked && !talking);
-      this.sure.show(this.#entry.sure, !this.isLocked);
-      this.button.disabled = this.isLocked || talking;
+      const open2 = !this.isLocked && !talking;
+      this.form.enable(open2);
+      this.sure.show(this.#entry.sure, open2);
+      this.button.disabled = !open2;
       this.talk.show(!this.isLocked && talking, false);
       if (this.#entry.before) this.#showAgain();
       if (!this.isLocked) return this.form.ready?.();
@@ -8469,9 +8470,9 @@ ${lines4.join("\n")}
   var LEFT5 = 52;
   var RIGHT4 = 350;
   var TOP6 = 8;
-  var BOTTOM5 = 129;
+  var BOTTOM5 = 127;
   var WIDTH6 = 360;
-  var HEIGHT3 = 163;
+  var HEIGHT3 = 160;
   var GAP2 = 5;
   var WIDEST = 9.2;
   var LETTER = 8;

@@ -97,7 +97,7 @@
   var LEFT = 52;
   var RIGHT = 350;
   var TOP = 8;
-  var BOTTOM = 129;
+  var BOTTOM = 127;
   function timeX(plane, t) {
     return LEFT + (t - plane.time.low) * ((RIGHT - LEFT) / (plane.time.high - plane.time.low));
   }

@@ -83,6 +83,7 @@ def test_what_was_tried_in_a_lesson_is_kept_with_the_answers(
     tries = page.locator("#third-break .carts-challenge-tries")
     page.wait_for_selector("#third-own[data-state=live]", timeout=60_000)
     page.locator("#third-own .carts-predict input[type=radio]").first.check()
+    page.locator("#third-own .carts-certainty input").first.check()
     page.locator("#third-own .carts-lock").click()
     page.locator("#third-own .carts-end").click()
     expect(tries).to_contain_text("tried: 1.")

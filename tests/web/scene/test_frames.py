@@ -35,6 +35,7 @@ def test_a_frame_restyles_what_moves_and_nothing_else_of_a_long_lesson(
     scene.evaluate("(scene) => scene.scrollIntoView({ behavior: 'instant' })")
     scene.locator(".carts-predict input[type=radio]").first.check()
     browser.start_tracing(page=page, categories=[COUNTED, "devtools.timeline"])
+    scene.locator(".carts-certainty input").first.check()
     scene.locator(".carts-lock").click()  # now it plays by itself
     page.wait_for_function("() => document.getElementById('third-own').time > 0.1")
     scene.evaluate(COUNT_NODES)

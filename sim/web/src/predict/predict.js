@@ -116,9 +116,10 @@ export class Predict {
     this.#entry = entry;
     if (entry.value !== null) this.form.value = entry.value;
     const talking = Boolean(this.#entry.talk) && !this.#entry.before;
-    this.form.enable(!this.isLocked && !talking);
-    this.sure.show(this.#entry.sure, !this.isLocked);
-    this.button.disabled = this.isLocked || talking;
+    const open = !this.isLocked && !talking;
+    this.form.enable(open);
+    this.sure.show(this.#entry.sure, open);
+    this.button.disabled = !open;
     this.talk.show(!this.isLocked && talking, false);
     if (this.#entry.before) this.#showAgain();
     if (!this.isLocked) return this.form.ready?.();

@@ -152,6 +152,8 @@ def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def lock(page: Page, name: str) -> None:
     """Lock the prediction and go straight to the end of the run that it brings."""
+    if (sure := page.locator(f"#{name} .carts-certainty input")).count():
+        sure.first.check()
     page.locator(f"#{name} .carts-lock").click()
     page.locator(f"#{name} .carts-end:enabled").click(timeout=LIVE)
 
