@@ -63,12 +63,16 @@ def test_no_site_here_names_the_way_to_one(root: Path, monkeypatch: pytest.Monke
     [
         ("plugins:", "plugins: [", "mkdocs.yml:"),
         ("site_name: Mine", "- a list", "mkdocs.yml: error: this is no list of settings"),
-        ("site_id: mine", "site_id: M", "extra.carts.site_id is missing or not allowed"),
+        (
+            "site_id: mine",
+            "site_id: M",
+            "mkdocs.yml:8:14: error: extra.carts.site_id is not allowed",
+        ),
         ("  - carts\n", "", "the plugin “carts” is not listed"),
         (
             "  - carts\n",
             "  - carts:\n      hostd: true\n",
-            "Unrecognised configuration name: hostd",
+            "mkdocs.yml:25:7: error: “hostd” is no setting of carts",
         ),
         ("docs_dir: worksheets", "docs_dir: nowhere", "nowhere' isn't an existing directory"),
     ],

@@ -108,13 +108,13 @@ def test_each_prepared_run_is_the_one_that_python_gives_for_the_same_request() -
 
 def test_boxes_to_tick_double_the_runs_and_presets_are_runs_of_their_own() -> None:
     boxes: list[Mapping[str, Any]] = [*SLIDERS[:1], {"switch": "friction"}]
-    scene = fence(controls=boxes, presets={"heavy": {"A.mass": "9 kg"}})
+    scene = fence(controls=boxes, presets={"heavy": {"A.mass": "2.9 kg"}})
     told, _ = table(prepared(scene))
     masses, boxes_values = (axis["values"] for axis in told["axes"])
     assert boxes_values == [False, True]
-    assert told["presets"] == [{"A.mass": "9 kg"}]
+    assert told["presets"] == [{"A.mass": "2.9 kg"}]
     assert len(told["headers"]) == 2 * len(masses) + 1
-    assert told["headers"][-1]["bodies"][0]["mass"] == 9
+    assert told["headers"][-1]["bodies"][0]["mass"] == 2.9
 
 
 def test_values_that_make_no_run_are_prepared_as_what_is_wrong_with_them() -> None:
