@@ -17,6 +17,7 @@ from sim.pages.map.bake import bake_map
 from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
 from sim.pages.picture.block import read_picture_block
+from sim.pages.preset_reach import presets_beyond_sliders
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
 from sim.pages.question.challenge import read_challenge_block
@@ -104,7 +105,8 @@ def _read(
         found = forces_nobody_finds(scene, run.header)
         if hints:
             called_for = relevance_hints(scene.fence.scene, scene.places)
-            return [*found, *watched_by_default(scene), *called_for, *steep_slopes(scene)]
+            doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene)]
+            return [*found, *watched_by_default(scene), *called_for, *doubts]
         return found
     return []
 

@@ -13,7 +13,7 @@ from sim.scene.effect_controls import Switch, read_switches
 from sim.scene.fields import SKINS
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, kind_of, read_predict
-from sim.scene.presets import check_in_reach, read_presets
+from sim.scene.presets import read_presets
 from sim.scene.problem import Problem, SceneError, did_you_mean, nearest
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
@@ -99,8 +99,6 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         controls = read_controls(table.get("controls", []), scene, problems, effects)
         switches = read_switches(table.get("controls", []), effects, problems)
         presets = read_presets(table.get("presets", {}), scene_part, problems)
-        if not problems:
-            check_in_reach(presets, scene_part, controls, problems)
     predict = None
     if "predict" in table:
         asked = table["predict"]

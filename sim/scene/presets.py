@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from sim.scene.changes import apply_changes, resolve
-from sim.scene.controls import Control, number_of
+from sim.scene.controls import number_of
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.read import collect_scene, read_scene
 from sim.scene.read_effects import listed_effects
@@ -39,24 +39,6 @@ def read_presets(
             problems.append(Problem(at, p.code, p.message, p.hint))
         presets[str(name)] = dict(listed)
     return presets
-
-
-def check_in_reach(
-    presets: Mapping[str, Mapping[str, Any]],
-    plain: Mapping[str, Any],
-    controls: Sequence[Control],
-    problems: list[Problem],
-) -> None:
-    """Presets that go where the slider of a number does not: it would show another one."""
-    sliders = {control.set: control for control in controls}
-    for name, changes in presets.items():
-        for target, value in numbers_of(plain, changes).items():
-            slider = sliders.get(target)
-            if slider and not slider.low <= value <= slider.high:
-                told = f"{changes[target]} is outside of the control of {target}"
-                hint = "widen from and to of the control, or change the preset"
-                path = ("presets", name, target)
-                problems.append(Problem(path, "out-of-range", told, hint))
 
 
 def numbers_of(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, float]:

@@ -54,3 +54,19 @@ def test_a_plain_angle_that_was_meant_in_degrees_is_a_hint(
     result = CliRunner().invoke(main, ["check", str(lesson)])
     assert result.exit_code == 0
     assert ("For 1° write angle: 1 deg" in result.output) == told
+
+
+@pytest.mark.parametrize(("mass", "told"), [("20 kg", True), ("3 kg", False)])
+def test_a_preset_that_its_slider_cannot_show_is_a_hint(
+    mass: str, told: bool, tmp_path: Path
+) -> None:
+    lesson = tmp_path / "preset.md"
+    lesson.write_text(
+        "# A\n\n```scene\nid: a\ncarts: {A: {mass: 1 kg, position: 0.5 m}}\n"
+        "controls:\n  - {set: A.mass, from: 0.5 kg, to: 4 kg, step: 0.5 kg}\n"
+        f"presets: {{heavy: {{A.mass: {mass}}}}}\n```\n",
+        encoding="utf-8",
+    )
+    result = CliRunner().invoke(main, ["check", str(lesson)])
+    assert result.exit_code == 0
+    assert (f"{mass} is outside of the control of A.mass" in result.output) == told
