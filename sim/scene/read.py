@@ -12,7 +12,7 @@ from sim.scene.fields import CART, GRAVITY, SKINS, TRACK_LENGTH, UNTIL
 from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene
 from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
-from sim.scene.read_contact import common_contact, read_contacts
+from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_room, read_effects, read_estimates
 from sim.scene.read_written import read_written
 from sim.scene.tables import mapping, number, unknown_keys
@@ -61,7 +61,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
             read_effects(table.get("effects", []), _written_names(table), track, problems)
         return None
     names = sorted_names(exact)
-    contacts = read_contacts(table.get("contact", {}), names, track, problems)
+    common, contacts = read_contacts(table.get("contact", {}), names, track, problems)
     written = read_written(table.get("laws", {}), table.get("contact", {}), contacts, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
     estimates = read_estimates(table.get("estimate", []), names, track, problems)
@@ -82,7 +82,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         title=title if isinstance(title, str) else None,
         carts=tuple(Cart(name=n, **{k: float(v) for k, v in exact[n].items()}) for n in names),
         track=track,
-        common=common_contact(table.get("contact", {})),
+        common=common,
         contacts=contacts,
         gaps=tuple(float("inf") if gap is None else float(gap) for gap in gaps),
         approaches=approaches(exact, names, track),

@@ -17,22 +17,18 @@ KEYS = ("law", "restitution", "stiffness")
 HINT = "contact: {restitution: 0.8, stiffness: 400 N/m, law: bumper}"
 
 
-def common_contact(value: object) -> Contact | None:
-    """What a pair has that `pairs` leaves alone; None where it cannot be read."""
-    return _contact(value, {}, ("contact",), []) if isinstance(value, Mapping) else None
-
-
 def read_contacts(
     value: object, names: list[str] | None, track: Track | None, problems: list[Problem]
-) -> tuple[Contact | None, ...]:
-    """The contact of each gap from left to right, None on an open side.
+) -> tuple[Contact | None, tuple[Contact | None, ...]]:
+    """What a gap has that `pairs` leaves alone; the contact of each gap from left to right, None on
+    an open side.
 
     `names` or `track` None: they could not be read, and nobody knows who are neighbours, or where
     there are walls.
     """
     table = mapping(value, ("contact",), problems, HINT)
     if table is None:
-        return ()
+        return None, ()
     unknown_keys(table, (*KEYS, "pairs"), ("contact",), problems)
     common = _contact(table, {}, ("contact",), problems)
     bodies = ["left", *(names or ()), "right"]
@@ -68,7 +64,7 @@ def read_contacts(
                         f"track: {{length: 2.4 m, {side}: wall}}, or remove this pair",
                     )
                 )
-    return tuple(contacts)
+    return common, tuple(contacts)
 
 
 def _gap_named(key: str, bodies: list[str]) -> int | None:

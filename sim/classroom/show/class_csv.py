@@ -40,7 +40,6 @@ def students_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) 
     question gives none, or none yet. `words`: each English sentence in the language."""
     forms = [form for lesson in report["lessons"] for form in lesson["forms"]]
     most = max((len(row["marks"]) for form in forms for row in form["students"]), default=0)
-    asked = [f"{number}" for number in range(1, most + 1)]
     rows = [
         [
             lesson["lesson"], form["form"], in_words(row["group"], words),
@@ -52,9 +51,9 @@ def students_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) 
         for form in lesson["forms"]
         for row in form["students"]
     ]  # fmt: skip
-    heads = _heads(("item", *STUDENT_COLUMNS), words)
-    question = heads[0] if words else "question"  # programs know that column by another name
-    return csv_text([*heads[1:], *(f"{question} {number}" for number in asked)], rows)
+    question = in_words(HEADS["item"], words)
+    asked = [f"{question} {number}" for number in range(1, most + 1)]
+    return csv_text([*_heads(STUDENT_COLUMNS, words), *asked], rows)
 
 
 def items_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:

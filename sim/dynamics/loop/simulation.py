@@ -105,9 +105,9 @@ class Simulation(Forming):
     def strike_first(self, gap: Gap, now: Time) -> None:
         """An impact without duration is due; where several are, the fastest come first."""
         blocks = first_struck(self.chain, gap, now)
-        if all(gap not in block for block in blocks):
-            self.calendar.gap(gap, now, 0.0)  # it waits for its turn
         struck = [one for block in blocks for one in block]
+        if gap not in struck:
+            self.calendar.gap(gap, now, 0.0)  # it waits for its turn
         if held := [one for one in struck if one.solver is not None]:
             free = [one for one in struck if one.solver is None]
             self.motion_ends(_moved_in(held[0]), now, beside=free)

@@ -28,12 +28,8 @@ def read_unit(
     unit = unit_of(str(table.get(name, ""))).replace("μ", "µ")
     dimension = units.dimension_of(unit)
     if dimension is None:
-        try:  # a comma in the number is no unit
-            read_quantity(table[name], units.RATIO)
-        except QuantityError as error:
-            if error.code != "wrong-unit":
-                problems.append(Problem((*path, name), error.code, error.message, error.hint))
-                return "", units.RATIO
+        if not is_number(table, name, path, problems):  # a comma in the number is no unit
+            return "", units.RATIO
         message = f"“{unit[:20]}” is not a unit that is known here"
         hint = "for example m/s, cm, N, kg, J, N s"
         problems.append(Problem((*path, name), "wrong-unit", message, hint))

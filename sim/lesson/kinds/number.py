@@ -88,7 +88,7 @@ class Number(Question):
         tolerance = read_tolerance(table, exact, (unit, dimension), path, problems)
         if len(problems) == before:
             check_tolerance(table, (exact, tolerance), (unit, dimension), path, problems)
-        wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
+        wrong = _wrong(table, (exact, tolerance), (unit, dimension), path, problems)
         if len(problems) == before and not reachable(
             exact, tolerance, units.size_of(unit, dimension)
         ):
@@ -198,9 +198,9 @@ def _wrong(
         if dimension is not units.RATIO:  # beside 50 % a plain 0.2 is 20 %, and is meant
             lacks_unit(row, measured, here, problems, "value")
         tolerance = (
-            read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[0]
+            read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[1]
         )
-        if len(problems) == before and abs(value - right[1]) <= right[0]:
+        if len(problems) == before and abs(value - right[0]) <= right[1]:
             message = "this wrong answer lies within the tolerance of the right one"
             problems.append(Problem((*here, "value"), "unreachable", message, "narrow it"))
         found.append(
