@@ -30,6 +30,7 @@ def predict_and_watch(page: Page, on_a: str, on_b: str) -> None:
     arrows = scene.locator(".carts-guess input[type=range]")
     arrows.nth(0).fill(on_a)
     arrows.nth(1).fill(on_b)
+    scene.locator(".carts-certainty input").first.check()  # asked for before it locks
     scene.locator(".carts-lock").click()
     scene.get_by_role("button", name="Keep it and show the run").click()
     scene.locator(".carts-end").click()
