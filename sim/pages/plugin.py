@@ -47,6 +47,7 @@ from sim.pages.text.lesson_places import JOINING, check_folder
 from sim.pages.text.page_meta import tell_theme
 from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
+from sim.pages.translate.page_turns import turn_in_one_language
 
 log = logging.getLogger("mkdocs.plugins.carts")
 
@@ -142,11 +143,11 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         return files
 
     def on_nav(self, nav: Navigation, *, config: MkDocsConfig, files: Files) -> Navigation:
-        """Pages that are not made again keep their names in the menu."""
+        """Pages that are not made again keep their names in the menu; one turns in one language."""
+        turn_in_one_language(nav.pages)
         if self.partial:
             self.preview.name_pages(nav)
-        self.steps = 2 * len(files.documentation_pages())
-        self.step = 0
+        self.steps, self.step = 2 * len(files.documentation_pages()), 0
         return nav
 
     def _progress(self) -> None:

@@ -37,6 +37,33 @@ def test_a_folder_named_by_a_language_holds_lessons_that_speak_it(make_site: Mak
     assert "简体中文" in (site / "index.html").read_text(encoding="utf-8")
 
 
+def test_the_pages_of_a_site_are_turned_in_one_language(make_site: MakeSite) -> None:
+    """The last lesson in English had led on into Malay, and the page after the lessons back."""
+    feet = CONFIG.replace("font: false", "font: false, features: [navigation.footer]")
+    feet = feet.replace("worksheets/}]", "worksheets/}, {Sandbox: box.md}]")
+    lessons = {name: lesson(identity=name) for name in ("first", "second")}
+    root = make_site(feet, **lessons)
+    (root / "docs" / "box.md").write_text("# Box\n", encoding="utf-8")
+    for language in ("ms", "ta"):
+        (root / "worksheets" / language).mkdir()
+        for name, text in lessons.items():
+            path = root / "worksheets" / language / f"{name}.md"
+            path.write_text(text, encoding="utf-8")
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+
+    def turns(page: str) -> list[str]:
+        text = (site / page).read_text(encoding="utf-8")
+        return re.findall(r'<a href="([^"]*)" class="md-footer__link', text)
+
+    assert turns("index.html") == ["worksheets/first.html"]
+    assert turns("worksheets/second.html") == ["first.html", "../box.html"]
+    assert turns("box.html") == ["worksheets/second.html"]
+    for language in ("ms", "ta"):
+        assert turns(f"worksheets/{language}/first.html") == ["second.html"]
+        assert turns(f"worksheets/{language}/second.html") == ["first.html"]
+
+
 def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:
     root = make_site(first=lesson().replace("title:", "language: ta\ntitle:"))
     site = build_site(root, hosted=False, strict=True)
@@ -64,7 +91,7 @@ def test_the_menu_speaks_as_the_page_and_a_teacher_s_own_names_stay(make_site: M
     assert {"Home", "Lessons", "Our carts", "Dark"} <= english
     page = (site / "worksheets" / "ms" / "first.html").read_text(encoding="utf-8")
     malay = _menu(page)
-    assert page.count("Ruang cuba") == 2  # in the menu, and at the foot: what comes next
+    assert page.count("Ruang cuba") == 1  # in the menu alone: the foot turns in one language
     assert "Sandbox" not in page
     assert {"Laman utama", "Pelajaran", "Our carts", "Gelap"} <= malay
     assert not {"Home", "Lessons", "Dark"} & malay
