@@ -73,9 +73,11 @@ def alike(random: Random, count: int, size: float, rho: float = 0.9) -> list[flo
 
 
 def motion_capture(
-    made: Motion, seed: int = 1, hidden: tuple[int, ...] = (), swapped: int | None = None
-) -> str:
-    """Qualisys' TSV; frames in `hidden` lack the first marker, from `swapped` on names change."""
+    made: Motion, seed: int = 1, hidden: tuple[int, ...] = (), swapped: int | None = None,
+    empty: tuple[int, ...] = (),
+) -> str:  # fmt: skip
+    """Qualisys' TSV; frames in `hidden` lack the first marker, those in `empty` both; from
+    `swapped` on names change."""
     random, rate = Random(seed), 250.0
     times = [k / rate for k in range(int(made.until * rate))]
     carts = [made.places(k, times) for k in (0, 1)]
@@ -92,6 +94,8 @@ def motion_capture(
             row.append("\t".join(f"{c:.3f}" for c in point))
         if k in hidden:
             row[0] = "0.000\t0.000\t0.000"
+        if k in empty:
+            row = ["\t\t", "\t\t"]
         if swapped is not None and k >= swapped:
             row.reverse()
         lines.append("\t".join(row))

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sim.measured.events.even import braked
-from sim.measured.events.grid import Grid
+from sim.measured.events.grid import Grid, noise_of
 from sim.measured.events.in_step import in_step
-from sim.measured.scatter import scatter_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,8 +30,10 @@ STANDS_OUT = 0.04
 COMPARABLE = 0.4
 """Share of the greatest strength from which the earlier one is taken: later ones may be stops."""
 
-LOUDER, FADED = 5.0, 1.5
-"""Times the lower quartile of the trace: a candidate is louder, and ends where it is no more."""
+LOUDER, FADED = 5.0, 4.0
+"""Times the lower quartile of the trace: a candidate is louder, and ends where it is no more. Noise
+alone is louder than the second in one cell of thirty; at half of it, in every second one, and such
+a contact goes on for seconds."""
 
 DIP = 0.05
 """s. A trace that comes back so soon belongs to the same contact."""
@@ -81,7 +82,10 @@ def contacts(grid: Grid) -> list[Contact]:
         peak = int(np.argmax(left))
         if left[peak] <= whole:
             break
-        low, high = _edges(left, peak, ahead, max(EDGE * left[peak], FADED * usual))
+        faint, lost = EDGE * left[peak], FADED * usual
+        low, high = _edges(left, peak, ahead, max(faint, lost))
+        if lost > faint:  # its ends are below the noise: a shock is as wide as what smoothed it
+            low, high = min(low, peak - grid.half), max(high, peak + grid.half)
         left[max(0, low - grid.half) : high + grid.half + 1] = 0.0
         if high > low:
             spans.append((low, high))
@@ -115,14 +119,10 @@ def _edges(trace: Floats, peak: int, ahead: int, level: float) -> tuple[int, int
 
 
 def _noise(grid: Grid, cells: int) -> list[float]:
-    """m/s. Of both carts' velocities told by so many cells: what third differences of places leave
-    (of white noise their variance is 1 + 9 + 9 + 1), on a straight line through as many."""
-    import numpy as np
-
+    """m/s. Of both carts' velocities told by so many cells, on a straight line through as many."""
     told = cells + 2 * grid.half
     slope = (12.0 / (told**3 - told)) ** 0.5 / grid.step
-    rough = [scatter_of(np.diff(x, 3)) / 20.0**0.5 for x in grid.x]
-    return [slope * one for one in rough]
+    return [slope * one for one in noise_of(grid)]
 
 
 def _candidate(

@@ -25,9 +25,11 @@ JUDGED, FEWEST = 40, 8
 @dataclass(frozen=True, slots=True)
 class Step:
     """`lag`: s, how much later the first cart changes; `apart`: root mean square of n_A − n_B,
-    `surely`: the same beyond the noise of both; `cells`: how many cells of the grid tell it."""
+    `surely`: the same beyond the noise of both; `cells`: how many cells of the grid tell it.
+    `unsure`: s, standard deviation of the lag by the noise of the velocities before and after."""
 
     lag: float
+    unsure: float
     apart: float
     surely: float
     cells: int
@@ -48,7 +50,9 @@ def in_step(grid: Grid, begin: float, end: float) -> Step:
     left = shares[0] - shares[1]
     lag = -float(np.sum(left)) * grid.step
     apart = float(np.mean(left**2))
-    return Step(lag, apart**0.5, max(apart - noise, 0.0) ** 0.5, high - low + 1)
+    # Half of the time the share is told by the velocity before, half of it by that after.
+    unsure = (high - low) * grid.step * (noise / 2.0) ** 0.5
+    return Step(lag, unsure, apart**0.5, max(apart - noise, 0.0) ** 0.5, high - low + 1)
 
 
 def _noise(v: Floats) -> float:

@@ -115,7 +115,8 @@ def _in_time(
     least = max(
         (LATE_AT_REST if rests else LATE) * frame, LATE_SHARE * (contact.end - contact.begin)
     )
-    if rests and abs(step.lag) > least:
+    sure = max(abs(step.lag) - HALF * step.unsure, 0.0)
+    if rests and sure > least:
         raise FitError(
             f"{names[late]} stands still after the contact, but stops {abs(step.lag):.2f} s later "
             f"than the other cart's velocity changes: its sensor lost it (the end of what it can "
@@ -123,7 +124,7 @@ def _in_time(
             "let the carts meet nearer to the middle, so that both run on within reach",
             "lost-after",
         )
-    if abs(step.lag) > 2.0 * least or step.apart > APART:
+    if sure > 2.0 * least or step.surely > APART:
         raise FitError(
             f"the two carts do not change their velocity in step ({names[late]} "
             f"{abs(step.lag):.2f} s later): something else pushes, or a sensor lost its cart",

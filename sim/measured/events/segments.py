@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from sim.measured.events.change_points import SHORTEST, change_points
-from sim.measured.events.grid import Grid, coarse
+from sim.measured.events.grid import Grid, coarse, noise_of
 from sim.measured.events.stops import rolled_out
 from sim.measured.events.stretch import STILL, Kind, Segment
 
@@ -34,6 +34,11 @@ SUDDEN = 0.35
 PUSHED = 0.15
 """Of the greatest speed: what a hand adds at least."""
 
+SURELY, BENT = 4.0, 180.0**0.5
+"""Standard deviations from which a velocity is said to change, for of a film many pieces are
+looked at; and that of the bend of n places with unit noise, times n½ and the square of the time
+that they take (Legendre's second polynomial): a short noisy piece looks like a hand and a stop."""
+
 
 def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:
     """Both carts' segments in order of time, cart after cart; neighbours of one kind are joined."""
@@ -43,8 +48,8 @@ def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:
     every: list[Segment] = []
     for cart in (0, 1):
         greatest = float(np.percentile(np.abs(grid.v[cart]), 98))
-        edges = [min(k * wide, len(grid.t) - 1) for k in change_points(x[cart])]
-        cuts = _cut(grid, edges, found)
+        edges = [k * wide for k in change_points(x[cart])[:-1]]  # the last is the film's own end
+        cuts = _cut(grid, edges, found, max(grid.half, SHORTEST * wide - 1))
         listed: list[Segment] = []
         for low, high in cuts:
             one = _named(grid, cart, low, high, greatest, found)
@@ -69,15 +74,17 @@ def joined(listed: Sequence[Segment]) -> list[Segment]:
     return found
 
 
-def _cut(grid: Grid, edges: list[int], found: Sequence[Contact]) -> list[tuple[int, int]]:
-    """Change points with those inside of contacts replaced by where these begin and end."""
+def _cut(
+    grid: Grid, edges: list[int], found: Sequence[Contact], near: int
+) -> list[tuple[int, int]]:
+    """Change points with those inside of contacts, and `near` cells beside them (the search finds
+    no shorter piece), replaced by where these begin and end."""
     import numpy as np
 
     spans = [
         (int(np.searchsorted(grid.t, one.begin)), int(np.searchsorted(grid.t, one.end)))
         for one in found
     ]
-    near = max(2, grid.half)
     kept = {k for k in edges if not any(low - near <= k <= high + near for low, high in spans)}
     kept |= {k for span in spans for k in span} | {0, len(grid.t) - 1}
     ordered = sorted(kept)
@@ -105,11 +112,13 @@ def _named(
     inside = slice(low, max(last, low + 1))
     tau, x = t[inside] - middle, grid.x[cart][inside]
     bend, slope = 0.0, float(np.median(grid.v[cart][inside]))
-    if len(tau) >= SHORTEST:
-        bend, slope = (float(one) for one in np.polyfit(tau, x, 2)[:2])
-    elif len(tau) > 1:
-        slope = float(np.polyfit(tau, x, 1)[0])
     reach = t[high] - t[low]
+    if len(tau) > 1:
+        slope = float(np.polyfit(tau, x, 1)[0])
+    if len(tau) >= SHORTEST:
+        bent = np.polyfit(tau, x, 2)
+        if abs(bent[0]) * reach**2 * len(tau) ** 0.5 > SURELY * BENT * noise_of(grid)[cart]:
+            bend, slope = float(bent[0]), float(bent[1])
     speeds = slope - bend * reach, slope + bend * reach
     kind = _kind(speeds, 2.0 * bend, greatest)
     if any(one.begin <= middle <= one.end for one in found):

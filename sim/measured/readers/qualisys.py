@@ -4,9 +4,10 @@
     MARKER_NAMES <tab> cart 1 <tab> cart 2
     129.242 <tab> 450.945 <tab> 398.175 <tab> …
 
-A row of heads (`Frame Time cart 1 X …`) may stand between. A hidden marker is 0 0 0 or empty. The
-track lies somewhere in the room: its direction is that in which the markers move most (the first
-principal axis), + along its largest part. Two markers that change their names are changed back.
+A row of heads (`Frame Time cart 1 X …`) may stand between. A hidden marker is 0 0 0 or empty; where
+all of them are hidden the line is empty, and the frame still took its time. The track lies
+somewhere in the room: its direction is that in which the markers move most (the first principal
+axis), + along its largest part. Two markers that change their names are changed back.
 """
 
 from __future__ import annotations
@@ -45,12 +46,15 @@ def read(text: str, units: Units) -> Reading:
         raise refuse(line, "no marker is named or none has frames", "export the 3D data as TSV")
     rate = _rate(head, line)
     skipped = _skipped(head, rows, 3 * len(names))
-    marks = [_marks(rows, skipped + 3 * k, skipped, rate) for k in range(len(names))]
+    frames = _frames(head, rows)
+    times = [frame / rate for frame in frames]
+    marks = [_marks(rows, skipped + 3 * k, times) for k in range(len(names))]
     seen = [(name, one) for name, one in zip(names, marks, strict=True) if len(one) >= FEWEST]
+    every = frames[-1] + 1
     notes = [
-        f"marker {shown(name)}: {len(rows) - len(one)} of {len(rows)} frames hidden, left out"
+        f"marker {shown(name)}: {every - len(one)} of {every} frames hidden, left out"
         for name, one in zip(names, marks, strict=True)
-        if len(one) < len(rows)
+        if len(one) < every
     ]
     if not seen:
         raise refuse(line, f"no marker has {FEWEST} frames in which it is seen", "film again")
@@ -102,9 +106,19 @@ def _skipped(head: dict[str, tuple[str, ...]], rows: Sequence[Row], wanted: int)
     return extra if extra in (1, 2) else 0
 
 
-def _marks(rows: Sequence[Row], column: int, skipped: int, rate: float) -> Marks:
+def _frames(head: dict[str, tuple[str, ...]], rows: Sequence[Row]) -> list[int]:
+    """The number of each row's frame: of its line, empty ones counted, unless these are more than
+    the head has frames (an editor may have put one behind each)."""
+    stated = (*head.get("NO_OF_FRAMES", ()), "")[0]
+    by_line = [row.line - rows[0].line for row in rows]
+    if cells.is_number(stated) and by_line[-1] < cells.number_of(stated):
+        return by_line
+    return list(range(len(rows)))
+
+
+def _marks(rows: Sequence[Row], column: int, times: Sequence[float]) -> Marks:
     found: Marks = []
-    for k, row in enumerate(rows):
+    for row, t in zip(rows, times, strict=True):
         three = row.cells[column : column + 3]
         if len(three) < 3 or any(cells.is_empty(cell) for cell in three):
             continue
@@ -115,7 +129,7 @@ def _marks(rows: Sequence[Row], column: int, skipped: int, rate: float) -> Marks
         if not all(map(math.isfinite, (x, y, z))):
             raise refuse(row.line, "a place is too large", "X Y Z in mm")
         if (x, y, z) != (0.0, 0.0, 0.0):
-            found.append((row.line, k / rate, (x, y, z)))
+            found.append((row.line, t, (x, y, z)))
     return found
 
 
