@@ -104,18 +104,17 @@ def contacts(grid: Grid) -> list[Contact]:
 
 
 def _edges(trace: Floats, peak: int, ahead: int, level: float) -> tuple[int, int]:
-    """Where the trace has faded; a dip of a few cells (a sign that turns) is no end."""
+    """Where the trace has faded: the next cell is below, and so is the mean of the next few. A dip
+    (a sign that turns) is no end, nor does one loud cell of noise go on with it."""
+    import numpy as np
+
     ends = []
-    for way in (-1, 1):
-        k = peak
-        while (
-            0 < k < len(trace) - 1
-            and max(trace[max(0, min(k + way * i, len(trace) - 1))] for i in range(1, ahead + 1))
-            > level
-        ):
-            k += way
-        ends.append(k)
-    return ends[0], ends[1]
+    for side in (trace[peak::-1], trace[peak:]):
+        means = np.convolve(side[1:], np.ones(ahead) / ahead)[ahead - 1 :]
+        over = (side[1:] > level) | (means > level)
+        far = int(np.argmin(over)) if not over.all() else len(side) - 1
+        ends.append(far)
+    return peak - ends[0], peak + ends[1]
 
 
 def _noise(grid: Grid, cells: int) -> list[float]:
