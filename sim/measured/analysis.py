@@ -15,11 +15,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sim.measured.events.outcome import PERHAPS
-from sim.measured.events.quantities import mass_ratio
+from sim.measured.events.quantities import mass_ratio, told_of
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import Segment
 from sim.measured.events.wild import without_wild
+from sim.measured.model.brake_doubt import doubted
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
@@ -99,6 +100,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     if refused and not (overruled and white and bounces):
         return Analysis(story, base_report(measured, story, None, refused), None, refused)
     if made is not None and white and (refused or _same(story, made, wanted)):
+        made = _doubted(story, made, wanted)
         report = by_model(measured, story, made, rows, wanted.masses, wanted.every)
         effect = made.asked.effect
         report |= head_of(effect, rows, wanted.effect, named=wanted.every)
@@ -123,6 +125,17 @@ def happened(measured: Measured, hints: Hints) -> Story:
 def _two_frames(story: Story) -> bool:
     """Whether each sensor counts from a place of its own: one model of both does not apply."""
     return story.measured.own or (story.frames is not None and story.frames.joined)
+
+
+def _doubted(story: Story, made: Fit, wanted: Wanted) -> Fit:
+    """The model that the readings called for, no surer than their velocities let it be; one that
+    the reader asks for is the reader's to judge."""
+    if wanted.effect is not None or not (story.outcome and story.contact):
+        return made
+    if not (story.speeds and story.step):
+        return made
+    seen = story.outcome, story.speeds, story.contact, story.step, story.measured.names
+    return doubted(made, told_of(*seen)[0])
 
 
 def _bounces(made: Fit) -> bool:

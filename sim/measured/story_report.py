@@ -34,7 +34,9 @@ def by_model(
 ) -> dict[str, Any]:
     """The report of the whole model, with what happened beside it."""
     asked = {row.effect: row for row in rows}
-    kept = rows if every else [asked["none"], *(r for r in rows if r.fit is made)][:2]
+    kept = (
+        rows if every else [asked["none"], *(r for r in rows if r.effect == made.asked.effect)][:2]
+    )
     if len(kept) == 2 and kept[0] is kept[1]:
         kept = kept[:1]
     report = motion_report(story.measured, made, kept, masses, _share(made, story))

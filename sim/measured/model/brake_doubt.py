@@ -1,0 +1,38 @@
+"""What a brake of another form would change: the model's numbers beside those of the velocities.
+
+The model brakes its carts over the whole film by one form (friction that does not depend on speed,
+a tilt); real carts have bearings, air and a track that is not even, and noise hides which. The
+velocities beside the contact use less of the film and other forms. If both told the truth they
+would differ by the noise of the velocities only, for the model uses all of their readings (Hausman
+1978, “Specification tests in econometrics”). What they differ by beyond that is an error of form,
+and nobody knows whose: half of it is one more standard deviation of the model's number.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+
+from sim.measured.model.fit import Fit
+from sim.measured.model.known import Known
+
+HALF = 0.5
+"""Of a difference that is an error of form: as likely the one's as the other's."""
+
+
+def doubted(made: Fit, velocities: Iterable[Known]) -> Fit:
+    """The fit, with e and the ratio of masses no surer than the velocities let them be."""
+    if made.asked.effect == "none":
+        return made
+    p, rows = made.parameters, [list(row) for row in made.covariance]
+    for one in velocities:
+        if one.key not in ("e", "mass_ratio"):
+            continue
+        if one.key == "e":
+            name, apart, sd = "e", p.e - one.value, one.sd
+        else:
+            name, apart, sd = "ln_ratio", math.log(p.ratio / one.value), one.sd / one.value
+        k = made.unknowns.index(name)
+        rows[k][k] += HALF**2 * max(apart**2 - sd**2, 0.0)
+    return replace(made, covariance=tuple(tuple(row) for row in rows))
