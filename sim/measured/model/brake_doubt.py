@@ -2,10 +2,10 @@
 
 The model brakes its carts over the whole film by one form (friction that does not depend on speed,
 a tilt); real carts have bearings, air and a track that is not even, and noise hides which. The
-velocities beside the contact use less of the film and other forms. If both told the truth they
-would differ by the noise of the velocities only, for the model uses all of their readings (Hausman
-1978, “Specification tests in econometrics”). What they differ by beyond that is an error of form,
-and nobody knows whose: half of it is one more standard deviation of the model's number.
+velocities beside the contact use less of the film and try several forms. So the model's numbers are
+no surer than theirs. If both told the truth they would differ by the noise of the velocities, for
+the model uses all of their readings (Hausman 1978, “Specification tests in econometrics”). What
+they differ by beyond that is an error of form, and nobody knows whose: half of it counts too.
 """
 
 from __future__ import annotations
@@ -34,5 +34,5 @@ def doubted(made: Fit, velocities: Iterable[Known]) -> Fit:
         else:
             name, apart, sd = "ln_ratio", math.log(p.ratio / one.value), one.sd / one.value
         k = made.unknowns.index(name)
-        rows[k][k] += HALF**2 * max(apart**2 - sd**2, 0.0)
+        rows[k][k] = max(rows[k][k], sd**2) + HALF**2 * max(apart**2 - sd**2, 0.0)
     return replace(made, covariance=tuple(tuple(row) for row in rows))
