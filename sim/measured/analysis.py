@@ -20,7 +20,7 @@ from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import Segment
 from sim.measured.events.wild import without_wild
-from sim.measured.model.brake_doubt import doubted
+from sim.measured.model.brake_doubt import doubted, form_told
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
@@ -130,12 +130,13 @@ def _two_frames(story: Story) -> bool:
 def _doubted(story: Story, made: Fit, wanted: Wanted) -> Fit:
     """The model that the readings called for, no surer than their velocities let it be; one that
     the reader asks for is the reader's to judge."""
-    if wanted.effect is not None or not (story.outcome and story.contact):
+    effect, speeds = made.asked.effect, story.speeds
+    if wanted.effect is not None or effect == "none" or not (story.outcome and speeds):
         return made
-    if not (story.speeds and story.step):
+    if not (story.contact and story.step):
         return made
-    seen = story.outcome, story.speeds, story.contact, story.step, story.measured.names
-    return doubted(made, told_of(*seen)[0])
+    seen = told_of(story.outcome, speeds, story.contact, story.step, story.measured.names)[0]
+    return doubted(made, seen, told=form_told(effect, speeds.held_out))
 
 
 def _bounces(made: Fit) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from sim.measured.analysis import Wanted, analysed
-from sim.measured.model.brake_doubt import HALF, doubted
+from sim.measured.model.brake_doubt import HALF, TOLD, doubted, form_told
 from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.known import Known
 from tests.measured.makers import film, truth
@@ -31,23 +31,32 @@ def velocities(e: float, sd: float) -> list[Known]:
 
 def test_a_model_is_no_surer_than_the_velocities_that_it_agrees_with(made: Fit) -> None:
     own, e = made.sd("e"), made.parameters.e
-    assert doubted(made, velocities(e, 0.5 * own)).covariance == made.covariance
-    found = doubted(made, velocities(e + 2.0 * own, 3.0 * own))
+    assert doubted(made, velocities(e, 0.5 * own), told=False).covariance == made.covariance
+    found = doubted(made, velocities(e + 2.0 * own, 3.0 * own), told=False)
     assert found.sd("e") == pytest.approx(3.0 * own, rel=1e-12)
+    known = doubted(made, velocities(e + 2.0 * own, 3.0 * own), told=True)  # the form of the brake
+    assert known.covariance == made.covariance
     assert found.sd("ln_ratio") == made.sd("ln_ratio")
     assert found.parameters == made.parameters
 
 
 def test_of_what_noise_does_not_explain_half_is_one_standard_deviation_more(made: Fit) -> None:
     sd, apart = 0.01, 0.05
-    found = doubted(made, velocities(made.parameters.e - apart, sd))
+    found = doubted(made, velocities(made.parameters.e - apart, sd), told=False)
     more = found.sd("e") ** 2 - max(made.sd("e"), sd) ** 2
     assert more == pytest.approx(HALF**2 * (apart**2 - sd**2), rel=1e-9)
 
 
+def test_a_form_is_told_where_all_others_miss_readings_by_much_more() -> None:
+    ladder = [("nothing", 3.0), ("friction", 1.0), ("tilt", 2.0), ("drag", 1.01 * TOLD)]
+    assert form_told("friction", ladder)
+    assert not form_told("tilt", ladder)
+    assert not form_told("friction", [*ladder[:3], ("drag", 0.99 * TOLD)])
+
+
 def test_a_model_without_a_brake_has_none_of_another_form(made: Fit) -> None:
     plain = replace(made, asked=Asked(law="bumper", effect="none"))
-    assert doubted(plain, velocities(0.2, 0.001)) is plain
+    assert doubted(plain, velocities(0.2, 0.001), told=False) is plain
 
 
 def test_carts_that_air_brakes_are_fitted_with_friction_and_the_interval_says_so() -> None:

@@ -2,10 +2,11 @@
 
 The model brakes its carts over the whole film by one form (friction that does not depend on speed,
 a tilt); real carts have bearings, air and a track that is not even, and noise hides which. The
-velocities beside the contact use less of the film and try several forms. So the model's numbers are
-no surer than theirs. If both told the truth they would differ by the noise of the velocities, for
-the model uses all of their readings (Hausman 1978, “Specification tests in econometrics”). What
-they differ by beyond that is an error of form, and nobody knows whose: half of it counts too.
+velocities beside the contact use less of the film and try several forms (`events.brakes`). Where
+readings do not tell these apart, the model's numbers are no surer than the velocities. If both told
+the truth they would differ by the noise of the velocities, for the model uses all of their readings
+(Hausman 1978, “Specification tests in econometrics”). What they differ by beyond that is an error
+of form, and nobody knows whose: half of it counts too.
 """
 
 from __future__ import annotations
@@ -14,15 +15,28 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 
+from sim.measured.events.brakes import Step
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known
 
 HALF = 0.5
 """Of a difference that is an error of form: as likely the one's as the other's."""
 
+TOLD = 1.5
+"""Times what the model's form misses readings by that were left out: from there another form is not
+the true one. By chance two forms that do as well differ by a fifth."""
 
-def doubted(made: Fit, velocities: Iterable[Known]) -> Fit:
-    """The fit, with e and the ratio of masses no surer than the velocities let them be."""
+
+def form_told(effect: Step, held_out: Iterable[tuple[Step, float]]) -> bool:
+    """Whether the velocities' ladder (each step with what it misses, m) tells the form of the brake
+    from the other ones."""
+    missed: dict[Step, float] = {step: error for step, error in held_out if step != "nothing"}
+    return all(error > TOLD * missed[effect] for step, error in missed.items() if step != effect)
+
+
+def doubted(made: Fit, velocities: Iterable[Known], *, told: bool) -> Fit:
+    """The fit, with e and the ratio of masses no surer than the velocities let them be; `told`: the
+    form of the brake is known."""
     if made.asked.effect == "none":
         return made
     p, rows = made.parameters, [list(row) for row in made.covariance]
@@ -34,5 +48,6 @@ def doubted(made: Fit, velocities: Iterable[Known]) -> Fit:
         else:
             name, apart, sd = "ln_ratio", math.log(p.ratio / one.value), one.sd / one.value
         k = made.unknowns.index(name)
-        rows[k][k] = max(rows[k][k], sd**2) + HALF**2 * max(apart**2 - sd**2, 0.0)
+        rows[k][k] = rows[k][k] if told else max(rows[k][k], sd**2)
+        rows[k][k] += HALF**2 * max(apart**2 - sd**2, 0.0)
     return replace(made, covariance=tuple(tuple(row) for row in rows))
