@@ -33,8 +33,8 @@ COMMON_KEYS = (
         "The two forces are a pair.", PROSE),
     Key("topics", "words by which a form draws items from a bank", "[first-law, table]", TEXTS),
     Key("note", "for the teacher; never in the page", "Most choose A at first.", PROSE),
-    Key("after", "id of the scene that is watched first; “none”: this question is open at once",
-        "two-carts"),
+    Key("after", "id of the scene that is watched first; with “.forces” behind it: whose hidden "
+        "forces are found first; “none”: this question is open at once", "two-carts"),
     Key("idea", "id of a first idea (type: idea), shown again beside this answer", "first-idea"),
 )  # fmt: skip
 

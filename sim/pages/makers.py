@@ -14,6 +14,7 @@ from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.map.block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
+from sim.pages.question.on_page import FORCES
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.sections import Section
@@ -81,7 +82,13 @@ def _question(block: Block, page: Page) -> str:
         page.items.optional.add(read.question.id)
     gate = page.items.gate(read.question)
     number = len(page.items.questions)
-    return render_question(read.question, number=number, after=gate, runs=page.items.runs(gate))
+    return render_question(
+        read.question,
+        number=number,
+        after=gate,
+        runs=page.items.runs(gate),
+        found=read.question.common.after.endswith(FORCES),
+    )
 
 
 def _quiz(block: Block, page: Page) -> str:

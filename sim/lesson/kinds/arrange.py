@@ -197,7 +197,7 @@ class Matching(Question):
         return {"texts": self.texts()}
 
     def mark(self, value: object, own: float | None = None) -> Mark:
-        """Right as a whole; partly if at least one pair is."""
+        """Right as a whole; partly if at least one pair is. `shown` names those: `pair-1`."""
         del own
         of = self.common.marks
         if is_empty(value):
@@ -208,5 +208,6 @@ class Matching(Question):
             number in pairs and letter in letters for number, letter in value.items()
         ):
             return Mark("unclear", 0, of)
-        some = any(pairs[number] == letter for number, letter in value.items())
-        return all_or_nothing(dict(value) == pairs, some, of)
+        good = [number for number in pairs if value.get(number) == pairs[number]]
+        shown = tuple(f"pair-{number}" for number in good)
+        return all_or_nothing(len(good) == len(pairs), bool(good), of, shown=shown)

@@ -132,6 +132,12 @@ class Table(Question):
             if isinstance(cell, Open)
         }
 
+    def unit_of(self, column: int) -> str:
+        """The unit of all numbers in a column, from 0; "" where there is none, or more than one."""
+        cells = [row[column] for row in self.rows]
+        units = {c.unit if isinstance(c, Open) else "".join(c.split(maxsplit=1)[1:]) for c in cells}
+        return units.pop() if len(units) == 1 else ""
+
     def asked(self) -> dict[str, Any]:
         """Heads, given cells and the units of the others."""
         shape = [[None if isinstance(c, Open) else c for c in row] for row in self.rows]

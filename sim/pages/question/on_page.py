@@ -19,6 +19,7 @@ from sim.scene import Fence, Problem
 
 NO_SCENE = "no-such-scene"
 OPEN = "none"  # after: none
+FORCES = ".forces"  # after: SCENE.forces, until its hidden forces are found
 IDEA = "idea"
 BEFORE_A_RUN = (IDEA, "drawn")  # what these ask for is given before a run is seen
 
@@ -47,7 +48,7 @@ class PageItems:
     def gate(self, question: Question) -> str:
         """The scene that is watched before the question opens; empty: it is open at once."""
         if after := question.common.after:
-            return "" if after == OPEN else after
+            return "" if after == OPEN else after.removesuffix(FORCES)
         if isinstance(question, Reading):
             own = next((s for s in self.scenes if s.id == question.scene), None)
             return question.scene if own and own.watched_first else ""
@@ -84,8 +85,14 @@ class PageItems:
         scenes = {scene.id: scene for scene in self.scenes}
         for block in self.questions:
             after = block.question.common.after
-            if after not in ("", OPEN, *scenes):
-                yield block.places.finding(self._no_such_scene("after", after))
+            scene = after.removesuffix(FORCES)
+            if after not in ("", OPEN) and scene not in scenes:
+                yield block.places.finding(self._no_such_scene("after", scene))
+            elif after != scene and scenes[scene].forces != "hidden":
+                message = f"the forces of “{scene}” are shown: there are none to find"
+                hint = f"after: {scene}; or write forces: hidden into the scene"
+                problem = Problem(("after",), "nothing-to-find", message, hint)
+                yield block.places.finding(problem)
             if idea := self._no_such_idea(block.question.common.idea):
                 yield block.places.finding(idea)
             if isinstance(block.question, (Reading, Drawn)):

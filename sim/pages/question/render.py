@@ -10,6 +10,7 @@ from markupsafe import Markup
 from sim.lesson import Question
 from sim.lesson.form import Form
 from sim.lesson.goal import NEAR
+from sim.lesson.kinds.table import Table
 from sim.lesson.question import CERTAINTY
 from sim.pages.language import mark, tr, tr_html
 from sim.pages.question.challenge import Challenge
@@ -45,12 +46,13 @@ def render_question(
     scope: str = "",
     after: str = "",
     runs: int = 1,
+    found: bool = False,
 ) -> str:
     """HTML of the element. With `key` the page marks at once; without, nothing tells the answer.
 
     `number` is printed before the question. `scope` is the form it belongs to: the element's id
     and the form's name of the answer are `scope-id`. `after`: the scene that is watched first,
-    in so many `runs`.
+    in so many `runs`; with `found` its hidden forces are found first.
     """
     common = question.common
     element = f"{scope}-{common.id}" if scope else common.id
@@ -61,7 +63,8 @@ def render_question(
         "kind": question.KIND,
         "number": number,
         "after": after,
-        "the_run": the_run(after, runs),
+        "found": found,
+        "the_run": the_run(after, 1 if found else runs),
         "level": common.level,
         "level_words": tr(LEVELS[common.level]),
         "minutes": common.minutes,
@@ -69,6 +72,7 @@ def render_question(
         "texts": texts,
         "data": data,
         "facts": script_json(data),
+        "axes": _axes(question) if isinstance(question, Table) else (),
         "diagram": diagram(data["objects"]) if question.KIND == "interactions" else None,
         "lines": LINES.get(question.KIND, 0),
         "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
@@ -120,6 +124,15 @@ def render_challenge(challenge: Challenge) -> str:
         "facts": script_json(facts),
     }
     return str(templates("sim.pages.question").get_template("challenge.html.j2").render(view))
+
+
+def _axes(question: Table) -> list[str]:
+    """What stands at the axes of the points: the heads of their columns, with the unit."""
+    made = []
+    for column in question.plot or ():
+        unit = question.unit_of(column)
+        made.append(question.columns[column] + (tr(" in {unit}", unit=unit) if unit else ""))
+    return made
 
 
 def _feedback(question: Question) -> dict[str, Markup]:

@@ -1273,9 +1273,10 @@
     if (!id || element.dataset.opened !== void 0) return;
     const open2 = () => element.dataset.opened = "";
     const scene = document.getElementById(id);
-    const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
+    const seen = element.dataset.found === void 0 ? "watched" : "found";
+    const shown = () => !scene || [seen, "reason"].some((name) => name in scene.dataset);
     if (answered || shown()) return open2();
-    for (const kind of ["carts-watched", "carts-error"]) {
+    for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
       document.addEventListener(kind, () => shown() && open2(), { signal });
     }
     document.addEventListener(OPEN_ALL, open2, { signal });
@@ -1982,9 +1983,10 @@
       if (!fits2 || !entries.every(([left, letter]) => left in key.pairs && right.includes(letter))) {
         return made("unclear", 0, marks);
       }
-      const good = entries.filter(([left, letter]) => key.pairs[left] === letter);
-      const all = good.length === entries.length && good.length === Object.keys(key.pairs).length;
-      return whole(all, good.length > 0, marks);
+      const names = Object.keys(key.pairs);
+      const good = names.filter((left) => value[left] === key.pairs[left]);
+      const shown = good.map((left) => `pair-${left}`);
+      return whole(good.length === names.length, good.length > 0, marks, shown);
     },
     table({ key, marks }, value) {
       const names = Object.keys(key.cells);
@@ -2159,6 +2161,17 @@
     return /[+−\-/·\s]/.test(text) ? `(${text})` : text;
   }
 
+  // src/question/forms/part-mark.js
+  function mark2(place2, verdict) {
+    const sign = (
+      /** @type {HTMLElement} */
+      place2.querySelector(".carts-q-cell-mark")
+    );
+    const words3 = { right: tr("right"), wrong: tr("not yet"), "": "" };
+    place2.dataset.verdict = verdict;
+    sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words3[verdict];
+  }
+
   // src/question/forms/arrange.js
   function orderForm(root, changed) {
     const list = (
@@ -2218,7 +2231,12 @@
       /** @type {HTMLSelectElement} */
       row.querySelector("select")
     );
-    for (const row of rows2) select(row).addEventListener("change", changed);
+    for (const row of rows2) {
+      select(row).addEventListener("change", () => {
+        for (const other of rows2) mark2(other, "");
+        changed();
+      });
+    }
     const chosen2 = () => rows2.filter((row) => select(row).value);
     return {
       get value() {
@@ -2228,6 +2246,7 @@
         for (const row of rows2) {
           const left = String(row.dataset.left);
           select(row).value = value && Object.hasOwn(value, left) ? String(value[left]) : "";
+          mark2(row, "");
         }
       },
       enable(on) {
@@ -2236,7 +2255,11 @@
       said: () => chosen2().map((row) => {
         const right = root.querySelector(`[data-right="${CSS.escape(select(row).value)}"]`);
         return `${textOf(row)} – ${textOf(right)}`;
-      }).join("; ")
+      }).join("; "),
+      marked: (shown) => {
+        for (const row of chosen2())
+          mark2(row, shown.includes(`pair-${row.dataset.left}`) ? "right" : "wrong");
+      }
     };
   }
   function textOf(line) {
@@ -2898,15 +2921,6 @@
       }
     };
   }
-  function mark2(place2, verdict) {
-    const sign = (
-      /** @type {HTMLElement} */
-      place2.querySelector(".carts-q-cell-mark")
-    );
-    const words3 = { right: tr("right"), wrong: tr("not yet"), "": "" };
-    place2.dataset.verdict = verdict;
-    sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words3[verdict];
-  }
   function plot(root, { rows: rows2, plot: plot2, given }, value) {
     const known2 = (
       /** @type {Record<string, unknown>} */
@@ -2923,11 +2937,13 @@
     const at2 = (number3) => px(LEFT + (number3 - across.low) / (across.high - across.low) * (RIGHT - LEFT));
     const high = (number3) => px(BOTTOM - (number3 - up.low) / (up.high - up.low) * (BOTTOM - TOP));
     const numbers = (one) => ticks(one).map((tick) => ({ tick, text: fixed(tick, axisDecimals(one)) }));
-    const grid = (
+    const lines = (xs, ys) => xs.map((one) => `M${at2(one)} ${TOP}V${BOTTOM}`).join("") + ys.map((one) => `M${LEFT} ${high(one)}H${RIGHT}`).join("");
+    const part2 = (name) => (
       /** @type {Element} */
-      root.querySelector(".carts-q-plot .carts-grid")
+      root.querySelector(`.carts-q-plot .${name}`)
     );
-    put(grid, "d", `M${at2(0)} ${TOP}V${BOTTOM}M${LEFT} ${high(0)}H${RIGHT}`);
+    put(part2("carts-grid"), "d", lines(ticks(across), ticks(up)));
+    put(part2("carts-q-axes"), "d", lines([0], [0]));
     const place2 = (
       /** @type {Element} */
       root.querySelector(".carts-q-points")

@@ -1511,12 +1511,24 @@
   function body(name, track) {
     if (!isWall(name)) return name;
     const thing = thingAt(name, track, "body");
-    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
   }
   function brief(name, track) {
     if (!isWall(name)) return name;
     const thing = thingAt(name, track, "brief");
-    return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("wall");
+    return name === "left" ? tr("left wall") : tr("right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side) => track[
+        /** @type {"left" | "right"} */
+        side
+      ] === "wall" && whatIs(side, track) === "wall"
+    );
   }
   function kind(name, track) {
     return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
@@ -1536,7 +1548,7 @@
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
   function onBy(on, by, track) {
-    return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+    return tr("on {on} by {by}", { on: body(on, track), by: body(by, track) });
   }
   function dashed(names, track) {
     return names.map((name) => brief(name, track)).join("–");
@@ -1617,7 +1629,7 @@
     earth: true,
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
-    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
     label: (told4) => tr("on {on} by {by} (slope): {size} N", told4),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
@@ -4477,6 +4489,7 @@
     });
   }
   function forgetForces(id) {
+    delete document.getElementById(id)?.dataset.found;
     void new Kept(`${id}-forces`).forget();
   }
   function showForces(element, said) {
@@ -4491,6 +4504,8 @@
     frame2.replaceWith(template.content);
     script.textContent = JSON.stringify({ ...baked, ...differs });
     template.remove();
+    element.dataset.found = "";
+    element.dispatchEvent(new Event("carts-found", { bubbles: true }));
     const note2 = element.querySelector(".carts-found");
     if (!note2) return;
     note2.replaceChildren(
@@ -4976,11 +4991,50 @@
     return found3 + (rising ? 1 : 0);
   }
 
+  // src/predict/pad-labels.js
+  var INSET = 6;
+  var ROWS2 = {
+    1: [
+      [6.6, 10, 24],
+      [3.7, 6.6, 44]
+    ],
+    0: [
+      [0.5, 3.7, 61],
+      [-3.7, -0.5, 87]
+    ],
+    "-1": [
+      [-10, -6.6, 126],
+      [-6.6, -3.7, 107]
+    ]
+  };
+  function placeLabels(pad2, curves) {
+    for (const text of pad2.querySelectorAll("[data-way]")) {
+      const way = text.getAttribute("data-way") ?? "";
+      const middle = way === "0";
+      const gaps = Array.from({ length: POINTS - 1 }, (_2, k) => middle ? POINTS - 2 - k : k);
+      const rows = ROWS2[way] ?? [];
+      const places = middle ? gaps.flatMap((gap2) => rows.map((row2) => ({ gap: gap2, row: row2 }))) : rows.flatMap((row2) => gaps.map((gap2) => ({ gap: gap2, row: row2 })));
+      const free = places.find(
+        ({ gap: gap2, row: [low, high] }) => curves.every((heights) => !crosses(heights, gap2, low, high))
+      );
+      const { gap, row } = free ?? /** @type {typeof places[0]} */
+      places[0];
+      text.setAttribute("x", px(LEFT4 + STEP2 * gap + (middle ? STEP2 / 2 : INSET)));
+      text.setAttribute("y", String(row[2]));
+    }
+  }
+  function crosses(heights, gap, low, high) {
+    const per = (heights.length - 1) / (POINTS - 1);
+    const within = Array.from(heights).slice(gap * per, (gap + 1) * per + 1);
+    return Math.max(...within) > low && Math.min(...within) < high;
+  }
+
   // src/predict/curve.js
   var FINE2 = 48;
   var CurveForm = class {
     #heights = Array(POINTS).fill(null);
     #enabled = false;
+    #seen = [];
     constructor(root, spec, changed) {
       this.cart = spec.cart ?? "";
       this.quantity = spec.quantity;
@@ -5032,6 +5086,8 @@
       const top = Math.max(...seen.values.map(Math.abs)) || 1;
       const scaled = seen.values.map((value) => HIGHEST * value / top);
       put(need(this.pad, '[data-part="answer"]'), "d", path(this.place, scaled));
+      this.#seen = [scaled];
+      this.#draw();
       const list = html("ul");
       for (const [feature, yours, theirs] of features(
         this.quantity,
@@ -5097,6 +5153,7 @@
       });
       const drawn2 = this.#heights.map((height) => height ?? 0);
       put(need(this.pad, '[data-part="sketch"]'), "d", path(this.place, drawn2));
+      placeLabels(this.pad, [drawn2, ...this.#seen]);
     }
   };
   function evenly(from, to, value) {
@@ -6641,7 +6698,7 @@
       const style = styleOf(i2);
       const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
       const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
-        label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
+        label: tr("on {on} by {by}", { on: body(name, header.track), by }),
         style,
         over: true,
         values: column,
@@ -8960,7 +9017,7 @@ ${lines4.join("\n")}
   }
 
   // src/scene/graphs/table.js
-  var ROWS2 = 10;
+  var ROWS3 = 10;
   var MOST_EVENTS = 24;
   var WITHIN = 9;
   var MOST_CONTACTS = 3;
@@ -9037,7 +9094,7 @@ ${lines4.join("\n")}
     ).filter((t3) => t3 <= last);
   }
   function tableTimes({ header, trajectory }) {
-    const times2 = /* @__PURE__ */ new Set([...ticks2(span(0, header.until, ROWS2)), header.until]);
+    const times2 = /* @__PURE__ */ new Set([...ticks2(span(0, header.until, ROWS3)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);
     const last = Number(trajectory.t[trajectory.t.length - 1]);
     return [...times2].filter((t3) => t3 <= last).sort((a2, b2) => a2 - b2);

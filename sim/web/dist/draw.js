@@ -11298,12 +11298,24 @@ ${table3(facts)}
   function body(name, track) {
     if (!isWall(name)) return name;
     const thing = thingAt(name, track, "body");
-    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
   }
   function brief(name, track) {
     if (!isWall(name)) return name;
     const thing = thingAt(name, track, "brief");
-    return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("wall");
+    return name === "left" ? tr("left wall") : tr("right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side2) => track[
+        /** @type {"left" | "right"} */
+        side2
+      ] === "wall" && whatIs(side2, track) === "wall"
+    );
   }
   function kind(name, track) {
     return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
@@ -11323,7 +11335,7 @@ ${table3(facts)}
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
   function onBy(on, by, track) {
-    return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+    return tr("on {on} by {by}", { on: body(on, track), by: body(by, track) });
   }
   function dashed(names, track) {
     return names.map((name) => brief(name, track)).join("–");
@@ -11404,7 +11416,7 @@ ${table3(facts)}
     earth: true,
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
-    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
     label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
@@ -12668,7 +12680,7 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
     if (quantity === "F")
       return html`<text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text>`;
     const middle = quantity === "v" ? tr("at rest") : tr("start");
-    return html`<text x="46" y="24">${tr("to the right")}</text><text x="46" y="126">${tr("to the left")}</text><text x="311" y="61" text-anchor="middle">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
+    return html`<text data-way="1" x="46" y="24">${tr("to the right")}</text><text data-way="-1" x="46" y="126">${tr("to the left")}</text><text data-way="0" x="311" y="61" text-anchor="middle">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
   }
   function choice2({ fence: { id } }, { options }) {
     const rows = options.map(
@@ -13516,7 +13528,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const style = styleOf(i);
       const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
       const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
-        label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
+        label: tr("on {on} by {by}", { on: body(name, header.track), by }),
         style,
         over: true,
         values: column,

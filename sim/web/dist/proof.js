@@ -150,7 +150,17 @@
   function body(name, track) {
     if (!isWall(name)) return name;
     const thing = thingAt(name, track, "body");
-    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side) => track[
+        /** @type {"left" | "right"} */
+        side
+      ] === "wall" && whatIs(side, track) === "wall"
+    );
   }
   function thingAt(name, track, form2) {
     const thing = THINGS[whatIs(name, track)]?.()[form2];
@@ -184,9 +194,7 @@
     return [...times, ...ends];
   }
   function named(kind, bodies, track) {
-    const names = bodies.map(
-      (name) => isWall(name) && whatIs(name, track) === "wall" ? tr("the wall") : body(name, track)
-    );
+    const names = bodies.map((name) => body(name, track));
     const [one = "", other = ""] = names;
     if (kind === "contact") return tr("{one} and {other} touch", { one, other });
     if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });

@@ -1811,7 +1811,17 @@ ${table2(facts)}
   function body(name, track) {
     if (!isWall(name)) return name;
     const thing = thingAt(name, track, "body");
-    return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side2) => track[
+        /** @type {"left" | "right"} */
+        side2
+      ] === "wall" && whatIs(side2, track) === "wall"
+    );
   }
   function kind(name, track) {
     return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
@@ -1903,7 +1913,7 @@ ${table2(facts)}
     earth: true,
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
-    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
     label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
@@ -2690,7 +2700,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     if (quantity === "F")
       return html2`<text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text>`;
     const middle = quantity === "v" ? tr("at rest") : tr("start");
-    return html2`<text x="46" y="24">${tr("to the right")}</text><text x="46" y="126">${tr("to the left")}</text><text x="311" y="61" text-anchor="middle">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
+    return html2`<text data-way="1" x="46" y="24">${tr("to the right")}</text><text data-way="-1" x="46" y="126">${tr("to the left")}</text><text data-way="0" x="311" y="61" text-anchor="middle">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
   }
   function choice({ fence: { id } }, { options }) {
     const rows = options.map(

@@ -233,10 +233,20 @@
   function whatIs(name, { left_is = "wall", right_is = "wall" }) {
     return name === "left" ? left_is : right_is;
   }
-  function brief(name, track) {
+  function body(name, track) {
     if (!isWall(name)) return name;
-    const thing = thingAt(name, track, "brief");
-    return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+    const thing = thingAt(name, track, "body");
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side) => track[
+        /** @type {"left" | "right"} */
+        side
+      ] === "wall" && whatIs(side, track) === "wall"
+    );
   }
   function thingAt(name, track, form2) {
     const thing = THINGS[whatIs(name, track)]?.()[form2];
@@ -250,7 +260,7 @@
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
   function onBy(on, by, track) {
-    return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+    return tr("on {on} by {by}", { on: body(on, track), by: body(by, track) });
   }
 
   // ../view/shapes.js
@@ -521,7 +531,7 @@
     earth: true,
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
-    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
     label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
@@ -1286,11 +1296,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
   function labels({ kind: kind2, on, by, size }) {
     const told2 = { on, by, size };
-    const brief2 = { ...told2, by: by.replaceAll("the ", "") };
+    const brief = { ...told2, by: by.replaceAll("the ", "") };
     return [
       viewOf(kind2).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
-      tr("on {on} by {by}: {size} N", brief2),
-      tr("by {by}: {size} N", brief2)
+      tr("on {on} by {by}: {size} N", brief),
+      tr("by {by}: {size} N", brief)
       // whose force it is tells the line from the cart
     ];
   }

@@ -189,6 +189,31 @@ def test_a_file_with_found_forces_is_read_by_the_teacher_and_brought_back(
 
 
 @pytest.mark.one_browser
+def test_what_is_asked_about_found_forces_opens_when_they_are_found(
+    site: Path, open_page: OpenPage
+) -> None:
+    """“What do your numbers say?” could be answered without any number."""
+    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site)
+    name, asked = "third-light-into-heavy", page.locator("#third-why-flies .carts-q-ask")
+    live(page, name)
+    page.locator(f"#{name} .carts-options input").first.check()
+    page.locator(f"#{name} .carts-certainty input").first.check()
+    page.locator(f"#{name} .carts-lock").click()
+    page.locator(f"#{name} .carts-talk-run").click()
+    page.locator(f"#{name} .carts-end:enabled").click()
+    expect(page.locator("#third-read-a .carts-q-ask")).to_be_visible()  # it is on the run
+    expect(asked).to_be_hidden()
+    waits = page.locator("#third-why-flies .carts-q-waits")
+    expect(waits).to_contain_text("when you have found the forces of the run above")
+    find(page, "-2.41", name, "A, while it touches B")
+    expect(asked).to_be_hidden()
+    find(page, "2.41", name, "B, while it touches A")
+    expect(asked).to_be_visible()
+    page.reload()
+    expect(asked).to_be_visible()
+
+
+@pytest.mark.one_browser
 def test_the_forces_are_hidden_in_whatever_the_page_says_before(
     open_page: OpenPage, widget_site: Path
 ) -> None:

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.question.answering import answer_everything, saved_file
+from tests.web.question.answering import answer_everything, saved, saved_file
 from tests.web.question.question_site import BANK, question_site, ready, write_page
 
 pytestmark = pytest.mark.browser
@@ -117,3 +117,24 @@ def test_questions_of_a_practice_form_count_among_those_of_the_page(
     expect(count).to_have_text("0 of 2")
     page.locator("#small-practice carts-question textarea").first.fill("Because of the ice.")
     expect(count).to_have_text("1 of 2")
+
+
+@pytest.mark.one_browser
+@pytest.mark.browser
+def test_of_pairs_each_that_was_joined_is_marked(open_page: OpenPage, question_site: Path) -> None:
+    """“Partly right” did not say which, as a table does."""
+    page = ready(open_page(question_site / "kinds.html"))
+    pairs, marks = page.locator("#partners select"), page.locator("#partners .carts-q-cell-mark")
+    right = page.locator("#partners [data-right]", has_text="force on B by A")
+    pairs.nth(0).select_option(right.get_attribute("data-right"))
+    page.locator("#partners .carts-q-check").click()
+    expect(marks).to_have_text(["✓ right", ""])  # what was not joined is not wrong
+    support = page.locator("#partners [data-right]", has_text="support on A")
+    pairs.nth(1).select_option(support.get_attribute("data-right"))
+    expect(marks).to_have_text(["", ""])
+    page.locator("#partners .carts-q-check").click()
+    expect(marks).to_have_text(["✓ right", "✗ not yet"])
+    saved(page, "partners")
+    page.reload()
+    ready(page)
+    expect(marks).to_have_text(["✓ right", "✗ not yet"])

@@ -40,6 +40,12 @@ def test_cells_are_marked_one_by_one_and_drawn_and_come_back(
     expect(points).to_have_count(1)
     cells.nth(1).fill("0.7")
     expect(points).to_have_count(2)
+    # Each number of an axis has its line, and each axis its unit.
+    plot = page.locator("#gains .carts-q-plot")
+    texts = plot.locator("text").all_text_contents()
+    assert texts[-2:] == ["push in N", "velocity in m/s"]
+    lines = (plot.locator(".carts-grid").get_attribute("d") or "").count("M")
+    assert lines == len(texts) - 2 > 4
     heights = points.evaluate_all("all => all.map(one => Number(one.getAttribute('cy')))")
     assert heights[1] < heights[0]
     saved(page, "gains")

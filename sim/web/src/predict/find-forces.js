@@ -189,6 +189,7 @@ function isWhole(found) {
 
 /** The next reader of a scene finds them too. @param {string} id of the scene */
 export function forgetForces(id) {
+  delete document.getElementById(id)?.dataset.found;
   void new Kept(`${id}-forces`).forget();
 }
 
@@ -202,6 +203,8 @@ export function showForces(element, said) {
   frame.replaceWith(template.content);
   script.textContent = JSON.stringify({ ...baked, ...differs });
   template.remove();
+  element.dataset.found = ""; // for questions that wait for them
+  element.dispatchEvent(new Event("carts-found", { bubbles: true }));
   const note = element.querySelector(".carts-found");
   if (!note) return;
   note.replaceChildren(

@@ -1,6 +1,6 @@
 /**
  * A question, and text below a scene (`!!! after`), that opens when the scene was watched: it often
- * tells what was seen. It opens too where no run can be had (Python cannot start), for who answered it before, and by the
+ * tells what was seen; one on forces that the scene hides, when they were found. It opens too where no run can be had (Python cannot start), for who answered it before, and by the
  * teacher's key in “My answers”.
  */
 
@@ -12,9 +12,10 @@ export function wait(element, answered, signal) {
   if (!id || element.dataset.opened !== undefined) return;
   const open = () => (element.dataset.opened = "");
   const scene = document.getElementById(id);
-  const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
+  const seen = element.dataset.found === undefined ? "watched" : "found";
+  const shown = () => !scene || [seen, "reason"].some((name) => name in scene.dataset);
   if (answered || shown()) return open();
-  for (const kind of ["carts-watched", "carts-error"]) {
+  for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
     document.addEventListener(kind, () => shown() && open(), { signal });
   }
   document.addEventListener(OPEN_ALL, open, { signal });

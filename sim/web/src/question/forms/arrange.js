@@ -3,6 +3,7 @@
 import { tr } from "../../../../view/language.js";
 import { need, say } from "../../shared/dom.js";
 import { plainText } from "../plain-text.js";
+import { mark } from "./part-mark.js";
 
 /** @typedef {import("../element.js").Form} Form */
 
@@ -53,7 +54,12 @@ export function matchForm(root, changed) {
   const rows = /** @type {HTMLElement[]} */ ([...root.querySelectorAll("[data-left]")]);
   const select = (/** @type {HTMLElement} */ row) =>
     /** @type {HTMLSelectElement} */ (row.querySelector("select"));
-  for (const row of rows) select(row).addEventListener("change", changed);
+  for (const row of rows) {
+    select(row).addEventListener("change", () => {
+      for (const other of rows) mark(other, "");
+      changed();
+    });
+  }
   const chosen = () => rows.filter((row) => select(row).value);
   return {
     get value() {
@@ -63,6 +69,7 @@ export function matchForm(root, changed) {
       for (const row of rows) {
         const left = String(row.dataset.left);
         select(row).value = value && Object.hasOwn(value, left) ? String(value[left]) : "";
+        mark(row, ""); // what stood beside it was of another pair
       }
     },
     enable(on) {
@@ -75,6 +82,10 @@ export function matchForm(root, changed) {
           return `${textOf(row)} – ${textOf(right)}`;
         })
         .join("; "),
+    marked: (shown) => {
+      for (const row of chosen())
+        mark(row, shown.includes(`pair-${row.dataset.left}`) ? "right" : "wrong");
+    },
   };
 }
 

@@ -1,10 +1,10 @@
 /** A table to fill in: each cell a number with a unit, marked by itself; and the points that it makes. */
 
-import { tr } from "../../../../view/language.js";
 import { fixed, px } from "../../../../view/numbers.js";
 import { axis, axisDecimals, ticks } from "../../../../view/scales.js";
 import { put, svg } from "../../shared/dom.js";
 import { readNumber, withoutUnit, withUnit } from "../marking/typed-number.js";
+import { mark } from "./part-mark.js";
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [50, 305, 15, 160]; // of the plot, as the template draws its axes
 const COUNT = 4; // numbers on an axis, about
@@ -82,14 +82,6 @@ export function tableForm(root, changed, facts) {
   };
 }
 
-/** @param {HTMLElement} place @param {"right" | "wrong" | ""} verdict */
-function mark(place, verdict) {
-  const sign = /** @type {HTMLElement} */ (place.querySelector(".carts-q-cell-mark"));
-  const words = { right: tr("right"), wrong: tr("not yet"), "": "" };
-  place.dataset.verdict = verdict;
-  sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words[verdict];
-}
-
 /** The points that have both numbers, on axes from zero. @param {HTMLElement} root @param {Facts} facts @param {Record<string, unknown>} value */
 function plot(root, { rows, plot, given }, value) {
   const known = /** @type {Record<string, unknown>} */ ({ ...given, ...value });
@@ -106,8 +98,13 @@ function plot(root, { rows, plot, given }, value) {
     px(BOTTOM - ((number - up.low) / (up.high - up.low)) * (BOTTOM - TOP));
   const numbers = (/** @type {import("../../../../view/scales.js").Axis} */ one) =>
     ticks(one).map((tick) => ({ tick, text: fixed(tick, axisDecimals(one)) }));
-  const grid = /** @type {Element} */ (root.querySelector(".carts-q-plot .carts-grid"));
-  put(grid, "d", `M${at(0)} ${TOP}V${BOTTOM}M${LEFT} ${high(0)}H${RIGHT}`);
+  const lines = (/** @type {number[]} */ xs, /** @type {number[]} */ ys) =>
+    xs.map((one) => `M${at(one)} ${TOP}V${BOTTOM}`).join("") +
+    ys.map((one) => `M${LEFT} ${high(one)}H${RIGHT}`).join("");
+  const part = (/** @type {string} */ name) =>
+    /** @type {Element} */ (root.querySelector(`.carts-q-plot .${name}`));
+  put(part("carts-grid"), "d", lines(ticks(across), ticks(up)));
+  put(part("carts-q-axes"), "d", lines([0], [0]));
   const place = /** @type {Element} */ (root.querySelector(".carts-q-points"));
   place.replaceChildren(
     ...numbers(across).map(({ tick, text }) =>

@@ -81,9 +81,10 @@ const RULES = {
     if (!fits || !entries.every(([left, letter]) => left in key.pairs && right.includes(letter))) {
       return made("unclear", 0, marks);
     }
-    const good = entries.filter(([left, letter]) => key.pairs[left] === letter);
-    const all = good.length === entries.length && good.length === Object.keys(key.pairs).length;
-    return whole(all, good.length > 0, marks);
+    const names = Object.keys(key.pairs);
+    const good = names.filter((left) => value[left] === key.pairs[left]);
+    const shown = good.map((left) => `pair-${left}`);
+    return whole(good.length === names.length, good.length > 0, marks, shown);
   },
 
   table({ key, marks }, value) {
