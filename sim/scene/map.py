@@ -21,7 +21,7 @@ from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.quantity import unit_of
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.tables import mapping, unknown_keys
-from sim.scene.track import wall_or_name
+from sim.scene.track import body_name
 
 MAP_KEYS = ("id", "of", "over", "show", "points", "controls")
 MOST_CONTROLS = 2
@@ -195,7 +195,7 @@ def _force(of: str, scene: Scene, refuse: Any) -> Shown | None:
                 "show: v.A or warmed, or use law: bumper",
             )
             return None
-        names = [wall_or_name(name, scene.track) for name in (left, right)]
+        names = [body_name(name, scene.track) for name in (left, right)]
         label = f"greatest force between {names[0]} and {names[1]}"
         return Shown(kind="F", of=f"{left}-{right}", label=label, unit="N")
     pairs = ["-".join(scene.names_at(k)) for k, c in enumerate(scene.contacts) if c is not None]

@@ -105,11 +105,17 @@ def thing_at(name: str, track: Track) -> str:
 
 
 def body_name(name: str, track: Track) -> str:
-    """A cart is called by its name; the two ends of the track have words of their own."""
+    """A cart is called by its name; the two ends of the track have words of their own. The only
+    wall needs no side."""
+    if thing := thing_at(name, track):
+        return thing
+    if name in SIDES and _walls(track) < len(SIDES):
+        return said("the wall")
     walls = {"left": said("the left wall"), "right": said("the right wall")}
-    return thing_at(name, track) or walls.get(name, name)
+    return walls.get(name, name)
 
 
-def wall_or_name(name: str, track: Track) -> str:
-    """The same where one wall need not be told from the other."""
-    return thing_at(name, track) or (said("the wall") if name in SIDES else name)
+def _walls(track: Track) -> int:
+    """How many ends are walls, by that name."""
+    kinds = {"left": track.left, "right": track.right}
+    return sum(kinds[side] == WALL == what_is(side, track) for side in SIDES)

@@ -21,18 +21,30 @@ export function whatIs(name, { left_is = "wall", right_is = "wall" }) {
   return name === "left" ? left_is : right_is;
 }
 
-/** @param {string} name @param {Track} track @returns {string} a body as a sentence names it */
+/** @param {string} name @param {Track} track @returns {string} a body as a sentence, and the name of a force, calls it; the only wall needs no side */
 export function body(name, track) {
   if (!isWall(name)) return name;
   const thing = thingAt(name, track, "body");
-  return thing || (name === "left" ? tr("the left wall") : tr("the right wall"));
+  if (thing) return thing;
+  if (!hasTwoWalls(track)) return tr("the wall");
+  return name === "left" ? tr("the left wall") : tr("the right wall");
 }
 
 /** @param {string} name @param {Track} track @returns {string} a body as a label names it */
 export function brief(name, track) {
   if (!isWall(name)) return name;
   const thing = thingAt(name, track, "brief");
-  return thing || (name === "left" ? tr("left wall") : tr("right wall"));
+  if (thing) return thing;
+  if (!hasTwoWalls(track)) return tr("wall");
+  return name === "left" ? tr("left wall") : tr("right wall");
+}
+
+/** @param {Track} track */
+function hasTwoWalls(track) {
+  return ["left", "right"].every(
+    (side) =>
+      track[/** @type {"left" | "right"} */ (side)] === "wall" && whatIs(side, track) === "wall",
+  );
 }
 
 /** @param {string} name of an end @param {Track} track @returns {string} what it is, where it need not be told from the other */
@@ -64,7 +76,7 @@ export function listed(names) {
 
 /** @param {string} on @param {string} by @param {Track} track @returns {string} a force, as a label names both bodies */
 export function onBy(on, by, track) {
-  return tr("on {on} by {by}", { on: brief(on, track), by: brief(by, track) });
+  return tr("on {on} by {by}", { on: body(on, track), by: body(by, track) });
 }
 
 /** @param {string[]} names @param {Track} track @returns {string} “A–B”: bodies of a contact, as a label names them */

@@ -1,6 +1,6 @@
 /** The curves of each graph. */
 
-import { brief, onBy } from "./bodies.js";
+import { body as named, onBy } from "./bodies.js";
 import { outside, partsOf } from "./effects-forces.js";
 import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
@@ -66,7 +66,7 @@ function resultants(header, run) {
     const style = styleOf(i);
     const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
     const parts = partsOf(header, run, name).map(({ by, column }) => ({
-      label: tr("on {on} by {by}", { on: brief(name, header.track), by }),
+      label: tr("on {on} by {by}", { on: named(name, header.track), by }),
       style,
       over: true,
       values: column,

@@ -104,7 +104,7 @@ def test_plan_and_run_call_it_by_its_name(what: str) -> None:
 
 def test_what_two_ends_gave_is_told_of_both() -> None:
     scene = read_scene(with_track(left="wall", right_is="foam"))
-    assert "From outside: the left wall and the foam gave" in run_as_text(run(scene))
+    assert "From outside: the wall and the foam gave" in run_as_text(run(scene))
     assert "From outside: walls gave" in run_as_text(run(read_scene(AGAINST)))
 
 
@@ -113,7 +113,10 @@ def test_two_ends_of_one_name_are_told_apart_by_their_sides() -> None:
     names = [body_name(name, track) for name in ("left", "A", "right")]
     assert names == ["the foam on the left", "A", "the foam on the right"]
     other = read_scene(with_track(left="wall", right_is="foam")).track
-    assert [body_name(name, other) for name in ("left", "right")] == ["the left wall", "the foam"]
+    assert [body_name(name, other) for name in ("left", "right")] == ["the wall", "the foam"]
+    assert body_name("right", read_scene(with_track()).track) == "the wall"
+    both = read_scene(with_track(left="wall")).track
+    assert body_name("right", both) == "the right wall"
 
 
 def test_mistakes_and_warnings_call_it_by_its_name() -> None:

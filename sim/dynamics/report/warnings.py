@@ -8,7 +8,7 @@ from sim.dynamics.result.finished import Run
 from sim.laws.lookup import contact_law
 from sim.scene.laws import law_kind
 from sim.scene.said import said, template
-from sim.scene.track import wall_or_name
+from sim.scene.track import body_name
 
 BOTH = (
     template(
@@ -60,7 +60,7 @@ def warnings(run: Run) -> tuple[Remark, ...]:
         room = sum(bumpers)
         if deepest <= room or (len(bumpers) == 1 and room == 0.0):
             continue  # at a wall, a cart without a bumper asks the wall to give way
-        one, other = (wall_or_name(name, scene.track) for name in names)
+        one, other = (body_name(name, scene.track) for name in names)
         squeezed, advised = ALONE if len(bumpers) == 1 else BOTH
         told = {"one": one, "other": other, "depth": f"{100 * deepest:.3g} cm"}
         told["room"] = f"{100 * room:.3g} cm"

@@ -19,7 +19,8 @@ export default {
   earth: true,
   stored: tr("as height, above the lowest point"),
   slope: ({ numbers }) => numbers.angle ?? 0,
-  forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+  forceName: (on, by) =>
+    tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
   label: (told) => tr("on {on} by {by} (slope): {size} N", told),
   phrase: ({ numbers }, { everyone, on }) => [
     everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),

@@ -121,7 +121,7 @@ function axes(quantity) {
   if (quantity === "F")
     return html`<text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text>`;
   const middle = quantity === "v" ? tr("at rest") : tr("start");
-  return html`<text x="46" y="24">${tr("to the right")}</text><text x="46" y="126">${tr("to the left")}</text><text x="311" y="61" text-anchor="middle">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
+  return html`<text data-way="1" x="46" y="24">${tr("to the right")}</text><text data-way="-1" x="46" y="126">${tr("to the left")}</text><text data-way="0" x="311" y="61" text-anchor="middle">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
 }
 
 /** @param {Baked} baked @param {PredictSpec} spec */

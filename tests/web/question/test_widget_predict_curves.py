@@ -82,3 +82,33 @@ def test_a_velocity_that_goes_with_the_push_differs_from_one_that_grows_with_it(
     ):
         expect(compared).to_contain_text(f"{feature}: your curve {mine}, the run yes")
     expect(compared).not_to_contain_text("turns round")
+
+
+UNDER = """(name) => {
+  const pad = document.querySelector(`#${name} .carts-pad`);
+  const lines = [...pad.querySelectorAll('[data-part]')].filter((line) => line.getTotalLength() > 0);
+  const points = lines.flatMap((line) =>
+    Array.from({ length: 400 }, (_, k) => line.getPointAtLength((line.getTotalLength() * k) / 399)));
+  return [...pad.querySelectorAll("[data-way]")].filter((text) => {
+    const { x, y, width, height } = text.getBBox();
+    return points.some((p) => p.x > x && p.x < x + width && p.y > y && p.y < y + height);
+  }).map((text) => text.textContent);
+}"""
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize(
+    "drawn",
+    [(0, 0, 0, 0, 0), (0, 3, 6, 2, 2), (9, 9, 2, 2, 2), (2, 2, -2, -2, -9), (-9, 0, 3, 2, 1)],
+)
+def test_no_curve_goes_through_the_words_of_its_pad(
+    open_page: OpenPage, widget_site: Path, drawn: tuple[int, ...]
+) -> None:
+    """“at rest” was struck out by the velocity that was drawn."""
+    page = live(open_page(write_page(widget_site, "pushed", PUSHED)), "pushed")
+    for k, height in enumerate(drawn):
+        page.locator("#pushed .carts-height").nth(k).fill(str(height))
+    assert page.evaluate(UNDER, "pushed") == []
+    lock(page, "pushed")
+    expect(page.locator("#pushed .carts-compared")).to_contain_text("your curve")
+    assert page.evaluate(UNDER, "pushed") == []

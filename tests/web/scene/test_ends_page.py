@@ -20,7 +20,7 @@ NAMES = {
     "foam": ("the foam", "foam", "foam"),
     "soft spring": ("the spring", "spring", "spring"),
     "board": ("the board", "board", "board"),
-    "wall": ("the right wall", "right wall", "wall"),
+    "wall": ("the wall", "wall", "wall"),
 }
 """In sentences, in labels, and where one end need not be told from the other."""
 
@@ -52,17 +52,17 @@ def press(page: Page, preset: str, name: str = "against") -> None:
 
 def is_named(page: Page, preset: str, name: str = "against") -> None:
     """Wherever the page names what A runs into."""
-    body, brief, kind = NAMES[preset]
+    body, _, kind = NAMES[preset]
     expect(part(page, ".carts-events", name)).to_contain_text(f"A touches {body}.")
     key = part(page, '.carts-graph[data-quantity="F"] .carts-key', name)
-    expect(key).to_have_text(f"on A by {brief}on {brief} by A")
+    expect(key).to_have_text(f"on A by {body}on {body} by A")
     expect(part(page, '[data-view="bars"] tr.carts-wall th', name)).to_have_text(f"{kind} + Earth")
     on_scene(page, AT_PEAK, name=name)
     expect(part(page, ".carts-lens-note", name)).to_contain_text(f"A and {body}: squeezed by")
     expect(part(page, '.carts-lens [data-part="name"]', name).last).to_have_text(kind)
     expect(part(page, ".carts-alone li", name).first).to_contain_text(f"force on A by {body}: ")
     arrows = part(page, ".carts-stage-wide .carts-push text", name)
-    expect(arrows.last).to_contain_text(f"on {brief} by A: ")
+    expect(arrows.last).to_contain_text(f"on {body} by A: ")
     expect(part(page, f"#{name}-described", name)).to_contain_text(f"Force on A by {body}: ")
 
 

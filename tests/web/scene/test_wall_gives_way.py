@@ -104,7 +104,7 @@ def line_in_the_lens(page: Page) -> bool:
 
 def test_what_has_no_bumper_has_no_bumper_in_words(foam: Page) -> None:
     told = foam.locator("#foam .carts-events")
-    expect(told).to_contain_text("A and the right wall: squeezed the most, 1.9")
+    expect(told).to_contain_text("A and the wall: squeezed the most, 1.9")
     expect(told).not_to_contain_text("bumper")
 
 

@@ -125,7 +125,15 @@ def test_under_a_moving_camera_the_ruler_and_the_readout_have_two_names() -> Non
 def test_two_walls_have_two_names() -> None:
     walls = {"left": "wall", "right": "wall", "length": 2}
     text = render(*baked({**MEETING, "id": "walls", "track": walls, "until": "12 s"}))
-    assert "on B by right wall" in text
-    assert "on left wall by A" in text
-    assert "by wall" not in text
-    assert "on left wall" not in render(*baked(STRUCK))
+    assert "on B by the right wall" in text
+    assert "on the left wall by A" in text
+    assert "by the wall" not in text
+    assert "left wall" not in render(*baked(STRUCK))
+
+
+def test_the_only_wall_has_one_name_in_the_whole_widget() -> None:
+    """“wall”, “right wall” and “the right wall” stood on one page."""
+    track = {"right": "wall", "length": 2}
+    text = render(*baked({**MEETING, "id": "wall", "track": track, "until": "12 s"}))
+    assert "on B by the wall" in text
+    assert "right wall" not in text and "by wall" not in text

@@ -185,7 +185,7 @@ def test_carts_with_velcro_stay_together_in_words() -> None:
     assert told[0].startswith(hit)
     wall = {**STICKY, "track": {"length": 2, "right": "wall"}, "until": 8}
     told = story({**wall, "contact": {"law": "velcro"}})
-    assert told[1].startswith("B and the right wall hit and stay together.")
+    assert told[1].startswith("B and the wall hit and stay together.")
     told = story({**STICKY, "contact": {"law": "instant", "restitution": 0}})
     assert told[0].startswith("A and B hit and go on together at 0.200\u00a0m/s to the right.")
 

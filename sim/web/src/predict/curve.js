@@ -7,6 +7,7 @@ import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { html, need, put } from "../shared/dom.js";
 import { features } from "./curve-features.js";
+import { placeLabels } from "./pad-labels.js";
 
 const FINE = 48; // pieces of the run's own curve: a multiple of four
 
@@ -14,6 +15,8 @@ export class CurveForm {
   /** @type {(number | null)[]} */
   #heights = Array(POINTS).fill(null);
   #enabled = false;
+  /** @type {number[][]} heights of the run's own curve, when it is shown */
+  #seen = [];
 
   /** @param {HTMLElement} root @param {import("../../../view/types.js").PredictSpec} spec @param {() => void} changed */
   constructor(root, spec, changed) {
@@ -73,6 +76,8 @@ export class CurveForm {
     const top = Math.max(...seen.values.map(Math.abs)) || 1;
     const scaled = seen.values.map((value) => (HIGHEST * value) / top);
     put(need(this.pad, '[data-part="answer"]'), "d", path(this.place, scaled));
+    this.#seen = [scaled];
+    this.#draw();
     const list = html("ul");
     for (const [feature, yours, theirs] of features(
       this.quantity,
@@ -149,6 +154,7 @@ export class CurveForm {
     });
     const drawn = this.#heights.map((height) => height ?? 0);
     put(need(this.pad, '[data-part="sketch"]'), "d", path(this.place, drawn));
+    placeLabels(this.pad, [drawn, ...this.#seen]);
   }
 }
 

@@ -1,6 +1,6 @@
 /** The rows of a certificate: what it is of, its two bounds, and how many digits they agree in. */
 
-import { body, isWall, whatIs } from "../../../view/bodies.js";
+import { body } from "../../../view/bodies.js";
 import { counted, tr } from "../../../view/language.js";
 import { exponent, fixed, superscript } from "../../../view/numbers.js";
 import { html } from "../shared/dom.js";
@@ -33,9 +33,7 @@ export function rows({ final, events }, track) {
 
 /** @param {string} kind @param {string[]} bodies @param {Track} track */
 function named(kind, bodies, track) {
-  const names = bodies.map((name) =>
-    isWall(name) && whatIs(name, track) === "wall" ? tr("the wall") : body(name, track),
-  );
+  const names = bodies.map((name) => body(name, track));
   const [one = "", other = ""] = names;
   if (kind === "contact") return tr("{one} and {other} touch", { one, other });
   if (kind === "peak") return tr("{one} and {other} press hardest", { one, other });

@@ -104,7 +104,8 @@ give(["left", "A", "right"].map((name) => [b.body(name, data), b.brief(name, dat
     ("track", "names"),
     [
         ({}, [("the left wall", "left wall"), ("the right wall", "right wall")]),
-        ({"right_is": "foam"}, [("the left wall", "left wall"), ("the foam", "foam")]),
+        ({"left": "open"}, [("the wall", "wall"), ("the wall", "wall")]),
+        ({"right_is": "foam"}, [("the wall", "wall"), ("the foam", "foam")]),
         (
             {"left_is": "spring", "right_is": "board"},
             [("the spring", "spring"), ("the board", "board")],
@@ -134,7 +135,12 @@ def test_a_page_names_it_and_no_wall(what: str) -> None:
     fence = {**ends(right_is=what), "title": "A", "presets": {}}
     shown = render(*baked(fence)).split('<script type="application/json"')[0]
     told = "\n".join(TEXT.findall(shown))
-    for name in (f"on A by {what}", f"on {what} by A", f"A touches the {what}.", f"{what} + Earth"):
+    for name in (
+        f"on A by the {what}",
+        f"on the {what} by A",
+        f"A touches the {what}.",
+        f"{what} + Earth",
+    ):
         assert name in told
     assert "wall" not in told
 
@@ -162,7 +168,7 @@ def test_the_saved_table_names_it() -> None:
         facts(AGAINST),
     )
     heads = next(csv.reader(io.StringIO(text)))
-    assert "contact force F on A by foam in N" in heads
+    assert "contact force F on A by the foam in N" in heads
     assert "momentum p of foam + Earth in kg m/s" in heads
 
 

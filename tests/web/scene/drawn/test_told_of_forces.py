@@ -59,6 +59,10 @@ def test_on_a_slope_the_support_balances_only_a_part_of_the_weight() -> None:
     note, part, support = in_node(READ + UPRIGHT, sloped)
     assert "only the part of the weight across the track" in note
     assert part["name"].startswith("part of the weight of A, across the track: ")
+    along = in_node(
+        READ + "give(f.effectForces(opened(data), 'A', 0.1).map(({ name }) => name));", sloped
+    )
+    assert along == ["part of the weight of A, along the track: force on A by the Earth"]
     assert part["value"] == -support["value"] == pytest.approx(-0.9962 * 9.81, rel=1e-3)
 
 
@@ -97,8 +101,8 @@ def test_who_listens_hears_of_a_hand_and_of_the_track_too() -> None:
 def test_of_a_wall_the_forces_on_both_are_told() -> None:
     alone: dict[str, Any] = {"carts": {"A": {**BUMP["carts"]["A"], "position": 2.0}}}
     said = told(greatest(**alone), **alone)
-    assert "Force on A by the right wall: 8.49 N to the left." in said
-    assert "Force on the right wall by A: 8.49 N to the right." in said
+    assert "Force on A by the wall: 8.49 N to the left." in said
+    assert "Force on the wall by A: 8.49 N to the right." in said
 
 
 def test_hidden_forces_are_not_told_to_who_listens() -> None:
