@@ -36,8 +36,8 @@ def command(
     check.
     A warning stops nothing: a lesson in a folder that is not built, a catalogue whose lesson is
     not there, hidden forces that no reader can find. A hint is no finding: an effect that a scene
-    lists in vain, or one that it misses much. Nor is what is so by default: it is counted, and
-    listed with --defaults.
+    lists in vain, or one that it misses much, a form whose last day is over. Nor is what is so by
+    default: it is counted, and listed with --defaults.
 
     \b
     carts check
@@ -57,7 +57,8 @@ def command(
             f"There are no lessons here (looked for {usual}). Go to the folder of your site first, "
             "or name a file: carts check my-lesson.md"
         )
-    found = check_paths(places, root, hints=True)
+    lessons = [place for place in places if place != root / SETTINGS]
+    found = check_paths(lessons, root, hints=True)
     if not paths or root / SETTINGS in places:
         found = [*findings(root), *found]
     counted = [] if defaults else [finding for finding in found if finding.code in (CODE, TEXT)]

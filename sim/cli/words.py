@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
+from typing import NoReturn
 
 import click
 
@@ -19,6 +20,16 @@ from sim.pages.translate.po_file import read_words, updated
 from sim.pages.translate.put_in import units_of
 
 
+class _Spoken(click.Choice[str]):
+    """A language that there is a catalogue of; what to do about another one."""
+
+    def fail(
+        self, message: str, param: click.Parameter | None = None, ctx: click.Context | None = None
+    ) -> NoReturn:
+        guide = "A new language is a catalogue and a line: docs/developers/add-a-language.md."
+        super().fail(f"{message} {guide}", param, ctx)
+
+
 @click.command("words")
 @click.argument(
     "paths",
@@ -30,7 +41,7 @@ from sim.pages.translate.put_in import units_of
     "--language",
     "languages",
     multiple=True,
-    type=click.Choice(OTHERS),
+    type=_Spoken(OTHERS),
     help="Only this one; may be given several times. Without it: all.",
 )
 @click.pass_context

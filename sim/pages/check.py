@@ -21,6 +21,7 @@ from sim.pages.preset_reach import presets_beyond_sliders
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
 from sim.pages.question.challenge import read_challenge_block
+from sim.pages.question.closed import closed_already
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
@@ -92,23 +93,23 @@ def _read(
         return waits_by_default(items.questions[-1], items) if hints else []
     if block.name == "challenge":
         read_challenge_block(block, lesson, ids, items.scenes, first_line=1)
-    elif block.name == "quiz":
+        return []
+    if block.name == "quiz":
         items.quizzes.append(read_quiz_block(block, lesson, ids, first_line=1))
-    else:
-        scene = read_scene_block(block, lesson, ids, first_line=1)
-        run = bake(scene.fence.plain)
-        if isinstance(run, list):
-            raise AuthorError(map(scene.places.finding, run))
-        items.scenes.append(scene.fence)
-        if scene.fence.predict:
-            items.asking = scene.fence.id
-        found = forces_nobody_finds(scene, run.header)
-        if hints:
-            called_for = relevance_hints(scene.fence.scene, scene.places)
-            doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene)]
-            return [*found, *watched_by_default(scene), *called_for, *doubts]
-        return found
-    return []
+        return closed_already(items.quizzes[-1]) if hints else []
+    scene = read_scene_block(block, lesson, ids, first_line=1)
+    run = bake(scene.fence.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(scene.places.finding, run))
+    items.scenes.append(scene.fence)
+    if scene.fence.predict:
+        items.asking = scene.fence.id
+    found = forces_nobody_finds(scene, run.header)
+    if hints:
+        called_for = relevance_hints(scene.fence.scene, scene.places)
+        doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene)]
+        return [*found, *watched_by_default(scene), *called_for, *doubts]
+    return found
 
 
 def _check_map(block: MapBlock) -> None:

@@ -1,7 +1,7 @@
 """What is wrong with the mkdocs.yml of a site, with its place, before anything is built.
 
 MkDocs says much of this too, but by its own names and without a line; of some it breaks off. What
-is not ours to know (settings of other plugins, files that a menu names) stays with it.
+is not ours to know (settings of other plugins) stays with it.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Any
 import yaml
 
 from sim.pages.findings import Finding, SiteError
+from sim.pages.menu_names import menu_findings
 from sim.pages.site_id import check_site_id
 from sim.scene.problem import did_you_mean, nearest
 
@@ -45,6 +46,7 @@ def settings_findings(root: Path, own: Mapping[str, Any]) -> list[Finding]:
     parts = {key.value: value for key, value in tree.value if isinstance(key, yaml.ScalarNode)}
     found = [*_names(tree.value), *_theme(parts.get("theme"))]
     found += [*_plugins(parts.get("plugins"), own), *_facts(parts.get("extra"))]
+    found += menu_findings(SETTINGS, root, parts)
     return sorted(found)
 
 

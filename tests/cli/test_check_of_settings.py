@@ -19,6 +19,14 @@ MISTAKES = [
     ("plugins:\n  - carts:\n      teacher_wort: X\n", "3:7", "no setting of carts", "teacher_word"),
     ("extra:\n  carts:\n    siteid: a-b\n", "3:5", "“siteid” says nothing", "“site_id”"),
     ("extra:\n  carts:\n    site_id: A b\n", "3:14", "not allowed", "my-school-physics"),
+    (
+        "nav:\n  - Home: index.md\n  - Lessons: worksheets/\n  - worksheets/cart.md\n"
+        "docs_dir: worksheets\n",
+        "4:5",
+        "the menu names “worksheets/cart.md”, and there is no such page",
+        "did you mean “worksheets/carts.md”?",
+    ),
+    ("nav:\n  - More:\n      - Home: home.md\n", "3:15", "“home.md”", "- Home: index.md"),
     ("- site_name\n", "1:1", "no list of settings", "site_name: My lessons"),
 ]
 
@@ -61,3 +69,14 @@ def test_what_other_plugins_and_extensions_are_told_is_theirs(site: Path) -> Non
     )
     (site / "mkdocs.yml").write_text(text, encoding="utf-8")
     assert CliRunner().invoke(main, ["check"]).exit_code == 0
+
+
+def test_a_menu_names_what_the_build_makes_and_what_is_elsewhere(site: Path) -> None:
+    (site / "worksheets" / "words" / "ms").mkdir(parents=True)
+    (site / "worksheets" / "words" / "ms" / "carts.po").write_text("", encoding="utf-8")
+    names = "index.md class-results.md worksheets/ worksheets/carts.md worksheets/ms/carts.md"
+    menu = "".join(f"  - {name}\n" for name in [*names.split(), "https://example.org/", "/a.html"])
+    text = f"site_name: a\nnav:\n{menu}docs_dir: worksheets\n"
+    (site / "mkdocs.yml").write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(main, ["check", "mkdocs.yml"])
+    assert result.output == "no findings\n"  # and it is read as no scene

@@ -91,3 +91,12 @@ def test_a_file_that_is_no_lesson_is_refused(lesson: Path) -> None:
     other.write_text("carts: {}\n", encoding="utf-8")
     result = CliRunner().invoke(main, ["words", str(other)])
     assert (result.exit_code, "scene.yml" in result.output) == (2, True)
+
+
+def test_a_language_without_a_catalogue_leads_to_the_guide(lesson: Path) -> None:
+    result = CliRunner().invoke(main, ["words", str(lesson), "--language", "de"])
+    assert result.exit_code == 2
+    assert "'de' is not one of 'ms'" in result.output
+    guide = "docs/developers/add-a-language.md"
+    assert guide in result.output
+    assert (Path(__file__).parents[2] / guide).is_file()

@@ -168,3 +168,57 @@ def test_a_misspelt_after_is_told(word: str, title: str) -> None:
 @pytest.mark.parametrize("word", ["after", "check after", "after a", "later", "water", "danger"])
 def test_a_note_of_another_kind_is_no_mistake(word: str) -> None:
     assert check_lesson(NOTE % f'!!! {word} "Title"', Lesson("a.md", (), ()), SiteIds()) == []
+
+
+QUIZ = """# A
+
+```quiz
+id: before
+form: pre
+title: Before
+mode: exam
+bank: small.yml
+close: {date: 2021-03-01}
+items: [net-force]
+```
+"""
+
+
+def test_a_form_whose_last_day_is_over_is_a_hint() -> None:
+    lesson = Lesson("a.md", (), (GOLDEN / "banks",))
+    (found,) = check_lesson(QUIZ, lesson, SiteIds(), hints=True)
+    assert (found.line, found.severity) == (9, "hint")
+    assert "closed on 2021-03-01" in found.message
+    assert not check_lesson(QUIZ, lesson, SiteIds())
+    open_still = QUIZ.replace("2021", "2121")
+    assert not check_lesson(open_still, lesson, SiteIds(), hints=True)
+
+
+OPTIONS = "# A\n\n```question\nid: why\ntype: single\nask: Why?\noptions:\n{}```\n"
+
+
+@pytest.mark.parametrize(
+    ("options", "line"),
+    [
+        ("  {text: a, correct: true}\n  - {text: b}\n  - c\n", 8),
+        ("  They are equal.\n  - A pushes harder.\n  - {text: c, correct: true}\n", 8),
+        ('  "They are equal."\n\n  # the wrong one\n  - A pushes harder.\n', 8),
+        ("  text: They are equal.\n  - text: A pushes harder.\n", 8),
+        ("  - {text: a}\n  {text: b, correct: true}\n  - c\n", 9),
+        ("  - text: a\n    correct: true\n  text: b\n  - c\n", 10),
+    ],
+)
+def test_the_line_of_a_list_without_its_dash_is_named_and_not_the_next(
+    options: str, line: int
+) -> None:
+    (found,) = check_lesson(OPTIONS.format(options), Lesson("a.md"), SiteIds())
+    assert (found.line, found.col) == (line, 3)
+    assert found.message.startswith("“- ” is missing in front of this line")
+
+
+@pytest.mark.parametrize(
+    "options", ["  - {text: a,\n  correct: true\n  - c\n", '  - "They are\n  equal.\n  - c\n']
+)
+def test_a_line_that_goes_on_needs_no_dash(options: str) -> None:
+    (found,) = check_lesson(OPTIONS.format(options), Lesson("a.md"), SiteIds())
+    assert "“- ”" not in found.message

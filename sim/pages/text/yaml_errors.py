@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from sim.pages.text.yaml_dash import no_dash
+
 
 class YamlError(ValueError):
     """What is wrong with a YAML text: line and column (from 1), message and hint.
@@ -70,6 +72,13 @@ def of_first_sign(line: str, problem: str) -> tuple[int, str, str] | None:
     closing = "]" if first == "[" else first
     hint = f"put the whole text in single quotes: '{text[:40]}'"
     return at, f"the text goes on after the closing {closing}", hint
+
+
+def of_neighbours(
+    lines: Sequence[str], line: int, problem: str
+) -> tuple[int, int, str, str] | None:
+    """Line and column (from 0), message and hint, where another line is the one to mend."""
+    return glued(lines, line, problem) or no_dash(lines, line)
 
 
 _GLUED = re.compile(r"(\s*(?:- +)?)([\w.-]+):(?![\s/])\S")

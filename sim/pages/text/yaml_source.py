@@ -22,8 +22,8 @@ from sim.pages.text.yaml_errors import (
     EXPLAINED,
     FOUND_TOO_LATE,
     YamlError,
-    glued,
     of_first_sign,
+    of_neighbours,
     unclosed,
 )
 from sim.pages.text.yaml_loader import RefusedError, composed
@@ -146,7 +146,7 @@ class _Reader:
         if "\t" in here[col : col + 1]:
             return self.error(line, col, "a tab character", "use spaces")
         last = error.problem_mark.line if error.problem_mark else 0
-        if told := unclosed(lines, last) or cut_off(text) or glued(lines, line, problem):
+        if told := unclosed(lines, last) or cut_off(text) or of_neighbours(lines, line, problem):
             return self.error(*told)
         if found := of_first_sign(here, problem):
             col, message, hint = found

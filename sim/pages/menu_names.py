@@ -1,0 +1,98 @@
+"""Pages that the menu of a site (`nav` in mkdocs.yml) names in vain, with their places.
+
+A build stops at such a name too, but without a line, and after all other work.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from sim.pages.effect_pages import PLACE, effect_pages
+from sim.pages.findings import Finding
+from sim.pages.language import LANGUAGES
+from sim.pages.lessons_only import CLASS_RESULTS, HOME
+from sim.pages.text.lesson_places import LESSONS
+from sim.pages.translate.catalogues import FOLDER
+from sim.scene.problem import did_you_mean
+
+
+def menu_findings(file: str, root: Path, settings: dict[Any, yaml.Node]) -> Iterator[Finding]:
+    """What `nav` names in vain. `settings`: the parts of `file` in `root`, by name."""
+    docs = settings.get("docs_dir")
+    folder = root / (docs.value if isinstance(docs, yaml.ScalarNode) and docs.value else "docs")
+    lessons = root / _lessons(settings.get("plugins"))
+    pages = _Pages(folder, lessons)
+    for node in _named(settings.get("nav")):
+        if _outside(node.value) or node.value in pages:
+            continue
+        told = f"the menu names “{node.value}”, and there is no such page"
+        hint = did_you_mean(
+            node.value, pages.names(), "the name of a file, as in: - Home: index.md"
+        )
+        mark = node.start_mark
+        yield Finding(file, mark.line + 1, mark.column + 1, "no-such-page", told, hint)
+
+
+class _Pages:
+    """The pages of a site before it is built: files, and what the build makes."""
+
+    def __init__(self, docs: Path, lessons: Path) -> None:
+        self.docs, self.lessons = docs, lessons
+        self.lessons_only = docs.resolve() == lessons.resolve()
+
+    def __contains__(self, name: str) -> bool:
+        if name in (PLACE, f"{self.lessons.name}/") or name in effect_pages():
+            return True
+        if name.startswith(f"{self.lessons.name}/"):
+            return self._is_lesson(name.partition("/")[2])
+        if self.lessons_only:
+            return name in (HOME, CLASS_RESULTS)
+        return (self.docs / name).is_file()
+
+    def _is_lesson(self, name: str) -> bool:
+        if (self.lessons / name).is_file():
+            return True
+        language, _, original = name.partition("/")  # made of the original and a catalogue
+        words = (self.lessons / FOLDER / language / original).with_suffix(".po")
+        return language in LANGUAGES and words.is_file() and (self.lessons / original).is_file()
+
+    def names(self) -> list[str]:
+        """Those that may have been meant."""
+        if self.lessons_only:
+            found = [HOME, CLASS_RESULTS]
+        else:
+            found = [path.relative_to(self.docs).as_posix() for path in self.docs.rglob("*.md")]
+        return [*found, *(f"{self.lessons.name}/{path.name}" for path in self.lessons.glob("*.md"))]
+
+
+def _named(node: yaml.Node | None) -> Iterator[yaml.ScalarNode]:
+    """What stands in a menu for a page or a folder of pages."""
+    if isinstance(node, yaml.ScalarNode):
+        if node.tag.endswith(":str"):
+            yield node
+    elif isinstance(node, yaml.SequenceNode):
+        for entry in node.value:
+            yield from _named(entry)
+    elif isinstance(node, yaml.MappingNode):
+        for _, entry in node.value:
+            yield from _named(entry)
+
+
+def _outside(name: str) -> bool:
+    """Whether it is an address and no page of this site."""
+    return "://" in name or name.startswith(("/", "#", "mailto:"))
+
+
+def _lessons(plugins: yaml.Node | None) -> str:
+    """The folder of lessons: ours, or as the plugin is told."""
+    for entry in plugins.value if isinstance(plugins, yaml.SequenceNode) else []:
+        for name, own in entry.value if isinstance(entry, yaml.MappingNode) else []:
+            if name.value == "carts" and isinstance(own, yaml.MappingNode):
+                for key, value in own.value:
+                    if key.value == "lessons" and isinstance(value, yaml.ScalarNode):
+                        return str(value.value)
+    return LESSONS
