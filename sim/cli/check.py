@@ -57,8 +57,8 @@ def command(
             f"There are no lessons here (looked for {usual}). Go to the folder of your site first, "
             "or name a file: carts check my-lesson.md"
         )
-    lessons = [place for place in places if place != root / SETTINGS]
-    found = check_paths(lessons, root, hints=True)
+    readable = [place for place in places if place != root / SETTINGS]
+    found = check_paths(readable, root, hints=True)
     if not paths or root / SETTINGS in places:
         found = [*findings(root), *found]
     counted = [] if defaults else [finding for finding in found if finding.code in (CODE, TEXT)]

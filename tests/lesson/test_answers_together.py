@@ -101,7 +101,8 @@ def test_readings_and_drafts_are_no_answers_where_the_browser_keeps_nothing() ->
 def test_a_curve_that_is_changed_leaves_the_one_of_before() -> None:
     script = """const box = () => Object.assign(new EventTarget(), { valueAsNumber: NaN });
     const part = { getAttribute: () => null, setAttribute() {} };
-    const pad = Object.assign(new EventTarget(), { querySelector: () => part, querySelectorAll: () => [] });
+    const found = { querySelector: () => part, querySelectorAll: () => [] };
+    const pad = Object.assign(new EventTarget(), found);
     const boxes = data.map(box);
     const root = { querySelector: () => pad, querySelectorAll: () => boxes };
     const { CurveForm } = await load("predict/curve.js");

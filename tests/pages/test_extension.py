@@ -246,7 +246,8 @@ def test_without_v8_a_build_says_one_sentence(
 
 
 def test_a_question_waits_for_found_forces_only_where_a_scene_hides_them() -> None:
-    asked = "\n```question\nid: why\ntype: single\nask: Why?\nafter: one.forces\noptions: [{text: a, correct: true}, b]\n```\n"
+    options = "options: [{text: a, correct: true}, b]"
+    asked = f"\n```question\nid: why\ntype: single\nask: Why?\nafter: one.forces\n{options}\n```\n"
     hidden = SCENE.replace("id: one\n", "id: one\nforces: hidden\nshow: [v]\n")
     assert 'data-after="one" data-found' in html(hidden + asked)
     found = check_lesson(SCENE + asked, Lesson("lesson.md"), SiteIds())

@@ -91,8 +91,8 @@ class PageItems:
             elif after != scene and scenes[scene].forces != "hidden":
                 message = f"the forces of “{scene}” are shown: there are none to find"
                 hint = f"after: {scene}; or write forces: hidden into the scene"
-                problem = Problem(("after",), "nothing-to-find", message, hint)
-                yield block.places.finding(problem)
+                shown = Problem(("after",), "nothing-to-find", message, hint)
+                yield block.places.finding(shown)
             if idea := self._no_such_idea(block.question.common.idea):
                 yield block.places.finding(idea)
             if isinstance(block.question, (Reading, Drawn)):

@@ -805,10 +805,30 @@
     }
   };
 
+  // src/shared/spreadsheet.js
+  var CELL = /("(?:[^"]|"")*"|[^,\r\n"]*)(,|\r?\n|$)/g;
+  var NUMBER = /^-?\d+(?:\.\d+)?(?:e[+-]?\d+)?$/i;
+  function forSpreadsheet(csv, language = navigator.language) {
+    if (!hasComma(language)) return csv;
+    return csv.replace(CELL, (_, cell, end) => written(cell) + (end === "," ? ";" : end));
+  }
+  function written(cell) {
+    if (NUMBER.test(cell)) return cell.replace(".", ",");
+    return cell.includes(";") && !cell.startsWith('"') ? `"${cell}"` : cell;
+  }
+  function hasComma(language) {
+    try {
+      return new Intl.NumberFormat(language).format(0.5).includes(",");
+    } catch {
+      return false;
+    }
+  }
+
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text, type) {
-    downloadBlob(name, new Blob([text], { type }));
+    const saved = type === "text/csv" ? forSpreadsheet(text) : text;
+    downloadBlob(name, new Blob([saved], { type }));
   }
   function downloadBlob(name, blob) {
     const link = document.createElement("a");
@@ -1958,9 +1978,9 @@
       if (own === null) return made("open", null, marks);
       return near(value, own, key.relative ? Math.abs(own) * key.tolerance : key.tolerance, marks);
     },
-    long: ({ marks }, value) => written(value, marks),
+    long: ({ marks }, value) => written2(value, marks),
     short({ key, marks }, value) {
-      if (typeof value !== "string" || !key.accept.length) return written(value, marks);
+      if (typeof value !== "string" || !key.accept.length) return written2(value, marks);
       const said = plain(value);
       const named = (texts) => texts.some((text) => plain(text) === said);
       if (named(key.accept)) return whole(true, false, marks);
@@ -2039,7 +2059,7 @@
     );
     return whole(right, some, of, shown, beliefs);
   }
-  function written(value, of) {
+  function written2(value, of) {
     return typeof value === "string" ? made("open", null, of, ["explain"]) : made("unclear", null, of, ["explain"]);
   }
   function known(key, k, of) {
@@ -2725,7 +2745,7 @@
 
   // src/question/marking/typed-number.js
   var LONGEST3 = 40;
-  var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var NUMBER2 = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   var BARE = /^[\s+\-−–\d.,eE]*$/;
   function withUnit(typed, unit) {
     const text = typed.trim();
@@ -2740,7 +2760,7 @@
     if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);
     if (grouped2) return { problem: grouped2 };
-    const found2 = NUMBER.exec(text);
+    const found2 = NUMBER2.exec(text);
     if (!found2 || /^[.,]/.test(found2[2] ?? ""))
       return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number3 = String(found2[1]);

@@ -467,12 +467,12 @@
     }
   };
   function html2(strings, ...values) {
-    let written = strings[0] ?? "";
+    let written2 = strings[0] ?? "";
     values.forEach((value, k) => {
       const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+      written2 += quote + asText(value) + quote + (strings[k + 1] ?? "");
     });
-    return new Markup(written);
+    return new Markup(written2);
   }
   function asText(value) {
     if (Array.isArray(value)) return value.map(asText).join("");
@@ -3287,8 +3287,8 @@
   async function gunzip(parts2) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts2.map((part) => writer.write(part)), writer.close()]);
-    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    const written2 = Promise.all([...parts2.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written2]);
     return bytes;
   }
 
@@ -3355,8 +3355,8 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write(zip.writable.getWriter(), parts2);
-    const [module] = await Promise.all([compiled, written]);
+    const written2 = write(zip.writable.getWriter(), parts2);
+    const [module] = await Promise.all([compiled, written2]);
     return module;
   }
   async function write(writer, parts2) {
@@ -6411,10 +6411,30 @@
     return button;
   }
 
+  // src/shared/spreadsheet.js
+  var CELL = /("(?:[^"]|"")*"|[^,\r\n"]*)(,|\r?\n|$)/g;
+  var NUMBER = /^-?\d+(?:\.\d+)?(?:e[+-]?\d+)?$/i;
+  function forSpreadsheet(csv2, language = navigator.language) {
+    if (!hasComma(language)) return csv2;
+    return csv2.replace(CELL, (_2, cell3, end2) => written(cell3) + (end2 === "," ? ";" : end2));
+  }
+  function written(cell3) {
+    if (NUMBER.test(cell3)) return cell3.replace(".", ",");
+    return cell3.includes(";") && !cell3.startsWith('"') ? `"${cell3}"` : cell3;
+  }
+  function hasComma(language) {
+    try {
+      return new Intl.NumberFormat(language).format(0.5).includes(",");
+    } catch {
+      return false;
+    }
+  }
+
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text, type) {
-    downloadBlob(name, new Blob([text], { type }));
+    const saved = type === "text/csv" ? forSpreadsheet(text) : text;
+    downloadBlob(name, new Blob([saved], { type }));
   }
   function downloadBlob(name, blob) {
     const link = document.createElement("a");
@@ -7843,8 +7863,8 @@ ${lines4.join("\n")}
   function pushes2(run, t3, view, carts) {
     const zero = NOISE * (view.force || 1);
     return ["left", ...carts, "right"].flatMap(
-      (name) => forcesAlong(run, name, t3, zero).flatMap(({ name: force2, value, size: written }) => {
-        const size = written ?? fixed(Math.abs(value), view.decimals.F ?? 2);
+      (name) => forcesAlong(run, name, t3, zero).flatMap(({ name: force2, value, size: written2 }) => {
+        const size = written2 ?? fixed(Math.abs(value), view.decimals.F ?? 2);
         if (!value || !Number(size)) return [];
         const told4 = { force: capital(force2), size: `${size} N` };
         return value < 0 ? tr("{force}: {size} to the left.", told4) : tr("{force}: {size} to the right.", told4);
@@ -8090,8 +8110,8 @@ ${lines4.join("\n")}
       put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
       put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
-    #sentence({ name, way, value, size: written }, cut) {
-      const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
+    #sentence({ name, way, value, size: written2 }, cut) {
+      const size = `${written2 ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
       const told4 = { name, size };
       const ways = way === "up" ? [tr("{name}: {size} down", told4), tr("{name}: {size} up", told4)] : [tr("{name}: {size} to the left", told4), tr("{name}: {size} to the right", told4)];
       const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];

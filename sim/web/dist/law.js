@@ -169,10 +169,30 @@
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
+  // src/shared/spreadsheet.js
+  var CELL = /("(?:[^"]|"")*"|[^,\r\n"]*)(,|\r?\n|$)/g;
+  var NUMBER = /^-?\d+(?:\.\d+)?(?:e[+-]?\d+)?$/i;
+  function forSpreadsheet(csv, language = navigator.language) {
+    if (!hasComma(language)) return csv;
+    return csv.replace(CELL, (_, cell, end2) => written(cell) + (end2 === "," ? ";" : end2));
+  }
+  function written(cell) {
+    if (NUMBER.test(cell)) return cell.replace(".", ",");
+    return cell.includes(";") && !cell.startsWith('"') ? `"${cell}"` : cell;
+  }
+  function hasComma(language) {
+    try {
+      return new Intl.NumberFormat(language).format(0.5).includes(",");
+    } catch {
+      return false;
+    }
+  }
+
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text, type) {
-    downloadBlob(name, new Blob([text], { type }));
+    const saved = type === "text/csv" ? forSpreadsheet(text) : text;
+    downloadBlob(name, new Blob([saved], { type }));
   }
   function downloadBlob(name, blob) {
     const link = document.createElement("a");
@@ -846,12 +866,12 @@
     }
   };
   function html2(strings, ...values) {
-    let written = strings[0] ?? "";
+    let written2 = strings[0] ?? "";
     values.forEach((value, k) => {
       const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+      written2 += quote + asText(value) + quote + (strings[k + 1] ?? "");
     });
-    return new Markup(written);
+    return new Markup(written2);
   }
   function asText(value) {
     if (Array.isArray(value)) return value.map(asText).join("");
@@ -3107,8 +3127,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
-    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    const written2 = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written2]);
     return bytes;
   }
 
@@ -3175,8 +3195,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write3(zip.writable.getWriter(), parts);
-    const [module] = await Promise.all([compiled, written]);
+    const written2 = write3(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written2]);
     return module;
   }
   async function write3(writer, parts) {

@@ -59,10 +59,30 @@
     }
   };
 
+  // src/shared/spreadsheet.js
+  var CELL = /("(?:[^"]|"")*"|[^,\r\n"]*)(,|\r?\n|$)/g;
+  var NUMBER = /^-?\d+(?:\.\d+)?(?:e[+-]?\d+)?$/i;
+  function forSpreadsheet(csv, language = navigator.language) {
+    if (!hasComma(language)) return csv;
+    return csv.replace(CELL, (_, cell, end) => written(cell) + (end === "," ? ";" : end));
+  }
+  function written(cell) {
+    if (NUMBER.test(cell)) return cell.replace(".", ",");
+    return cell.includes(";") && !cell.startsWith('"') ? `"${cell}"` : cell;
+  }
+  function hasComma(language) {
+    try {
+      return new Intl.NumberFormat(language).format(0.5).includes(",");
+    } catch {
+      return false;
+    }
+  }
+
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text2, type) {
-    downloadBlob(name, new Blob([text2], { type }));
+    const saved = type === "text/csv" ? forSpreadsheet(text2) : text2;
+    downloadBlob(name, new Blob([saved], { type }));
   }
   function downloadBlob(name, blob) {
     const link = document.createElement("a");
@@ -2562,8 +2582,8 @@
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
-    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    const written2 = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written2]);
     return bytes;
   }
 
@@ -2630,8 +2650,8 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write2(zip.writable.getWriter(), parts);
-    const [module] = await Promise.all([compiled, written]);
+    const written2 = write2(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written2]);
     return module;
   }
   async function write2(writer, parts) {

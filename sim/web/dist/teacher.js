@@ -388,8 +388,8 @@
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written2 = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
-    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written2]);
+    const written3 = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written3]);
     return bytes;
   }
 
@@ -456,8 +456,8 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written2 = write(zip.writable.getWriter(), parts);
-    const [module] = await Promise.all([compiled, written2]);
+    const written3 = write(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written3]);
     return module;
   }
   async function write(writer, parts) {
@@ -1461,12 +1461,12 @@
     }
   };
   function html2(strings, ...values) {
-    let written2 = strings[0] ?? "";
+    let written3 = strings[0] ?? "";
     values.forEach((value, k) => {
       const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written2 += quote + asText(value) + quote + (strings[k + 1] ?? "");
+      written3 += quote + asText(value) + quote + (strings[k + 1] ?? "");
     });
-    return new Markup(written2);
+    return new Markup(written3);
   }
   function asText(value) {
     if (Array.isArray(value)) return value.map(asText).join("");
@@ -3454,10 +3454,30 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     });
   }
 
+  // src/shared/spreadsheet.js
+  var CELL = /("(?:[^"]|"")*"|[^,\r\n"]*)(,|\r?\n|$)/g;
+  var NUMBER = /^-?\d+(?:\.\d+)?(?:e[+-]?\d+)?$/i;
+  function forSpreadsheet(csv, language = navigator.language) {
+    if (!hasComma(language)) return csv;
+    return csv.replace(CELL, (_, cell, end2) => written2(cell) + (end2 === "," ? ";" : end2));
+  }
+  function written2(cell) {
+    if (NUMBER.test(cell)) return cell.replace(".", ",");
+    return cell.includes(";") && !cell.startsWith('"') ? `"${cell}"` : cell;
+  }
+  function hasComma(language) {
+    try {
+      return new Intl.NumberFormat(language).format(0.5).includes(",");
+    } catch {
+      return false;
+    }
+  }
+
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text2, type) {
-    downloadBlob(name, new Blob([text2], { type }));
+    const saved = type === "text/csv" ? forSpreadsheet(text2) : text2;
+    downloadBlob(name, new Blob([saved], { type }));
   }
   function downloadBlob(name, blob) {
     const link = document.createElement("a");

@@ -86,9 +86,11 @@ def test_a_velocity_that_goes_with_the_push_differs_from_one_that_grows_with_it(
 
 UNDER = """(name) => {
   const pad = document.querySelector(`#${name} .carts-pad`);
-  const lines = [...pad.querySelectorAll('[data-part]')].filter((line) => line.getTotalLength() > 0);
-  const points = lines.flatMap((line) =>
-    Array.from({ length: 400 }, (_, k) => line.getPointAtLength((line.getTotalLength() * k) / 399)));
+  const points = [...pad.querySelectorAll("[data-part]")].flatMap((line) => {
+    const whole = line.getTotalLength();
+    const at = (k) => line.getPointAtLength((whole * k) / 399);
+    return whole ? Array.from({ length: 400 }, (_, k) => at(k)) : [];
+  });
   return [...pad.querySelectorAll("[data-way]")].filter((text) => {
     const { x, y, width, height } = text.getBBox();
     return points.some((p) => p.x > x && p.x < x + width && p.y > y && p.y < y + height);
