@@ -52,6 +52,20 @@ def test_answers_are_listed_as_their_questions_stand(
     assert said.nth(1).inner_text() == "last on the page"
 
 
+@pytest.mark.one_browser
+def test_a_file_counts_as_the_line_at_the_foot_does_and_says_what_is_more(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    """“14 of 17” stood beside “21 answers”."""
+    page = ready(open_page(question_site / "kinds.html"))
+    answer_everything(page)
+    expect(page.locator(".carts-bar-count")).to_have_text("7 of 7")
+    page.locator(".carts-bar-open").click()
+    held = page.locator(".carts-answers-name")
+    expect(held).to_contain_text("7 of 7 questions + 1 more answer ·")
+    expect(held).not_to_contain_text("8 answers")
+
+
 def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site: Path) -> None:
     page = ready(open_page(question_site / "kinds.html"))
     page.locator("#why textarea").fill("from somebody")

@@ -34,16 +34,12 @@ function rows(book, told) {
   if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
   return files.map((file) => {
     const row = html("div", "carts-answers-file");
-    const count = file.content.items.length;
     const last = file.content.items
       .map((/** @type {any} */ item) => item.last)
       .sort()
       .pop();
     const name = html("span", "carts-answers-name");
-    name.append(
-      html("strong", "", file.lesson),
-      ` · ${NAMES[file.form]} · ${counted("1 answer", "{n} answers", count)}`,
-    );
+    name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${held(book, file)}`);
     if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
     const asked = html("p", "carts-answers-whose");
     const keep = (/** @type {string} */ student) => {
@@ -82,6 +78,21 @@ function rows(book, told) {
     row.append(name, save, " ", csv, asked);
     return row;
   });
+}
+
+/**
+ * How much a file holds; that of this page as the line at the foot counts it, and what goes beyond: parts for
+ * who has time, found forces, earlier answers. Two numbers for one page would be a riddle.
+ * @param {import("./book.js").Book} book @param {import("./file.js").AnswerFile} file @returns {string}
+ */
+function held(book, { form, page, content }) {
+  const all = content.items.length;
+  const { done, of } = book.progress();
+  if (form !== "worksheet" || page !== book.page || !of)
+    return counted("1 answer", "{n} answers", all);
+  const asked = tr("{part} of {all} questions", { part: done, all: of });
+  const more = all - done;
+  return more > 0 ? `${asked} + ${counted("1 more answer", "{n} more answers", more)}` : asked;
 }
 
 /** A file without a code word tells the teacher nothing of whose it is: asked for once more. */

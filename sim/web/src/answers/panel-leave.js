@@ -1,7 +1,6 @@
 /** Leaving a shared laptop: clear one's own answers, or everything; and where answers are kept. */
 
 import { tr } from "../../../view/language.js";
-import { anyWaits, openAll } from "../question/gate.js";
 import { html } from "../shared/dom.js";
 import { forgetTab } from "../shared/tab.js";
 import { askingButton, part } from "./parts.js";
@@ -31,19 +30,6 @@ export function leavePart(book) {
       "carts-answers-delete",
     ),
   );
-  if (anyWaits()) {
-    const key = askingButton(
-      tr("Open all questions"),
-      tr("For teachers: some questions of this page open when their run was watched."),
-      tr("Open them now"),
-      () => {
-        openAll();
-        key.replaceChildren(tr("All questions of this page are open now."));
-      },
-      "carts-answers-open-all",
-    );
-    root.append(key);
-  }
   return root;
 }
 

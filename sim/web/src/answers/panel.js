@@ -5,6 +5,7 @@ import { html } from "../shared/dom.js";
 import { filesPart } from "./panel-files.js";
 import { leavePart } from "./panel-leave.js";
 import { listPart } from "./panel-list.js";
+import { teachersPart } from "./panel-teachers.js";
 import { whoPart } from "./panel-who.js";
 
 export class Panel {
@@ -49,6 +50,7 @@ export class Panel {
       files.root,
       listPart(this.book),
       leavePart(this.book),
+      teachersPart(),
     );
     if (!this.root.open) this.root.showModal();
   }

@@ -72,7 +72,7 @@ function arrives(element) {
   });
 }
 
-const KEY = "carts-teacher-word"; // its checksum, once it was given in this tab
+export const KEY = "carts-teacher-word"; // its checksum, once it was given in this tab
 
 /** Resolves when the word was given. @param {HTMLElement} link @param {string} sum @returns {Promise<boolean>} */
 function ask(link, sum) {
