@@ -200,3 +200,22 @@ def test_a_field_is_set_and_what_cannot_be_said_is_refused() -> None:
     assert made == {"text": SCENE.format(mass="2 kg")}
     gone = teach_answer({**request, "path": ["carts", "Z", "mass"], "value": "2"})[0]
     assert "no longer there" in gone["refused"]
+
+
+SCALES = "```scene\nid: one\ncarts: {A: {mass: 0.5 kg, position: 0.4 m}}\nuntil: 2 s\n```\n"
+
+
+@pytest.mark.parametrize(
+    ("typed", "written"),
+    [("750", ""), ("750,0", ""), ("750 g", "750 g"), ("750 kg", "750 kg"), ("0.75", "0.75")],
+)
+def test_a_mass_typed_in_grams_over_kilograms_is_asked_about(typed: str, written: str) -> None:
+    """“750” over “0.5 kg” made a cart of 750 kg, and nothing was said."""
+    path = ["carts", "A", "mass"]
+    request = {"do": "set", "text": SCALES, "block": 0, "path": path, "value": typed}
+    answer, _ = teach_answer(request)
+    if written:
+        assert answer["text"] == SCALES.replace("0.5 kg", written)
+    else:
+        assert answer["refused"].startswith(f"{typed} kg? Carts weigh 0.1 to 5 kg.")
+        assert f"Type {typed} g for grams" in answer["refused"]

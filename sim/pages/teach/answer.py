@@ -20,6 +20,7 @@ from typing import Any
 
 from sim.pages.question.challenge import usual_id
 from sim.pages.scene_block import Lesson
+from sim.pages.teach.doubt import doubt
 from sim.pages.teach.edit import CannotWriteError, with_value
 from sim.pages.teach.fields import TRUTH, fields
 from sim.pages.teach.frame import Site
@@ -93,6 +94,8 @@ def _set(request: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _changed(text: str, block: int, path: KeyPath, value: str) -> str:
+    if asked := doubt(path, value):
+        raise CannotWriteError(asked)
     if is_rightness(path) and value in TRUTH:
         return with_right(text, block, int(path[1]), right=value == "true")
     return with_value(text, block, path, value)
