@@ -93,6 +93,21 @@ def test_half_way_through_a_contact_nothing_is_there_of_what_comes_after(watched
 
 
 @pytest.mark.one_browser
+def test_on_paper_are_axes_to_draw_in_and_no_empty_list_and_table(watched: Page) -> None:
+    watched.emulate_media(media="print")
+    dead = [watched.locator(one).first for one in (".carts-story", ".carts-timeline")]
+    tables = watched.locator(".carts-graph .carts-more")
+    for part in (*dead, tables.first):
+        expect(part).to_be_hidden()
+    expect(watched.locator(".carts-graph .carts-plot").first).to_be_visible()
+    watched.emulate_media(media="screen")
+    watched.locator(".carts-end").click()
+    watched.emulate_media(media="print")
+    for part in (*dead, tables.first):
+        expect(part).to_be_visible()
+
+
+@pytest.mark.one_browser
 def test_a_reader_goes_back_at_once_and_forth_as_far_as_was_seen(watched: Page) -> None:
     on_scene(watched, "el.time = 0.3", name="watched")
     watched.locator(".carts-scrub").focus()
@@ -183,8 +198,11 @@ def test_of_ready_made_settings_each_is_watched_before_all_of_them_are_known(
 ) -> None:
     page = live(open_page(put(widget_site, "presets", PRESETS)), "presets")
     scene, left = page.locator("#presets"), page.locator("#presets .carts-presets-left")
+    heading = scene.locator(".carts-predict > .carts-heading")
     scene.locator("input[type=radio]").first.check()
+    expect(heading).to_have_text("Predict first")
     scene.locator(".carts-lock").click()
+    expect(heading).to_have_text("Your prediction")  # also while others are still to be watched
     scene.locator(".carts-end").click()
     expect(left).to_have_text("Still to watch: elastic, heavy")
     expect(scene.locator(".carts-slider").first).to_be_enabled()

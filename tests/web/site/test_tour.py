@@ -81,7 +81,13 @@ def test_nothing_is_hinted_at_before_a_prediction_is_locked(
 
 
 @pytest.mark.one_browser
-@pytest.mark.parametrize("name", ["index", "sandbox", *(f"worksheets/{one}" for one in LESSONS)])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("index", "sandbox", "physics/effects/incline", "physics/effects/push"),
+        *(f"worksheets/{one}" for one in LESSONS),
+    ],
+)
 @pytest.mark.parametrize("size", [SMALL, LAPTOP], ids=["phone", "laptop"])
 def test_a_hint_covers_no_cart_and_no_arrow(
     name: str, size: dict[str, int], site: Path, open_page: OpenPage

@@ -45,6 +45,7 @@ export class Predict {
     this.forgotten = forgotten;
     this.locked = (/** @type {boolean} */ now) => {
       draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
+      say(need(root, ".carts-heading"), tr("Your prediction")); // nothing is asked any more
       locked(now);
     };
     this.#keeping = new Keeping(root, baked.fence.id);
@@ -152,7 +153,6 @@ export class Predict {
     }
     this.why.show(why ?? "");
     this.again.offer();
-    say(need(this.root, ".carts-heading"), tr("Your prediction"));
     this.root.classList.add("carts-locked");
   }
 

@@ -103,12 +103,14 @@ function point(scene, card, text, hint) {
   settle(scene, card);
 }
 
-/** In the sky; at the foot where it would cover less of what moves. @param {Scene} scene @param {HTMLElement} card */
+/** In the sky; at the foot where it would cover less of what moves, above the line of what is in this model. @param {Scene} scene @param {HTMLElement} card */
 function settle(scene, card) {
   delete card.dataset.low; // no class: a change of class asks for a look at the hints
   const sky = covered(scene, card);
   if (sky === 0) return;
   card.dataset.low = "";
+  const foot = scene.querySelector(".carts-world > p.carts-acting");
+  card.style.setProperty("--foot", `${foot?.getBoundingClientRect().height ?? 0}px`);
   if (covered(scene, card) >= sky) delete card.dataset.low;
 }
 
