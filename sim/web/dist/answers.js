@@ -1163,13 +1163,9 @@
     if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
     return files.map((file) => {
       const row = html("div", "carts-answers-file");
-      const count = file.content.items.length;
       const last = file.content.items.map((item2) => item2.last).sort().pop();
       const name = html("span", "carts-answers-name");
-      name.append(
-        html("strong", "", file.lesson),
-        ` · ${NAMES[file.form]} · ${counted("1 answer", "{n} answers", count)}`
-      );
+      name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${held(book2, file)}`);
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
       const asked = html("p", "carts-answers-whose");
       const keep = (student) => {
@@ -1209,6 +1205,15 @@
       row.append(name, save, " ", csv, asked);
       return row;
     });
+  }
+  function held(book2, { form: form2, page, content }) {
+    const all = content.items.length;
+    const { done, of } = book2.progress();
+    if (form2 !== "worksheet" || page !== book2.page || !of)
+      return counted("1 answer", "{n} answers", all);
+    const asked = tr("{part} of {all} questions", { part: done, all: of });
+    const more = all - done;
+    return more > 0 ? `${asked} + ${counted("1 more answer", "{n} more answers", more)}` : asked;
   }
   function askWhose(place2, book2, keep) {
     const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
@@ -1286,38 +1291,6 @@
     return row;
   }
 
-  // src/question/gate.js
-  var OPEN_ALL = "carts-open-questions";
-  function wait(element, answered, signal) {
-    const id = element.dataset.after;
-    if (!id || element.dataset.opened !== void 0) return;
-    const open2 = () => element.dataset.opened = "";
-    const scene = document.getElementById(id);
-    const seen = element.dataset.found === void 0 ? "watched" : "found";
-    const shown = () => !scene || [seen, "reason"].some((name) => name in scene.dataset);
-    if (answered || shown()) return open2();
-    for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
-      document.addEventListener(kind, () => shown() && open2(), { signal });
-    }
-    document.addEventListener(OPEN_ALL, open2, { signal });
-  }
-  var CartsAfter = class extends HTMLElement {
-    #leaving = new AbortController();
-    connectedCallback() {
-      this.#leaving = new AbortController();
-      wait(this, false, this.#leaving.signal);
-    }
-    disconnectedCallback() {
-      this.#leaving.abort();
-    }
-  };
-  function anyWaits() {
-    return document.querySelector("[data-after]:not([data-opened])") !== null;
-  }
-  function openAll2() {
-    document.dispatchEvent(new Event(OPEN_ALL));
-  }
-
   // src/answers/panel-leave.js
   function leavePart(book2) {
     const root = part("leave", tr("Before you leave this computer"));
@@ -1343,19 +1316,6 @@
         "carts-answers-delete"
       )
     );
-    if (anyWaits()) {
-      const key = askingButton(
-        tr("Open all questions"),
-        tr("For teachers: some questions of this page open when their run was watched."),
-        tr("Open them now"),
-        () => {
-          openAll2();
-          key.replaceChildren(tr("All questions of this page are open now."));
-        },
-        "carts-answers-open-all"
-      );
-      root.append(key);
-    }
     return root;
   }
   function whereKept(book2) {
@@ -1731,6 +1691,166 @@
     return typeof value === "string" ? value : JSON.stringify(value);
   }
 
+  // src/question/gate.js
+  var OPEN_ALL = "carts-open-questions";
+  function wait(element, answered, signal) {
+    const id = element.dataset.after;
+    if (!id || element.dataset.opened !== void 0) return;
+    const open2 = () => element.dataset.opened = "";
+    const scene = document.getElementById(id);
+    const seen = element.dataset.found === void 0 ? "watched" : "found";
+    const shown = () => !scene || [seen, "reason"].some((name) => name in scene.dataset);
+    if (answered || shown()) return open2();
+    for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
+      document.addEventListener(kind, () => shown() && open2(), { signal });
+    }
+    document.addEventListener(OPEN_ALL, open2, { signal });
+  }
+  var CartsAfter = class extends HTMLElement {
+    #leaving = new AbortController();
+    connectedCallback() {
+      this.#leaving = new AbortController();
+      wait(this, false, this.#leaving.signal);
+    }
+    disconnectedCallback() {
+      this.#leaving.abort();
+    }
+  };
+  function anyWaits() {
+    return document.querySelector("[data-after]:not([data-opened])") !== null;
+  }
+  function openAll2() {
+    document.dispatchEvent(new Event(OPEN_ALL));
+  }
+
+  // src/teach/door.js
+  var OPEN = "carts-teach";
+  function teacherDoor() {
+    const link = document.querySelector(".carts-teach-door a");
+    if (!(link instanceof HTMLAnchorElement)) return;
+    const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
+    const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
+    let loaded = null;
+    const open2 = async () => {
+      if (!await letIn()) return;
+      loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
+      try {
+        await loaded;
+        document.dispatchEvent(new Event(OPEN));
+      } catch {
+        loaded = null;
+        link.textContent = "Teacher mode cannot be loaded: a file of this site is missing.";
+      }
+    };
+    const letIn = () => {
+      const sum = link.dataset.word;
+      return !sum || recall(KEY) === sum || ask(link, sum);
+    };
+    const wanted2 = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      history.pushState(null, "", link.href);
+      void open2();
+    });
+    addEventListener("hashchange", () => {
+      if (location.hash === "#teacher") void open2();
+    });
+    if (wanted2()) void open2();
+  }
+  function script(address) {
+    const made2 = document.createElement("script");
+    made2.src = address;
+    return arrives(made2);
+  }
+  function style(address) {
+    const made2 = document.createElement("link");
+    made2.rel = "stylesheet";
+    made2.href = address;
+    return arrives(made2);
+  }
+  function arrives(element) {
+    return new Promise((resolve, reject) => {
+      element.onload = resolve;
+      element.onerror = reject;
+      document.head.append(element);
+    });
+  }
+  var KEY = "carts-teacher-word";
+  function ask(link, sum) {
+    const place2 = (
+      /** @type {HTMLElement} */
+      link.parentElement
+    );
+    const asking = place2.querySelector("input");
+    asking?.focus();
+    if (asking) return Promise.resolve(false);
+    const form2 = document.createElement("form");
+    const label = html("label", "", `${tr("Your teacher's word")} `);
+    const box = document.createElement("input");
+    Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
+    const button2 = Object.assign(html("button", "carts-button", tr("Open")), { type: "submit" });
+    const wrong2 = html("span", "carts-error");
+    wrong2.setAttribute("role", "alert");
+    label.append(box);
+    form2.append(label, " ", button2, " ", wrong2);
+    place2.append(form2);
+    box.focus();
+    if (document.readyState !== "complete")
+      addEventListener("load", () => requestAnimationFrame(() => box.focus()), { once: true });
+    return new Promise((resolve) => {
+      form2.addEventListener("submit", (event) => {
+        event.preventDefault();
+        if (wordSum("teacher", box.value) !== sum) {
+          wrong2.textContent = tr("That is not the word.");
+          return;
+        }
+        retain(KEY, sum);
+        form2.remove();
+        resolve(true);
+      });
+    });
+  }
+
+  // src/answers/panel-teachers.js
+  function teachersPart() {
+    if (!anyWaits()) return "";
+    const root = html("details", "carts-answers-part carts-answers-teachers");
+    const told2 = status();
+    const sum = wanted();
+    const box = document.createElement("input");
+    Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
+    const label = html("label", "", `${tr("Your teacher's word")} `);
+    label.append(box);
+    const key = askingButton(
+      tr("Open all questions"),
+      tr(
+        "All questions and texts of this page that wait for a run open at once, and tell what it shows. Open them?"
+      ),
+      tr("Open them now"),
+      () => {
+        if (sum && wordSum("teacher", box.value) !== sum) {
+          return say(told2, tr("That is not the word."));
+        }
+        if (sum) retain(KEY, sum);
+        openAll2();
+        label.remove();
+        key.remove();
+        return say(told2, tr("All questions of this page are open now."));
+      },
+      "carts-answers-open-all"
+    );
+    root.append(html("summary", "", tr("For teachers")), ...sum ? [label] : [], key, told2);
+    return root;
+  }
+  function wanted() {
+    const link = (
+      /** @type {HTMLElement | null} */
+      document.querySelector(".carts-teach-door a")
+    );
+    const sum = link?.dataset.word ?? "";
+    return recall(KEY) === sum ? "" : sum;
+  }
+
   // src/answers/panel-who.js
   function whoPart(book2) {
     const root = part("who", tr("Who works here"));
@@ -1835,7 +1955,8 @@
         this.#who,
         files.root,
         listPart(this.book),
-        leavePart(this.book)
+        leavePart(this.book),
+        teachersPart()
       );
       if (!this.root.open) this.root.showModal();
     }
@@ -3259,94 +3380,6 @@
         place2.classList.toggle("carts-q-unsaved", word === NOT_SAVED);
       }
     };
-  }
-
-  // src/teach/door.js
-  var OPEN = "carts-teach";
-  function teacherDoor() {
-    const link = document.querySelector(".carts-teach-door a");
-    if (!(link instanceof HTMLAnchorElement)) return;
-    const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
-    const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
-    let loaded = null;
-    const open2 = async () => {
-      if (!await letIn()) return;
-      loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
-      try {
-        await loaded;
-        document.dispatchEvent(new Event(OPEN));
-      } catch {
-        loaded = null;
-        link.textContent = "Teacher mode cannot be loaded: a file of this site is missing.";
-      }
-    };
-    const letIn = () => {
-      const sum = link.dataset.word;
-      return !sum || recall(KEY) === sum || ask(link, sum);
-    };
-    const wanted = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
-    link.addEventListener("click", (event) => {
-      event.preventDefault();
-      history.pushState(null, "", link.href);
-      void open2();
-    });
-    addEventListener("hashchange", () => {
-      if (location.hash === "#teacher") void open2();
-    });
-    if (wanted()) void open2();
-  }
-  function script(address) {
-    const made2 = document.createElement("script");
-    made2.src = address;
-    return arrives(made2);
-  }
-  function style(address) {
-    const made2 = document.createElement("link");
-    made2.rel = "stylesheet";
-    made2.href = address;
-    return arrives(made2);
-  }
-  function arrives(element) {
-    return new Promise((resolve, reject) => {
-      element.onload = resolve;
-      element.onerror = reject;
-      document.head.append(element);
-    });
-  }
-  var KEY = "carts-teacher-word";
-  function ask(link, sum) {
-    const place2 = (
-      /** @type {HTMLElement} */
-      link.parentElement
-    );
-    const asking = place2.querySelector("input");
-    asking?.focus();
-    if (asking) return Promise.resolve(false);
-    const form2 = document.createElement("form");
-    const label = html("label", "", `${tr("Your teacher's word")} `);
-    const box = document.createElement("input");
-    Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
-    const button2 = Object.assign(html("button", "carts-button", tr("Open")), { type: "submit" });
-    const wrong2 = html("span", "carts-error");
-    wrong2.setAttribute("role", "alert");
-    label.append(box);
-    form2.append(label, " ", button2, " ", wrong2);
-    place2.append(form2);
-    box.focus();
-    if (document.readyState !== "complete")
-      addEventListener("load", () => requestAnimationFrame(() => box.focus()), { once: true });
-    return new Promise((resolve) => {
-      form2.addEventListener("submit", (event) => {
-        event.preventDefault();
-        if (wordSum("teacher", box.value) !== sum) {
-          wrong2.textContent = tr("That is not the word.");
-          return;
-        }
-        retain(KEY, sum);
-        form2.remove();
-        resolve(true);
-      });
-    });
   }
 
   // src/answers-main.js

@@ -5465,6 +5465,7 @@
       this.forgotten = forgotten;
       this.locked = (now) => {
         draw([]);
+        say(need(root, ".carts-heading"), tr("Your prediction"));
         locked(now);
       };
       this.#keeping = new Keeping(root, baked.fence.id);
@@ -5559,7 +5560,6 @@
       }
       this.why.show(why ?? "");
       this.again.offer();
-      say(need(this.root, ".carts-heading"), tr("Your prediction"));
       this.root.classList.add("carts-locked");
     }
     get spoken() {

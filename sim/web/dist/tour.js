@@ -162,6 +162,8 @@
     const sky = covered(scene, card);
     if (sky === 0) return;
     card.dataset.low = "";
+    const foot = scene.querySelector(".carts-world > p.carts-acting");
+    card.style.setProperty("--foot", `${foot?.getBoundingClientRect().height ?? 0}px`);
     if (covered(scene, card) >= sky) delete card.dataset.low;
   }
   function covered(scene, card) {
