@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as, saved, saved_file
 from tests.web.question.question_site import ready
+from tests.web.question.test_find_forces import find
 from tests.web.scene.given.widget_site import lock
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -49,6 +50,9 @@ def test_a_lesson_over_two_days_gives_one_file(
     answer.locator("input").fill("-0.26")
     answer.locator(".carts-q-check").click()
     expect(answer.locator(".carts-q-verdict")).to_have_text("Right.")
+    name = "third-light-into-heavy"
+    find(page, "-2.41", name, "A, while it touches B")
+    find(page, "2.41", name, "B, while it touches A")  # the next question is on what was found
     page.locator("#third-why-flies").get_by_label("Same force; four times").check()
     saved(page, "third-why-flies")
 
@@ -61,6 +65,7 @@ def test_a_lesson_over_two_days_gives_one_file(
     assert items["third-read-a"]["value"] == -0.26
     assert items["third-read-a"]["own"] == pytest.approx(-0.264, abs=1e-6)
     assert items["third-why-flies"]["value"] == "a"
-    assert set(items) == {"third-first-idea", "third-equal", "third-read-a", "third-why-flies"}
+    asked = {"third-first-idea", "third-equal", "third-read-a", "third-why-flies"}
+    assert set(items) == {*asked, f"{name}-forces"}
     # One of the four stands in an optional part, which is not counted.
     assert page.locator(".carts-bar-count").inner_text().startswith("3 of ")
