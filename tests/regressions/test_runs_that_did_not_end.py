@@ -13,6 +13,7 @@ import pytest
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests.fuzz.kinds import scene_of
+from tests.processor_time import budget
 from tests.reference.effects import integrate
 
 
@@ -239,4 +240,22 @@ def test_bumpers_that_part_by_less_than_the_last_bit_of_their_overlap_have_parte
     plain = scene_of("dead bumpers", 70)
     done = run(read_scene(plain | {"until": 0.08178}), max_events=2_000)
     assert done.stopped is None
+    assert done.ledger.imbalance() < 1e-14
+
+
+def test_a_search_that_begins_where_a_room_has_just_cleared_ends() -> None:
+    """Both glide to a stop while pressed in; set free, each slows down: 10 m/s − 2.925 m/s² t."""
+    plain = {
+        "carts": {"A": cart(0.75, 0.25), "B": cart(0.95)},
+        "contact": {"law": "bumper", "restitution": 0.05, "stiffness": 25},
+        "effects": [
+            {"release": {"between": ["A", "B"], "energy": 100, "at": 0.5}},
+            {"friction": {"coefficient": 0.3}},
+        ],
+        "gravity": 9.75,
+        "until": 1,
+    }
+    with budget(2.0):
+        done = run(read_scene(plain))
+    assert done.v == pytest.approx((-8.5375, 8.5375), rel=1e-14)
     assert done.ledger.imbalance() < 1e-14

@@ -205,7 +205,7 @@ def _together(
     left, right = gap.left.motion, gap.right.motion
     if not isinstance(left, Flight) or not isinstance(right, Flight):
         return step
-    while step < horizon:
+    while 0.0 < step < horizon:  # no step at all says that it is there: no bound can tell more
         stretch = min(8.0 * step, horizon)
         low_left, high_left = left.accelerations(moment, stretch)
         low_right, high_right = right.accelerations(moment, stretch)
