@@ -16,13 +16,21 @@ def common_velocity(left: Body, right: Body) -> float:
     """m/s, of the common centre of mass; 0 with a wall."""
     if math.inf in (left.mass, right.mass):
         return 0.0
+    if left.v == right.v:
+        return left.v  # as of any number that move alike, see below
     return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)
 
 
 def centre_velocity(bodies: Sequence[tuple[float, float]]) -> float:
-    """m/s, of the centre of mass of any number, by mass [kg] and velocity; 0 with a wall."""
+    """m/s, of the centre of mass of any number, by mass [kg] and velocity; 0 with a wall.
+
+    Of bodies that move alike it is theirs to the last bit: else a touch that changes nothing would
+    give them a speed of rounding against the next one, which would touch in its turn, for ever.
+    """
     if any(mass == math.inf for mass, _ in bodies):
         return 0.0
+    if len({v for _, v in bodies}) == 1:
+        return bodies[0][1]
     momentum = math.fsum(mass * v for mass, v in bodies)
     return momentum / math.fsum(mass for mass, _ in bodies)
 
