@@ -47,4 +47,5 @@ def test_what_friction_holds_between_bumpers_takes_no_steps() -> None:
     done, long = (run(read_scene(plain | {"until": t})) for t in (3, 300))
     assert done.v == long.v == (0.0,) * 5
     assert done.x == long.x
-    assert sum(long.solvers.values()) == sum(done.solvers.values()) < 1_000
+    steps = [sum(part.begin < run_.t for part in run_.record.solved) for run_ in (done, long)]
+    assert steps[0] == steps[1] < 1_000  # a step at the very end has no length
