@@ -12,6 +12,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
+from tests.fuzz.mirror import mirrored
 
 MASS, GRAVITY, STATIC = 2.0, 10.0, 0.4  # kg, m/s², 1
 HOLDS = STATIC * MASS * GRAVITY  # N
@@ -45,3 +46,29 @@ def test_friction_holds_what_it_can_hold_and_nothing_else(restitution: float) ->
             assert stop.t > press.t + 1e-3, speed
     assert held > 40
     assert sprung > 5
+
+
+@pytest.mark.parametrize("e", [0, 1e-12, 1e-9])
+def test_a_bumper_held_at_its_deepest_is_at_rest_when_it_is_let_go_from_either_side(
+    e: float,
+) -> None:
+    """A presses B to the wall and leaves. With the speed that rounding gave it B touched the wall
+    anew, in the mirror only, and sprang back by e of the speed of the first approach."""
+    plain: dict[str, Any] = {
+        "carts": {
+            "A": {"mass": 0.29, "position": 0.1, "velocity": 0.0},
+            "B": {"mass": 0.361, "position": 0.3, "velocity": -0.3},
+        },
+        "track": {"left": "wall", "right": "wall", "length": 0.45},
+        "contact": {
+            "law": "push-only",
+            "restitution": 1,
+            "stiffness": 93200,
+            "pairs": {"B-right": {"law": "bumper", "restitution": e, "stiffness": 11600}},
+        },
+        "effects": [{"spring": {"between": ["left", "A"], "stiffness": 6.47, "length": 0.05}}],
+        "until": 3,
+    }
+    one, two = run(read_scene(plain)), run(read_scene(mirrored(plain)))
+    assert [-v for v in reversed(two.v)] == pytest.approx(list(one.v), abs=1e-14)
+    assert two.record.counts == one.record.counts

@@ -34,6 +34,8 @@ def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: fl
     for one in dict.fromkeys(_changing(motion, end) for end in motion.ends):
         flips.note(one, now, instant)
     for end in motion.ends:
+        if end.cause == "apart" and motion.locked(end.k) and motion.members[end.k].rate == 0.0:
+            _turns_round(motion.members[end.k])  # held up to now
         if end.cause == "halt":
             _halt(motion, end.k)
         elif end.cause == "slip":
