@@ -72,8 +72,10 @@ class PairForce(Protocol):
     kind: ClassVar[str]
     linear: ClassVar[bool]
     """Is the force linear in gap and rate? Else its power series has a radius of convergence."""
-    nearest: ClassVar[float]
-    """m. Nearer than this the force cannot be followed: the run is refused. 0: it always can."""
+
+    @property
+    def nearest(self) -> float:
+        """m. Nearer than this it cannot be followed: the run is refused. 0: it always can."""
 
     def force(self, gap: float, rate: float) -> float:
         """N, pushing apart; gap in m, its rate in m/s."""

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import read_scene
 from tests.fuzz.mirror import mirrored
 from tests.fuzz.units import scaled
@@ -19,6 +20,7 @@ EFFECTS: dict[str, list[dict[str, Any]]] = {
     "linear drag": [{"drag": {"linear": 0.4}}],
     "driven drag": [{"drag": {"quadratic": 0.7}}, {"incline": {"angle": "2 deg"}}],
     "friction": [{"friction": {"coefficient": 0.02, "static": 0.03}}],
+    "magnets": [{"magnets": {"between": ["A", "B"], "strength": 0.002, "power": 2}}],
     "release": [{"release": {"between": ["B", "C"], "energy": 0.4, "at": 0.3}}],
 }
 LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")
@@ -56,6 +58,29 @@ def test_in_units_that_are_powers_of_two_the_run_is_the_same_to_the_last_bit(
     assert two.ledger.warmed == one.ledger.warmed * m * length**2 / s**2
     assert [e.t for e in two.record.events] == [e.t * s for e in one.record.events]
     assert two.solvers == one.solvers
+
+
+@pytest.mark.parametrize("length", [2.0**-16, 1.0, 2.0**30])
+def test_how_near_magnets_can_be_followed_is_a_part_of_the_carts(length: float) -> None:
+    """A cart of 0.2 m comes to 0.4 µm, where C/r = ½ m v² holds it; at 0.4 nm it is given up."""
+    near, too_near = (
+        scaled(
+            {
+                "carts": {"A": {"mass": 1, "position": 0.4, "velocity": -1}},
+                "track": {"left": "wall", "length": 1},
+                "contact": {"law": "instant"},
+                "effects": [{"magnets": {"between": ["left", "A"], "strength": c, "power": 2}}],
+                "until": 1,
+            },
+            1.0,
+            length,
+            1.0,
+        )
+        for c in (2e-7, 2e-10)
+    )
+    assert run(read_scene(near)).v[0] > 0.0
+    with pytest.raises(UnsolvedError, match="nearer than"):
+        run(read_scene(too_near))
 
 
 @pytest.mark.parametrize("what", EFFECTS)

@@ -31,11 +31,13 @@ def scaled(plain: Plain, m: float, length: float, s: float) -> Plain:
         "linear": m / s,
         "quadratic": m / length,
     }
+
+    def effect_scaled(body: Plain) -> Plain:
+        own = units | {"strength": units["force"] * length ** body.get("power", 3)}
+        return {k: times(v, own[k]) if k in own else v for k, v in body.items()}
+
     effects = [
-        {
-            kind: {k: times(v, units[k]) if k in units else v for k, v in body.items()}
-            for kind, body in entry.items()
-        }
+        {kind: effect_scaled(body) for kind, body in entry.items()}
         for entry in plain.get("effects", [])
     ]
     carts = {

@@ -24,8 +24,9 @@ from sim.effects.where import gap_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
-NEAREST = 1e-9
-"""m. Nearer than atoms are to each other; with n = 1 a fast cart would come to 1e-100 m."""
+NEAREST = 5e-9
+"""Of the longest cart: a nanometre, about as near as atoms are, of one of 20 cm. With n = 1 a fast
+cart would come to 1e-100 m."""
 
 
 MOST_TERMS = 40
@@ -43,15 +44,14 @@ class MagnetForce:
 
     kind: ClassVar[str] = "magnets"
     linear: ClassVar[bool] = False
-    nearest: ClassVar[float] = NEAREST
 
-    def __init__(self, strength: float, power: float) -> None:
-        self.strength, self.power = strength, power
+    def __init__(self, strength: float, power: float, nearest: float) -> None:
+        self.strength, self.power, self.nearest = strength, power, nearest
 
     def force(self, gap: float, rate: float) -> float:
         """C / r^n. A trial step of an adaptive method may look nearer than a run may come: what it
         finds there is steep, so that the step is made anew with a smaller one."""
-        return float(self.strength * max(gap, NEAREST) ** -self.power)
+        return float(self.strength * max(gap, self.nearest) ** -self.power)
 
     def energy(self, gap: float) -> float:
         """C / ((n − 1) r^(n−1)); for n = 1 −C ln r."""
@@ -92,7 +92,9 @@ class Magnets(Acting):
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         self._gap = gap_of(effect, scene)
-        self._force = MagnetForce(effect.numbers["strength"], effect.numbers["power"])
+        strength, power = effect.numbers["strength"], effect.numbers["power"]
+        longest = max(cart.length for cart in scene.carts)
+        self._force = MagnetForce(strength, power, NEAREST * longest)
 
     def pair_force(self, gap: int) -> PairForce | None:
         """The magnets, in their gap."""
