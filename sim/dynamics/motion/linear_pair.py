@@ -156,10 +156,10 @@ class LinearPair:
             if link.damping():
                 accounts.work(link.kind, -link.damping() * self.between.damped(t))
         if gap.links:
-            u, (o, v) = self.between.u, self.between.over(t)
-            total = self.mu * (u - v) + self.mu * self.pull * t
-            total -= self.drag * (o - self.between.o0)
-            book_from_wall(accounts, gap, total - self._impulse(t))
+            u, (o, v), more = self.between.u, self.between.over(t), self.between
+            total = self.mu * (u - v) + self.mu * self.pull * t - self.drag * (o - more.o0)
+            links = total - self._impulse(t)
+            book_from_wall(accounts, gap, links, t, lambda: (more.sum(t), o - more.o0))
 
 
 def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> LinearPair | None:

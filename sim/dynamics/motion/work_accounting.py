@@ -9,6 +9,8 @@ friction    −μN t          −μN |s|            held: the impulse of all oth
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Accounts, Gap
@@ -47,13 +49,38 @@ def book_step(accounts: Accounts, step: Step, t: float) -> None:
             if damping:
                 accounts.work(link.kind, -damping * step.rate_square(k, t))
         if gap.links:
-            book_from_wall(accounts, gap, step.across_impulse(k, t))
+            book_from_wall(accounts, gap, step.across_impulse(k, t), t, partial(_over, step, k, t))
 
 
-def book_from_wall(accounts: Accounts, gap: Gap, impulse: float) -> None:
-    """Springs and magnets of a gap whose one side stands fast; a cart there sticks to a wall."""
+def _over(step: Step, k: int, t: float) -> tuple[float, float]:
+    return step.summed(k, t), step.overlap(k, t)[0] - step.overlap(k, 0.0)[0]
+
+
+def book_from_wall(
+    accounts: Accounts,
+    gap: Gap,
+    impulse: float,
+    time: float,
+    over: Callable[[], tuple[float, float]],
+) -> None:
+    """Springs and magnets of a gap whose one side stands fast; a cart there sticks to a wall.
+
+    `impulse` [N s] is that of all together in `time` [s]; `over` tells the integral of the overlap
+    [m s] and its change [m] in that time, from which the share of a linear force follows.
+    """
     fixed = [body for body in (gap.left, gap.right) if body.mass == math.inf]
-    if gap.links and len(fixed) == 1:
-        toward = 1.0 if fixed[0] is gap.left else -1.0
-        by = "walls" if fixed[0].carts else gap.links[0].kind
-        accounts.push_from_outside(toward * impulse, by)
+    if not gap.links or len(fixed) != 1:
+        return
+    toward = 1.0 if fixed[0] is gap.left else -1.0
+    if fixed[0].carts:
+        accounts.push_from_outside(toward * impulse)
+        return
+    *others, last = sorted(gap.links, key=lambda link: not link.linear)
+    if time > 0.0 and any(link.kind != last.kind for link in others):
+        summed, change = over()
+        for link in others:
+            # A linear force is on average what it is at the average of gap and rate.
+            own = link.force(-summed / time, -change / time) * time
+            accounts.push_from_outside(toward * own, link.kind)
+            impulse -= own
+    accounts.push_from_outside(toward * impulse, last.kind)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar
 
 from sim.dynamics.motion.modes.forces import contact_sums, others
@@ -183,7 +184,11 @@ class ModalGroup:
                     lost = damping * self.sums.over[k].slope.square_integral(t)
                     accounts.work(link.kind, -lost)
             if gap.links:
-                book_from_wall(accounts, gap, self.across[k].integral(t))
+                moved = partial(self._moved, k, t)
+                book_from_wall(accounts, gap, self.across[k].integral(t), t, moved)
+
+    def _moved(self, k: int, t: float) -> tuple[float, float]:
+        return (over := self.sums.over[k]).integral(t), over.value(t) - over.value(0.0)
 
 
 FADED = 1e-4
