@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from sim.dynamics.loop.run import run
@@ -49,3 +51,28 @@ def test_what_friction_holds_between_bumpers_takes_no_steps() -> None:
     assert done.x == long.x
     steps = [sum(part.begin < run_.t for part in run_.record.solved) for run_ in (done, long)]
     assert steps[0] == steps[1] < 1_000  # a step at the very end has no length
+
+
+def test_what_a_spring_presses_to_both_walls_rests_also_where_drag_is_of_v_squared() -> None:
+    """k d = k_s (L − r) ± m g sin θ at the walls, r the room that is left between the two."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.15, "velocity": 0.5},
+            "B": {"mass": 1.7, "position": 0.4, "velocity": 0.5},
+        },
+        "track": {"left": "wall", "right": "wall", "length": 0.5},
+        "contact": {"law": "paper", "restitution": 0, "stiffness": 783000},
+        "effects": [
+            {"spring": {"between": ["A", "B"], "stiffness": 64, "length": 0.25, "damping": 0.5}},
+            {"incline": {"angle": "3 deg"}},
+            {"drag": {"quadratic": 0.25}},
+        ],
+        "until": 300,
+    }
+    done = run(read_scene(plain))
+    assert sum(done.solvers.values()) < 1_000
+    assert done.v == (0.0, 0.0)
+    (a, b), downhill = done.x, 9.81 * math.sin(math.radians(3))
+    push = 64 * (0.25 - (b - a - 0.2))
+    assert 783000 * (0.1 - a) == pytest.approx(push - downhill, abs=1e-9)
+    assert 783000 * (b - 0.4) == pytest.approx(push + 1.7 * downhill, abs=1e-9)

@@ -27,6 +27,9 @@ from sim.laws.branch import Branch
 QUIET = 3e-13
 """Of the speed o W that the overlaps o under the load would swing with, W the fastest rate."""
 
+LAST_BITS = 1e-15
+"""Of a room that springs hold open: it is known no better."""
+
 NEARLY = 2.0
 """Of what counts as quiet. More than that moves, whatever the places of rest."""
 
@@ -56,22 +59,24 @@ def at_rest(
     swings = 0.0 < fastest < math.inf
     if not _may_rest(bodies, gaps, branches) or not (swings or all(b.locked for b in branches)):
         return None
-    deepest = max(abs(gap.room) for gap in gaps)
-    if max(abs(gap.rate) for gap in gaps) > NEARLY * QUIET * fastest * deepest:
+    touch = [gap.touching is not None for gap in gaps]
+    quiet = _quiet([-gap.room for gap in gaps], touch)
+    if max(abs(gap.rate) for gap in gaps) > NEARLY * fastest * quiet:
         return None  # overlaps at rest are those of now, as near as it takes
     balance, common = _balance(bodies, gaps, branches)
     strained = strains(balance)
     if strained is None:
         return None
     over = [-gap.room - e for gap, e in zip(gaps, strained, strict=True)]
-    quiet = QUIET * fastest * max(abs(o) for o in over)
+    quiet = fastest * _quiet(over, touch)
     if not _is_quiet(bodies, gaps, strained, fastest, quiet, anchored=any(balance.fixed)):
         return None
     across = [
         math.fsum(link.force(-o, 0.0) for link in g.links) for g, o in zip(gaps, over, strict=True)
     ]
     contact = _contacts(balance, branches, over, across, [body.load.static for body in bodies])
-    if contact is None or min(contact) <= PRESSES * max(contact):
+    pressing = [n for n, own in zip(contact or [], touch, strict=False) if own]
+    if contact is None or (pressing and min(pressing) <= PRESSES * max(pressing)):
         return None
     total = math.fsum(b.mass for b in bodies if b.mass < math.inf)
     v = 0.0 if any(balance.fixed) else math.fsum(b.mass * b.v for b in bodies) / total
@@ -97,8 +102,15 @@ def _may_rest(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> bo
             if load.static or load.kinetic or (dragged and not any(fixed)):
                 return False
     return bool(gaps) and all(
-        gap.touching is not None and (gap.law is None or gap.law.linear) for gap in gaps
+        (gap.touching is not None and (gap.law is None or gap.law.linear))
+        or (gap.touching is None and bool(gap.links) and gap.room > 0.0)
+        for gap in gaps
     )
+
+
+def _quiet(over: list[float], touch: list[bool]) -> float:
+    """m. By how little overlaps may miss their place of rest."""
+    return max((QUIET if t else LAST_BITS) * abs(o) for o, t in zip(over, touch, strict=True))
 
 
 def _balance(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tuple[Balance, float]:

@@ -53,7 +53,7 @@ def _at_rest(
     bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
 ) -> Step | None:
     """The step of a row at rest; None where it is not."""
-    if not gaps or not _slow(gaps):
+    if not gaps or not _slow(gaps, apart=any(body.load.quadratic for body in bodies)):
         return None
     plain = replace(row, quadratic=[0.0] * len(bodies)) if any(row.quadratic) else row
     locked = all(branch.locked for branch in branches)
@@ -128,9 +128,12 @@ STEPS_FIRST = 4
 """Steps without an event before a row is looked at as a sum of modes, which costs three of them."""
 
 
-def _slow(gaps: list[Gap]) -> bool:
-    """Do all overlaps change so little that it pays to ask whether the row is at rest?"""
-    if any(gap.touching is None for gap in gaps):
+def _slow(gaps: list[Gap], *, apart: bool) -> bool:
+    """Do all overlaps change so little that it pays to ask whether the row is at rest?
+
+    `apart`: also where only springs hold some of them; other rows like that are sums of modes.
+    """
+    if not apart and any(gap.touching is None for gap in gaps):
         return False
     deepest = max(abs(gap.room) for gap in gaps)
     swing = LOOK_CLOSER * _rate(gaps) * deepest
