@@ -104,3 +104,23 @@ def test_dead_bumpers_that_are_hit_in_turn_end_with_one_velocity() -> None:
 def _run(scene: Scene) -> Run:
     with budget(SECONDS):
         return run(scene)
+
+
+def test_impacts_in_turn_between_springs_end_when_rounding_is_all_that_is_left() -> None:
+    """Two gaps handed the last bit of B's velocity to each other, 100,000 times at one instant."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.6, "velocity": 1},
+            "B": {"mass": 1, "position": 0.8, "velocity": 0.2},
+            "C": {"mass": 4, "position": 1.0, "velocity": 0},
+        },
+        "contact": {"law": "instant", "restitution": 0},
+        "effects": [
+            {"spring": {"between": ["A", "B"], "stiffness": 1e-9, "length": 0.3}},
+            {"spring": {"between": ["B", "C"], "stiffness": 1e-9, "length": 0.3}},
+        ],
+        "until": 1,
+    }
+    done = run(read_scene(plain), max_events=500)
+    assert done.stopped is None
+    assert done.v == pytest.approx((0.2 - 3e-10, 0.2, 0.2 + 0.75e-10), abs=1e-15)
