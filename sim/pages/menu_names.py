@@ -1,6 +1,7 @@
 """Pages that the menu of a site (`nav` in mkdocs.yml) names in vain, with their places.
 
-A build stops at such a name too, but without a line, and after all other work.
+A build stops at such a name too, but without a line, and after all other work. Plugins of others
+may make pages; where a site has one that is not known to make none, only the build can tell.
 """
 
 from __future__ import annotations
@@ -19,12 +20,20 @@ from sim.pages.text.lesson_places import LESSONS
 from sim.pages.translate.catalogues import FOLDER
 from sim.scene.problem import did_you_mean
 
+MAKE_NO_PAGES = frozenset(
+    {"carts", "search", "offline", "privacy", "info", "optimize", "social", "meta"}
+)
+"""Plugins, the theme's own among them."""
+
 
 def menu_findings(file: str, root: Path, settings: dict[Any, yaml.Node]) -> Iterator[Finding]:
     """What `nav` names in vain. `settings`: the parts of `file` in `root`, by name."""
     docs = settings.get("docs_dir")
     folder = root / (docs.value if isinstance(docs, yaml.ScalarNode) and docs.value else "docs")
-    lessons = root / _lessons(settings.get("plugins"))
+    plugins = settings.get("plugins")
+    if not {name.rpartition("/")[2] for name in _plugins(plugins)} <= MAKE_NO_PAGES:
+        return
+    lessons = root / _lessons(plugins)
     pages = _Pages(folder, lessons)
     for node in _named(settings.get("nav")):
         if _outside(node.value) or node.value in pages:
@@ -85,6 +94,17 @@ def _named(node: yaml.Node | None) -> Iterator[yaml.ScalarNode]:
 def _outside(name: str) -> bool:
     """Whether it is an address and no page of this site."""
     return "://" in name or name.startswith(("/", "#", "mailto:"))
+
+
+def _plugins(node: yaml.Node | None) -> Iterator[str]:
+    """The names under `plugins`, each alone or with its settings."""
+    if isinstance(node, yaml.ScalarNode):
+        yield str(node.value)
+    elif isinstance(node, yaml.SequenceNode):
+        for entry in node.value:
+            yield from _plugins(entry)
+    elif isinstance(node, yaml.MappingNode):
+        yield from (str(name.value) for name, _ in node.value)
 
 
 def _lessons(plugins: yaml.Node | None) -> str:

@@ -71,6 +71,19 @@ def test_what_other_plugins_and_extensions_are_told_is_theirs(site: Path) -> Non
     assert CliRunner().invoke(main, ["check"]).exit_code == 0
 
 
+@pytest.mark.parametrize(
+    ("plugins", "told"), [("[carts, search]", 1), ("[carts, blog]", 0), ("{carts: {}, own: {}}", 0)]
+)
+def test_pages_that_other_plugins_may_make_are_not_missed(
+    site: Path, plugins: str, told: int
+) -> None:
+    text = f"site_name: a\nnav:\n  - News: news/index.md\nplugins: {plugins}\n"
+    (site / "mkdocs.yml").write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(main, ["check"])
+    assert result.output.count("there is no such page") == told
+    assert result.exit_code == told
+
+
 def test_a_menu_names_what_the_build_makes_and_what_is_elsewhere(site: Path) -> None:
     (site / "worksheets" / "words" / "ms").mkdir(parents=True)
     (site / "worksheets" / "words" / "ms" / "carts.po").write_text("", encoding="utf-8")
