@@ -60,6 +60,27 @@ def test_in_units_that_are_powers_of_two_the_run_is_the_same_to_the_last_bit(
     assert two.solvers == one.solvers
 
 
+@pytest.mark.parametrize(
+    ("between", "velocities"), [(["left", "A"], (-10, 0)), (["A", "B"], (10, 0))]
+)
+def test_magnets_on_points_are_given_up_too(
+    between: list[str], velocities: tuple[float, float]
+) -> None:
+    """Points have no length: what they are apart by at first tells how near is too near."""
+    places = {"A": 0.5, "B": 1.0}
+    plain = {
+        "carts": {
+            name: {"mass": 1, "position": places[name], "velocity": v, "length": 0}
+            for name, v in zip("AB", velocities, strict=True)
+        },
+        "track": {"left": "wall", "length": 2},
+        "effects": [{"magnets": {"between": between, "strength": 1e-3, "power": 1}}],
+        "until": 1,
+    }
+    with pytest.raises(UnsolvedError, match="nearer than"):
+        run(read_scene(plain))
+
+
 @pytest.mark.parametrize("length", [2.0**-16, 1.0, 2.0**30])
 def test_how_near_magnets_can_be_followed_is_a_part_of_the_carts(length: float) -> None:
     """A cart of 0.2 m comes to 0.4 µm, where C/r = ½ m v² holds it; at 0.4 nm it is given up."""

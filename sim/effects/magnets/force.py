@@ -25,8 +25,8 @@ from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
 NEAREST = 5e-9
-"""Of the longest cart: a nanometre, about as near as atoms are, of one of 20 cm. With n = 1 a fast
-cart would come to 1e-100 m."""
+"""Of the longest cart, or, where carts are points, of how far they are apart at first: a nanometre,
+about as near as atoms are, of 20 cm. With n = 1 a fast cart would come to 1e-100 m."""
 
 
 MOST_TERMS = 40
@@ -85,6 +85,14 @@ class MagnetForce:
         return 0.0
 
 
+def _size(scene: Scene) -> float:
+    """m. Of the longest cart; of points, how far they and the walls are apart."""
+    places = [cart.position for cart in scene.carts]
+    places += [x for end, x in ((scene.track.left, 0.0), (scene.track.right, scene.track.length))
+               if end == "wall" and x is not None]  # fmt: skip
+    return max(cart.length for cart in scene.carts) or max(places) - min(places)
+
+
 class Magnets(Acting):
     """A force across one gap."""
 
@@ -93,8 +101,7 @@ class Magnets(Acting):
     def __init__(self, effect: Effect, scene: Scene) -> None:
         self._gap = gap_of(effect, scene)
         strength, power = effect.numbers["strength"], effect.numbers["power"]
-        longest = max(cart.length for cart in scene.carts)
-        self._force = MagnetForce(strength, power, NEAREST * longest)
+        self._force = MagnetForce(strength, power, NEAREST * _size(scene))
 
     def pair_force(self, gap: int) -> PairForce | None:
         """The magnets, in their gap."""
