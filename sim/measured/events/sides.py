@@ -46,6 +46,9 @@ LONGEST = 0.9
 FEWEST = 4
 """Readings of one side."""
 
+INSTANT = 1e-9
+"""s. Two instants that are one but for rounding."""
+
 JUMP = 0.25
 """Of the greatest speed. Two segments whose velocities differ by more have a push between them."""
 
@@ -90,7 +93,9 @@ def sides_of(
         for cart, track in enumerate(tracks):
             low, high = window(contact, [s for s in named if s.cart == cart], after)
             t, x = np.array(track.t), np.array(track.value)
-            kept = (t >= low) & (t <= high)
+            kept = (t >= low - INSTANT) & (t <= high + INSTANT)
+            # A contact ends in the middle of a cell, which may be a reading: it is pushed still.
+            kept &= t > contact.end + INSTANT if after else t < contact.begin - INSTANT
             if int(kept.sum()) < FEWEST:
                 when = "after" if after else "before"
                 raise FitError(
