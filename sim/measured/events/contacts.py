@@ -89,7 +89,7 @@ def contacts(grid: Grid) -> list[Contact]:
         left[max(0, low - grid.half) : high + grid.half + 1] = 0.0
         if high > low:
             spans.append((low, high))
-    spans.sort()
+    spans = _one_each(sorted(spans), ahead)
     found = [_candidate(grid, trace, brake, spans, k) for k in range(len(spans))]
     found = [one for one in found if one.strength > 0.0]
     strongest = max((one.strength for one in found), default=0.0)
@@ -101,6 +101,16 @@ def contacts(grid: Grid) -> list[Contact]:
             and in_step(grid, one.begin, one.end).apart < SEPARATE)
     ]  # fmt: skip
     return sorted(kept, key=lambda one: one.begin)
+
+
+def _one_each(spans: list[tuple[int, int]], ahead: int) -> list[tuple[int, int]]:
+    """Spans in order, those joined that are no more than `ahead` cells apart: carts that catch each
+    other shake."""
+    found: list[tuple[int, int]] = []
+    for low, high in spans:
+        near = found and low - found[-1][1] <= ahead
+        found.append((found.pop()[0] if near else low, high))
+    return found
 
 
 def _edges(trace: Floats, peak: int, ahead: int, level: float) -> tuple[int, int]:
