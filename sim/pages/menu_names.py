@@ -34,6 +34,8 @@ def menu_findings(file: str, root: Path, settings: dict[Any, yaml.Node]) -> Iter
     if not {name.rpartition("/")[2] for name in _plugins(plugins)} <= MAKE_NO_PAGES:
         return
     lessons = root / _lessons(plugins)
+    if (docs and not folder.is_dir()) or lessons.name != LESSONS:
+        return  # that is the mistake, and told as one
     pages = _Pages(folder, lessons)
     for node in _named(settings.get("nav")):
         if _outside(node.value) or node.value in pages:

@@ -68,3 +68,27 @@ def guess(page: Page, on: str, value: float) -> None:
     box.press("ControlOrMeta+a")  # keys, as a reader's: Firefox tells no change of a set value
     box.press_sequentially(str(value))
     box.press("Tab")
+
+
+def find(page: Page, typed: str, name: str = "hidden", which: str = "B, while it touches A") -> str:
+    """Types the mean force on one cart into the box of the scene `name`; what is said of it."""
+    finder = page.locator(f"#{name} .carts-find")
+    if finder.get_attribute("open") is None:
+        finder.locator("summary").click()
+    finder.locator("select").select_option(label=which)
+    box = finder.locator("input")
+    before = page.locator(f"#{name} .carts-find-note").text_content()
+    box.press("ControlOrMeta+a")
+    box.press_sequentially(typed)
+    box.press("Enter")
+    # It is answered at once, or when what is right is kept: then the box is empty, or gone.
+    page.wait_for_function(
+        """([name, typed, before]) => {
+          const box = document.querySelector(`#${name} .carts-find input`);
+          const note = document.querySelector(`#${name} .carts-find-note`);
+          return !box || box.value !== typed || note?.textContent !== before;
+        }""",
+        arg=[name, typed, before],
+    )
+    note = page.locator(f"#{name} .carts-find-note")
+    return note.inner_text() if note.count() else ""

@@ -6,10 +6,10 @@ import json
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.question.answering import saved_file
+from tests.web.question.answering import find, saved_file
 from tests.web.scene.given.widget_site import MEETING, live, lock, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
@@ -29,29 +29,6 @@ MEAN_ON_B = """const { header } = await (async () => {
   const of = (kind) => header.events.find((e) => e.kind === kind && e.bodies.includes("B"));
   const [touch, parting] = [of("contact"), of("separate")];
   return (1.0 * (parting.after.B - touch.before.B)) / (parting.t - touch.t);"""
-
-
-def find(page: Page, typed: str, name: str = "hidden", which: str = "B, while it touches A") -> str:
-    finder = page.locator(f"#{name} .carts-find")
-    if finder.get_attribute("open") is None:
-        finder.locator("summary").click()
-    finder.locator("select").select_option(label=which)
-    box = finder.locator("input")
-    before = page.locator(f"#{name} .carts-find-note").text_content()
-    box.press("ControlOrMeta+a")
-    box.press_sequentially(typed)
-    box.press("Enter")
-    # It is answered at once, or when what is right is kept: then the box is empty, or gone.
-    page.wait_for_function(
-        """([name, typed, before]) => {
-          const box = document.querySelector(`#${name} .carts-find input`);
-          const note = document.querySelector(`#${name} .carts-find-note`);
-          return !box || box.value !== typed || note?.textContent !== before;
-        }""",
-        arg=[name, typed, before],
-    )
-    note = page.locator(f"#{name} .carts-find-note")
-    return note.inner_text() if note.count() else ""
 
 
 @pytest.mark.one_browser

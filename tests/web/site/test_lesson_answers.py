@@ -8,9 +8,8 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.question.answering import continue_as, saved, saved_file
+from tests.web.question.answering import continue_as, find, saved, saved_file
 from tests.web.question.question_site import ready
-from tests.web.question.test_find_forces import find
 from tests.web.scene.given.widget_site import lock
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
