@@ -11,11 +11,10 @@ import markdown
 import pytest
 
 from sim.pages import extension, makers
-from sim.pages.check import check_lesson
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.head.policy import blocked
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.scene_block import Lesson
 
 SCENE = """\
 ```scene
@@ -243,16 +242,3 @@ def test_without_v8_a_build_says_one_sentence(
     assert finding.code == "not-drawn"
     assert "mini-racer" in finding.message
     assert "carts-author-error" in text
-
-
-def test_a_question_waits_for_found_forces_only_where_a_scene_hides_them() -> None:
-    options = "options: [{text: a, correct: true}, b]"
-    asked = f"\n```question\nid: why\ntype: single\nask: Why?\nafter: one.forces\n{options}\n```\n"
-    hidden = SCENE.replace("id: one\n", "id: one\nforces: hidden\nshow: [v]\n")
-    assert 'data-after="one" data-found' in html(hidden + asked)
-    found = check_lesson(SCENE + asked, Lesson("lesson.md"), SiteIds())
-    assert [(one.code, one.line) for one in found if one.severity == "error"] == [
-        ("nothing-to-find", SCENE.count("\n") + 6)
-    ]
-    missing = check_lesson(SCENE + asked.replace("one.", "two."), Lesson("lesson.md"), SiteIds())
-    assert "after: there is no scene “two” on this page" in [one.message for one in missing]

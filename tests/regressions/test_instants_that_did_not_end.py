@@ -124,3 +124,52 @@ def test_impacts_in_turn_between_springs_end_when_rounding_is_all_that_is_left()
     done = run(read_scene(plain), max_events=500)
     assert done.stopped is None
     assert done.v == pytest.approx((0.2 - 3e-10, 0.2, 0.2 + 0.75e-10), abs=1e-15)
+
+
+def test_a_search_that_begins_where_a_room_has_just_cleared_ends() -> None:
+    """Both glide to a stop while pressed in; set free, each slows down: 10 m/s − 2.925 m/s² t."""
+    plain: dict[str, Any] = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.75, "velocity": 0.25},
+            "B": {"mass": 1.0, "position": 0.95},
+        },
+        "contact": {"law": "bumper", "restitution": 0.05, "stiffness": 25},
+        "effects": [
+            {"release": {"between": ["A", "B"], "energy": 100, "at": 0.5}},
+            {"friction": {"coefficient": 0.3}},
+        ],
+        "gravity": 9.75,
+        "until": 1,
+    }
+    with budget(2.0):
+        done = run(read_scene(plain))
+    assert done.v == pytest.approx((-8.5375, 8.5375), rel=1e-14)
+    assert done.ledger.imbalance() < 1e-14
+
+
+def test_a_touch_of_those_that_move_alike_already_changes_no_velocity() -> None:
+    """B meets C, C lies against D: the centre's velocity is theirs, not theirs and a last bit.
+
+    With that bit each touch of two made the next two touch, 2,000 times at one instant.
+    """
+    plain: dict[str, Any] = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.125, "length": 0.25},
+            "B": {"mass": 1.0, "position": 0.375, "length": 0.25},
+            "C": {"mass": 1.0, "position": 0.875, "length": 0.25},
+            "D": {"mass": 0.3, "position": 1.1875, "velocity": 1.0, "length": 0.25},
+        },
+        "track": {"left": "wall", "length": 1.3125},
+        "contact": {"law": "instant", "restitution": 0},
+        "effects": [
+            {"spring": {"between": ["left", "A"], "stiffness": 10000, "length": 0.125}},
+            {"spring": {"between": ["B", "C"], "stiffness": 8, "length": 0.25}},
+            {"incline": {"angle": "-12 deg"}},
+            {"friction": {"coefficient": 0.3, "static": 0.45}},
+        ],
+        "gravity": 9.75,
+        "until": 1,
+    }
+    done = run(read_scene(plain), max_events=1_000)
+    assert done.stopped is None
+    assert done.ledger.imbalance() < 1e-14

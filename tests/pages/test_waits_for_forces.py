@@ -1,0 +1,34 @@
+"""`after: SCENE.forces`: a question that opens when the hidden forces of a scene are found."""
+
+from __future__ import annotations
+
+import markdown
+
+from sim.pages.check import check_lesson
+from sim.pages.extension import CartsExtension
+from sim.pages.scene_block import Lesson, SiteIds
+
+SCENE = """\
+```scene
+id: one
+carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}
+until: 2 s
+```
+"""
+
+
+def html(text: str) -> str:
+    return markdown.markdown(text, extensions=["pymdownx.superfences", CartsExtension()])
+
+
+def test_a_question_waits_for_found_forces_only_where_a_scene_hides_them() -> None:
+    options = "options: [{text: a, correct: true}, b]"
+    asked = f"\n```question\nid: why\ntype: single\nask: Why?\nafter: one.forces\n{options}\n```\n"
+    hidden = SCENE.replace("id: one\n", "id: one\nforces: hidden\nshow: [v]\n")
+    assert 'data-after="one" data-found' in html(hidden + asked)
+    found = check_lesson(SCENE + asked, Lesson("lesson.md"), SiteIds())
+    assert [(one.code, one.line) for one in found if one.severity == "error"] == [
+        ("nothing-to-find", SCENE.count("\n") + 6)
+    ]
+    missing = check_lesson(SCENE + asked.replace("one.", "two."), Lesson("lesson.md"), SiteIds())
+    assert "after: there is no scene “two” on this page" in [one.message for one in missing]
