@@ -13,10 +13,10 @@ from typing import Any
 import yaml
 
 from sim.pages.effect_pages import PLACE, effect_pages
-from sim.pages.findings import Finding
+from sim.pages.findings import SiteError
 from sim.pages.language import LANGUAGES
 from sim.pages.lessons_only import CLASS_RESULTS, HOME
-from sim.pages.text.lesson_places import LESSONS
+from sim.pages.text.lesson_places import LESSONS, check_folder
 from sim.pages.translate.catalogues import FOLDER
 from sim.scene.problem import did_you_mean
 
@@ -26,26 +26,23 @@ MAKE_NO_PAGES = frozenset(
 """Plugins, the theme's own among them."""
 
 
-def menu_findings(file: str, root: Path, settings: dict[Any, yaml.Node]) -> Iterator[Finding]:
-    """What `nav` names in vain. `settings`: the parts of `file` in `root`, by name."""
+def named_in_vain(
+    root: Path, settings: dict[Any, yaml.Node]
+) -> Iterator[tuple[yaml.ScalarNode, str]]:
+    """What `nav` names in vain, each with a hint. `settings`: the parts of mkdocs.yml, by name."""
     docs = settings.get("docs_dir")
     folder = root / (docs.value if isinstance(docs, yaml.ScalarNode) and docs.value else "docs")
-    plugins = settings.get("plugins")
-    if not {name.rpartition("/")[2] for name in _plugins(plugins)} <= MAKE_NO_PAGES:
+    plugins = dict(_plugins(settings.get("plugins")))
+    if not {name.rpartition("/")[2] for name in plugins} <= MAKE_NO_PAGES:
         return
-    lessons = root / _lessons(plugins)
-    if (docs and not folder.is_dir()) or lessons.name != LESSONS:
+    if (docs and not folder.is_dir()) or _lessons_elsewhere(plugins.get("carts")):
         return  # that is the mistake, and told as one
-    pages = _Pages(folder, lessons)
+    pages = _Pages(folder, root / LESSONS)
     for node in _named(settings.get("nav")):
         if _outside(node.value) or node.value in pages:
             continue
-        told = f"the menu names “{node.value}”, and there is no such page"
-        hint = did_you_mean(
-            node.value, pages.names(), "the name of a file, as in: - Home: index.md"
-        )
-        mark = node.start_mark
-        yield Finding(file, mark.line + 1, mark.column + 1, "no-such-page", told, hint)
+        usual = "the name of a file, as in: - Home: index.md"
+        yield node, did_you_mean(node.value, pages.names(), usual)
 
 
 class _Pages:
@@ -56,9 +53,9 @@ class _Pages:
         self.lessons_only = docs.resolve() == lessons.resolve()
 
     def __contains__(self, name: str) -> bool:
-        if name in (PLACE, f"{self.lessons.name}/") or name in effect_pages():
+        if name in (PLACE, f"{LESSONS}/") or name in effect_pages():
             return True
-        if name.startswith(f"{self.lessons.name}/"):
+        if name.startswith(f"{LESSONS}/"):
             return self._is_lesson(name.partition("/")[2])
         if self.lessons_only:
             return name in (HOME, CLASS_RESULTS)
@@ -77,7 +74,7 @@ class _Pages:
             found = [HOME, CLASS_RESULTS]
         else:
             found = [path.relative_to(self.docs).as_posix() for path in self.docs.rglob("*.md")]
-        return [*found, *(f"{self.lessons.name}/{path.name}" for path in self.lessons.glob("*.md"))]
+        return [*found, *(f"{LESSONS}/{path.name}" for path in self.lessons.glob("*.md"))]
 
 
 def _named(node: yaml.Node | None) -> Iterator[yaml.ScalarNode]:
@@ -98,23 +95,24 @@ def _outside(name: str) -> bool:
     return "://" in name or name.startswith(("/", "#", "mailto:"))
 
 
-def _plugins(node: yaml.Node | None) -> Iterator[str]:
-    """The names under `plugins`, each alone or with its settings."""
+def _plugins(node: yaml.Node | None) -> Iterator[tuple[str, yaml.Node | None]]:
+    """The names under `plugins`, each with its settings."""
     if isinstance(node, yaml.ScalarNode):
-        yield str(node.value)
+        yield str(node.value), None
     elif isinstance(node, yaml.SequenceNode):
         for entry in node.value:
             yield from _plugins(entry)
     elif isinstance(node, yaml.MappingNode):
-        yield from (str(name.value) for name, _ in node.value)
+        yield from ((str(name.value), own) for name, own in node.value)
 
 
-def _lessons(plugins: yaml.Node | None) -> str:
-    """The folder of lessons: ours, or as the plugin is told."""
-    for entry in plugins.value if isinstance(plugins, yaml.SequenceNode) else []:
-        for name, own in entry.value if isinstance(entry, yaml.MappingNode) else []:
-            if name.value == "carts" and isinstance(own, yaml.MappingNode):
-                for key, value in own.value:
-                    if key.value == "lessons" and isinstance(value, yaml.ScalarNode):
-                        return str(value.value)
-    return LESSONS
+def _lessons_elsewhere(carts: yaml.Node | None) -> bool:
+    """Whether the plugin is told of another folder of lessons than there is."""
+    own = carts.value if isinstance(carts, yaml.MappingNode) else []
+    named = [str(value.value) for key, value in own if key.value == "lessons"]
+    try:
+        for name in named:
+            check_folder(name)
+    except SiteError:
+        return True
+    return False

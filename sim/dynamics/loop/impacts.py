@@ -162,8 +162,11 @@ def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
     What one impact among them leaves of velocity is too little to part them (`AT_REST`).
     """
     _, gaps = component(chain, gap.left if gap.left.carts else gap.right)
-    resting = [other for other in gaps if other.touching is not None or _is_hit_by_rounding(other)]
-    resting = [other for other in resting if other.law is None]
+    resting = [
+        other
+        for other in gaps
+        if other.law is None and (other.touching is not None or _is_hit_by_rounding(other))
+    ]
     here = resting.index(gap)
     first = last = here
     while first > 0 and resting[first - 1].right is resting[first].left:

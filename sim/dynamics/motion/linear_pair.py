@@ -156,10 +156,11 @@ class LinearPair:
             if link.damping():
                 accounts.work(link.kind, -link.damping() * self.between.damped(t))
         if gap.links:
-            u, (o, v), more = self.between.u, self.between.over(t), self.between
-            total = self.mu * (u - v) + self.mu * self.pull * t - self.drag * (o - more.o0)
+            between, (o, v) = self.between, self.between.over(t)
+            moved = o - between.o0
+            total = self.mu * (between.u - v) + self.mu * self.pull * t - self.drag * moved
             links = total - self._impulse(t)
-            book_from_wall(accounts, gap, links, t, lambda: (more.sum(t), o - more.o0))
+            book_from_wall(accounts, gap, links, t, lambda: (between.sum(t), moved))
 
 
 def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> LinearPair | None:

@@ -75,8 +75,10 @@ def at_rest(
         math.fsum(link.force(-o, 0.0) for link in g.links) for g, o in zip(gaps, over, strict=True)
     ]
     contact = _contacts(balance, branches, over, across, [body.load.static for body in bodies])
-    pressing = [n for n, own in zip(contact or [], touch, strict=False) if own]
-    if contact is None or (pressing and min(pressing) <= PRESSES * max(pressing)):
+    if contact is None:
+        return None
+    pressing = [n for n, own in zip(contact, touch, strict=True) if own]
+    if pressing and min(pressing) <= PRESSES * max(pressing):
         return None
     total = math.fsum(b.mass for b in bodies if b.mass < math.inf)
     v = 0.0 if any(balance.fixed) else math.fsum(b.mass * b.v for b in bodies) / total

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sim.measured.events.even import braked
-from sim.measured.events.grid import Grid, noise_of
+from sim.measured.events.grid import Grid
 from sim.measured.events.in_step import in_step
 
 if TYPE_CHECKING:
@@ -131,7 +131,7 @@ def _noise(grid: Grid, cells: int) -> list[float]:
     """m/s. Of both carts' velocities told by so many cells, on a straight line through as many."""
     told = cells + 2 * grid.half
     slope = (12.0 / (told**3 - told)) ** 0.5 / grid.step
-    return [slope * one for one in noise_of(grid)]
+    return [slope * one for one in grid.noise]
 
 
 def _candidate(

@@ -7,6 +7,7 @@ v and a. Used to find *when* something happens; velocities are told by `sides` f
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -43,6 +44,7 @@ class Grid:
     a: Floats
     step: float
     half: int  # cells
+    noise: tuple[float, float]  # m, of one cell of each cart
 
 
 def grid_of(tracks: tuple[Track, Track]) -> Grid:
@@ -60,11 +62,12 @@ def grid_of(tracks: tuple[Track, Track]) -> Grid:
     edges = np.linspace(begin - 0.5 * frame, end + 0.5 * frame, cells + 1)
     t, step = 0.5 * (edges[1:] + edges[:-1]), (end - begin + frame) / cells
     x = np.array([_averaged(one, edges, t) for one in tracks])
+    noise = _noise(x[0]), _noise(x[1])
     half, most = max(HALF, round(SMOOTHED / step)), min(round(WIDEST / step), (cells - 2) // 2)
     tried: list[tuple[float, Grid]] = []
     while True:
         half = min(half, (cells - 2) // 2)
-        grid = Grid(t, x, *_slid(x, half, step), step, half)
+        grid = Grid(t, x, *_slid(x, half, step), step, half, noise)
         tried.append((_contrast(grid), grid))
         if tried[-1][0] >= CLEAR or half >= most:
             return max(tried, key=lambda one: one[0])[1] if tried[-1][0] < CLEAR else grid
@@ -107,12 +110,12 @@ def _slid(x: Floats, half: int, step: float) -> tuple[Floats, Floats]:
     return np.pad(v, pad, mode="edge"), np.pad(a, pad, mode="edge")
 
 
-def noise_of(grid: Grid) -> list[float]:
-    """m. Of one cell, for each cart: what third differences of places leave (of white noise their
-    variance is 1 + 9 + 9 + 1)."""
+def _noise(x: Floats) -> float:
+    """m. Of one cell: what third differences of places leave (of white noise their variance is
+    1 + 9 + 9 + 1)."""
     import numpy as np
 
-    return [scatter_of(np.diff(x, 3)) / 20.0**0.5 for x in grid.x]
+    return scatter_of(np.diff(x, 3)) / math.sqrt(20.0)
 
 
 MOST_JUDGED = 170

@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from sim.measured.events.change_points import SHORTEST, change_points
-from sim.measured.events.grid import Grid, coarse, noise_of
+from sim.measured.events.grid import Grid, coarse
 from sim.measured.events.stops import rolled_out
 from sim.measured.events.stretch import STILL, Kind, Segment
 
@@ -117,7 +117,7 @@ def _named(
         slope = float(np.polyfit(tau, x, 1)[0])
     if len(tau) >= SHORTEST:
         bent = np.polyfit(tau, x, 2)
-        if abs(bent[0]) * reach**2 * len(tau) ** 0.5 > SURELY * BENT * noise_of(grid)[cart]:
+        if abs(bent[0]) * reach**2 * len(tau) ** 0.5 > SURELY * BENT * grid.noise[cart]:
             bend, slope = float(bent[0]), float(bent[1])
     speeds = slope - bend * reach, slope + bend * reach
     kind = _kind(speeds, 2.0 * bend, greatest)

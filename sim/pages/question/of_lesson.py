@@ -9,7 +9,7 @@ from sim.lesson.form import Form
 from sim.lesson.kinds.run import Reading
 from sim.pages.findings import AuthorError
 from sim.pages.question.block import read_question_block
-from sim.pages.question.on_page import BEFORE_A_RUN, FORCES, OPEN
+from sim.pages.question.on_page import BEFORE_A_RUN, watched_by
 from sim.pages.question.quiz import read_quiz_block
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block, after_front_matter, scan
@@ -80,7 +80,7 @@ def _scene_of(question: Question, last: str) -> str:
     if isinstance(question, Reading):
         return question.scene
     if after := question.common.after:
-        return "" if after == OPEN else after.removesuffix(FORCES)
+        return watched_by(after)
     return "" if question.KIND in BEFORE_A_RUN else last
 
 

@@ -24,6 +24,11 @@ IDEA = "idea"
 BEFORE_A_RUN = (IDEA, "drawn")  # what these ask for is given before a run is seen
 
 
+def watched_by(after: str) -> str:
+    """The scene that a question with this `after` waits for; empty: it is open at once."""
+    return "" if after == OPEN else after.removesuffix(FORCES)
+
+
 @dataclass(slots=True)
 class PageItems:
     """The blocks of a page that made sense, in the order of the page."""
@@ -48,7 +53,7 @@ class PageItems:
     def gate(self, question: Question) -> str:
         """The scene that is watched before the question opens; empty: it is open at once."""
         if after := question.common.after:
-            return "" if after == OPEN else after.removesuffix(FORCES)
+            return watched_by(after)
         if isinstance(question, Reading):
             own = next((s for s in self.scenes if s.id == question.scene), None)
             return question.scene if own and own.watched_first else ""
