@@ -1,7 +1,7 @@
 """What a wheel carries beside the sources: the packed runtime, fonts and KaTeX.
 
 With them `pip install newtons-carts` is all that a teacher needs: no Node.js, no network. They are
-put together by sim/pages/carried.py, which needs what `make setup` installs.
+put together by sim/pages/site/carried.py, which needs what `make setup` installs.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class CarriedFiles(BuildHookInterface):
         if version == "editable":
             return
         self.folder = tempfile.TemporaryDirectory(prefix="carts-wheel-")
-        command = [sys.executable, "-m", "sim.pages.carried", self.folder.name]
+        command = [sys.executable, "-m", "sim.pages.site.carried", self.folder.name]
         if subprocess.run(command, cwd=self.root, check=False).returncode:
             raise RuntimeError(
                 "The wheel was not built: see above. “make wheel” sets up what it needs."

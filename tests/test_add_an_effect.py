@@ -108,7 +108,7 @@ assert header["parts"] == ["wind", "warmed"], header
 def test_its_page_is_in_the_navigation_and_in_the_table(project: Path) -> None:
     program = """
 import yaml
-from sim.pages.effect_pages import effect_pages, index_text, with_effects
+from sim.pages.site.effect_pages import effect_pages, index_text, with_effects
 site = yaml.unsafe_load(open("mkdocs.yml").read().replace("!!python/name:", ""))
 pages = str(with_effects(site["nav"]))
 assert pages.index("drag.md") < pages.index("physics/effects/wind.md") < pages.index("push.md")

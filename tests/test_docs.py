@@ -38,6 +38,13 @@ VALUES = [
 ]
 
 
+def test_every_room_of_the_generator_is_told() -> None:
+    pages = ROOT / "sim" / "pages"
+    text = (ROOT / "docs" / "developers" / "generator.md").read_text(encoding="utf-8")
+    told = {name for row in re.findall(r"^\| (`.*?) \|", text, re.M) for name in row.split(", ")}
+    assert told == {f"`{init.parent.name}`" for init in pages.glob("*/__init__.py")}
+
+
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])
 def test_the_reference_has_a_row_for_every_key(key: str) -> None:
     """Its first cell has the key in code: as a word, `until` stands in any English sentence."""

@@ -50,8 +50,8 @@ HEAVY = {
         ("sim.cli", {"click"}),
         ("sim.cli.classroom.results", {"click"}),
         ("sim.pages.text.yaml_source", {"yaml"}),
-        ("sim.pages.check", {"yaml"}),
-        ("sim.pages.extension", {"yaml", "markdown"}),
+        ("sim.pages.checks.lessons", {"yaml"}),
+        ("sim.pages.blocks.extension", {"yaml", "markdown"}),
     ],
 )
 def test_an_import_is_light(module: str, may_load: set[str]) -> None:

@@ -8,10 +8,10 @@ from pathlib import Path
 import click
 
 from sim.cli.site.site_folder import findings
-from sim.pages.check import USUAL_PLACES, check_paths
+from sim.pages.checks.lessons import USUAL_PLACES, check_paths
 from sim.pages.findings import Finding
 from sim.pages.question.by_default import CODE, TEXT
-from sim.pages.settings_file import SETTINGS
+from sim.pages.site.settings_file import SETTINGS
 
 
 @click.command("check")

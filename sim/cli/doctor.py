@@ -19,7 +19,7 @@ import click
 from sim import __version__
 from sim.cli import starter_files
 from sim.cli.site import site_folder
-from sim.pages.settings_file import SETTINGS
+from sim.pages.site.settings_file import SETTINGS
 from sim.pages.text.lesson_list import lessons_in
 from sim.pages.text.lesson_places import LESSONS
 
@@ -81,8 +81,8 @@ def _program() -> Iterator[Line]:
 
 def _runtime() -> Iterator[Line]:
     """Python for the page: ready-made in a wheel, or to be packed by Node.js in a checkout."""
-    from sim.pages import carried
     from sim.pages.runtime import ready
+    from sim.pages.site import carried
 
     if carried.CARRIED.is_dir():
         sets = sorted((carried.CARRIED / "runtime").glob("*.json"))

@@ -14,7 +14,7 @@ from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.language import language_folder
 from sim.pages.question.key_page import Key, lesson_key
-from sim.pages.settings_file import SETTINGS
+from sim.pages.site.settings_file import SETTINGS
 from sim.pages.text.front_matter import stated_language
 from sim.pages.text.lesson_list import lessons_in
 from sim.pages.text.lesson_places import LESSONS, shown

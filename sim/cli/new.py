@@ -10,7 +10,7 @@ import click
 
 from sim.cli import starter_files as starter
 from sim.cli.windows_names import why_not_on_windows
-from sim.pages.carried import lessons_folder
+from sim.pages.site.carried import lessons_folder
 from sim.pages.text.front_matter import LAST, lesson_order
 
 WORKSHEETS = "worksheets"

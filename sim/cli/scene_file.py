@@ -10,9 +10,9 @@ from typing import NoReturn
 import click
 
 from sim.cli.named_file import bytes_of
+from sim.pages.blocks.law_files import with_law_files
+from sim.pages.blocks.scene_block import read_scene_text
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.law_files import with_law_files
-from sim.pages.scene_block import read_scene_text
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml_source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence

@@ -10,9 +10,9 @@ import click
 
 from sim.cli.scene_file import fail
 from sim.cli.write_out import write_out
+from sim.pages.blocks.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.findings import AuthorError, SiteError
-from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
-from sim.pages.settings_file import SETTINGS
+from sim.pages.site.settings_file import SETTINGS
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.lesson_places import LESSONS, bank_folders, scene_folders

@@ -12,8 +12,8 @@ from sim.classroom.handouts.slip import slips
 from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import WHOLE, Asked, class_report, sorted_files
 from sim.classroom.show.report_page import report_html
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.question.key_page import lesson_key
-from sim.pages.scene_block import Lesson
 from tests.classroom.given.makers import TIME, sources
 
 QUESTION = """

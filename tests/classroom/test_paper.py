@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from sim.classroom.paper import same_sums, sizes, whole_total
-from sim.pages.extension import CartsExtension, Page, set_page
-from sim.pages.scene_block import Lesson
+from sim.pages.blocks.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.scene_block import Lesson
 from tests.classroom.given.paper_tables import EVIDENCE, TABLE_2, TABLE_3, text
 
 
@@ -86,8 +86,8 @@ def test_the_page_shows_what_was_computed() -> None:
 
 @pytest.mark.parametrize("body", ["show: nothing", "table: gains", "show: gains\nid: x"])
 def test_an_evidence_block_that_shows_no_table_is_an_error_with_a_hint(body: str) -> None:
-    from sim.pages.check import check_lesson
-    from sim.pages.scene_block import SiteIds
+    from sim.pages.blocks.scene_block import SiteIds
+    from sim.pages.checks.lessons import check_lesson
 
     lesson = Lesson("docs/evidence/index.md", (EVIDENCE,))
     (finding,) = check_lesson(f"# Title\n\n```evidence\n{body}\n```\n", lesson, SiteIds())
@@ -96,8 +96,8 @@ def test_an_evidence_block_that_shows_no_table_is_an_error_with_a_hint(body: str
 
 
 def test_the_printed_numbers_must_lie_beside_the_page() -> None:
-    from sim.pages.check import check_lesson
-    from sim.pages.scene_block import SiteIds
+    from sim.pages.blocks.scene_block import SiteIds
+    from sim.pages.checks.lessons import check_lesson
 
     (finding,) = check_lesson("```evidence\nshow: gains\n```\n", Lesson("x.md"), SiteIds())
     assert "table-1.csv" in finding.message

@@ -8,10 +8,10 @@ from markdown import Markdown
 
 from sim.classroom.files.keyed import read_key_file
 from sim.lesson.beliefs import BELIEFS
+from sim.pages.blocks.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.classroom.practice_keys import keys_script, practice_key
-from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.language import LANGUAGES
-from sim.pages.scene_block import Lesson
 from tests.classroom.given.site_keys import brought, keys_of
 
 BANKS = Path(__file__).parents[2] / "worksheets" / "banks"

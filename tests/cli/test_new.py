@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.pages.check import check_paths
+from sim.pages.checks.lessons import check_paths
 from sim.pages.text.front_matter import LAST, lesson_order
 
 

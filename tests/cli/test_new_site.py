@@ -13,8 +13,8 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.starter_files import quoted, site_id_of
-from sim.pages import lessons_only, usual_settings
-from sim.pages.check import USUAL_PLACES, check_paths
+from sim.pages.checks.lessons import USUAL_PLACES, check_paths
+from sim.pages.site import lessons_only, usual_settings
 
 ROOT = Path(__file__).parents[2]
 
@@ -112,7 +112,7 @@ def test_a_title_is_read_back_as_it_was_typed(text: str) -> None:
 
 @pytest.mark.parametrize("name", ["", "a", "ä", "x" * 99, "-- --", "A b C"])
 def test_an_identifier_always_has_the_form_that_the_build_asks_for(name: str) -> None:
-    from sim.pages.site_id import _SITE_ID
+    from sim.pages.site.site_id import _SITE_ID
 
     assert _SITE_ID.fullmatch(site_id_of(name))
 

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.pages.findings import SiteError
-from sim.pages.site_id import facts_of
+from sim.pages.site.site_id import facts_of
 
 COMMANDS = (["build"], ["doctor"], ["key"], ["pack"])
 

@@ -14,7 +14,7 @@ import sim.effects
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
 from sim.dynamics.report.plan import packages, plan
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
 from sim.scene import apply_changes, read_scene
 from sim.scene.effects import kinds
 from tests import registry

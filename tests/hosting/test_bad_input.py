@@ -15,7 +15,8 @@ from click.testing import CliRunner, Result
 from sim.cli import doctor, main
 from sim.cli.site import site_folder
 from sim.cli.site.build import build_site
-from sim.pages import runtime, site_files
+from sim.pages import runtime
+from sim.pages.site import files as site_files
 
 
 @pytest.fixture

@@ -22,7 +22,8 @@ from sim.cli import main
 from sim.cli.site.build import build_site
 from sim.cli.site.page_server import own_names
 from sim.cli.site.serve import Previewer
-from sim.pages import runtime, site_files
+from sim.pages import runtime
+from sim.pages.site import files as site_files
 from sim.pages.teach.withheld import WORDS
 
 Edit = Callable[[str, str, str], None]

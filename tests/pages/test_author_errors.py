@@ -14,9 +14,9 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.pages.check import check_lesson, check_paths
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson, check_paths
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson, SiteIds
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "author-errors"
 CASES = sorted(path.stem for path in GOLDEN.glob("*.md"))

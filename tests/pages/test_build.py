@@ -16,7 +16,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.site.build import build_site
-from sim.pages import site_files
+from sim.pages.site import files as site_files
 from tests.pages.given.small_site import CONFIG, MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from sim.bridge.protocol import answer
+from sim.pages.blocks.scene_block import Lesson, SiteIds
 from sim.pages.cost.block import CostBlock, read_cost_block
 from sim.pages.cost.render import MEASURED, render_cost
 from sim.pages.findings import AuthorError
-from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.text.fence_scan import scan
 from tests import registry
 from tests.web.scene.given.widget_site import in_node

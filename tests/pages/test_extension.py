@@ -10,11 +10,11 @@ from pathlib import Path
 import markdown
 import pytest
 
-from sim.pages import extension, makers
-from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.blocks import extension, makers
+from sim.pages.blocks.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.head.policy import blocked
-from sim.pages.scene_block import Lesson
 
 SCENE = """\
 ```scene

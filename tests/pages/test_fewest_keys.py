@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sim.lesson.read import KINDS
-from sim.pages.check import check_lesson
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 from tests.web.question.question_site import questions_page
 
 SCENE = """```scene

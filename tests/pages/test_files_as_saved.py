@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from sim.pages.check import check_lesson, check_paths
-from sim.pages.lessons_only import ready_page
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson, check_paths
 from sim.pages.question.of_lesson import lesson_asks
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.site.lessons_only import ready_page
 from sim.pages.teach.frame import Site
 from sim.pages.teach.pieces import blocks, pieces
 from sim.pages.teach.preview import Desk

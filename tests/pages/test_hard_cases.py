@@ -14,12 +14,12 @@ from sim.bridge.end_state import read
 from sim.bridge.hard_answer import METHODS as TRIED
 from sim.bridge.protocol import answer
 from sim.cli import main
+from sim.pages.blocks.scene_block import Lesson, SiteIds
 from sim.pages.findings import AuthorError
 from sim.pages.hard_cases import ALL, HardCase
 from sim.pages.hard_cases.block import HardCasesBlock, read_hard_cases_block
 from sim.pages.hard_cases.measured import measure, measured
 from sim.pages.hard_cases.render import render_hard_cases, yaml_text
-from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.yaml_source import load
 from sim.scene import read_scene

@@ -10,9 +10,9 @@ import pytest
 
 from sim.lesson import Common
 from sim.lesson.kinds.run import Reading
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.question.as_opened import as_opened
 from sim.pages.question.key_page import lesson_key
-from sim.pages.scene_block import Lesson
 from sim.scene import read_scene
 from tests import registry
 

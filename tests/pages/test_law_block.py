@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 from sim.mine.arguments import ARGUMENTS
-from sim.pages.bake import OWN_LAW, bake
-from sim.pages.check import check_lesson
+from sim.pages.blocks.bake import OWN_LAW, bake
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 from sim.pages.head.page_head import Needs, finish
 from sim.pages.runtime import OWN_LAW as PACKED
 from sim.pages.runtime.ours import read_ours, read_own_law
-from sim.pages.scene_block import Lesson, SiteIds
 from sim.scene import read_fence
 from tests.mine.laws import SPRING
 from tests.web.figures.law_site import BODY, element

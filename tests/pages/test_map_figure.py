@@ -13,11 +13,11 @@ from typing import Any
 
 import pytest
 
-from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
 from sim.pages.map.bake import MapRun, bake_map
 from sim.pages.map.render import render_map
-from sim.pages.scene_block import Lesson
 from sim.scene.map import read_map
 from tests import registry
 from tests.web.scene.given.widget_site import in_node

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from sim.pages.check import check_lesson
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 from sim.pages.findings import AuthorError
-from sim.pages.scene_block import Lesson, SiteIds
 from tests.web.figures.measured_site import BLOCKS, element
 
 WORKSHEETS = Path(__file__).parents[2] / "worksheets"

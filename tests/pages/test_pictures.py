@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from sim.pages.check import check_lesson
-from sim.pages.extension import Page
-from sim.pages.makers import made
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.blocks.extension import Page
+from sim.pages.blocks.makers import made
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.lesson_places import scene_folders
 from tests.conftest import ROOT

@@ -15,10 +15,10 @@ from typing import Any
 import pytest
 
 from sim.bridge.protocol import answer
-from sim.pages.bake import Run, bake
-from sim.pages.makers import Page, made
+from sim.pages.blocks.bake import Run, bake
+from sim.pages.blocks.makers import Page, made
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.prepared import MOST_BYTES, Prepared, grid_of, prepare
-from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
 from sim.scene import Fence, read_fence
 

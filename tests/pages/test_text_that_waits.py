@@ -9,9 +9,9 @@ from pathlib import Path
 import markdown
 import pytest
 
-from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson
 from sim.pages.teach.frame import Site
 from sim.pages.teach.preview import Desk
 

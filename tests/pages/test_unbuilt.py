@@ -8,9 +8,9 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.pages.check import check_lesson, check_paths
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson, check_paths
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson, SiteIds
 from tests.pages.given.small_site import MakeSite, lesson, make_site
 from tests.pages.given.translated_site import SAID, three, write_words
 

@@ -11,7 +11,7 @@ from mkdocs.config import load_config
 from mkdocs.config.defaults import MkDocsConfig
 
 from sim.cli import main
-from sim.pages import usual_settings
+from sim.pages.site import usual_settings
 from tests.pages.given.small_site import CONFIG, MakeSite, make_site
 
 __all__ = ["make_site"]  # a fixture

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import markdown
 
-from sim.pages.check import check_lesson
-from sim.pages.extension import CartsExtension
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.blocks.extension import CartsExtension
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 
 SCENE = """\
 ```scene

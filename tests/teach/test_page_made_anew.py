@@ -10,9 +10,9 @@ from typing import Any
 import markdown
 import pytest
 
-from sim.pages.check import check_lesson
-from sim.pages.extension import CartsExtension, Page, set_page
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.blocks.extension import CartsExtension, Page, set_page
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 from sim.pages.teach import answer as wire
 from sim.pages.teach.answer import teach_answer
 from sim.pages.teach.preview import Desk

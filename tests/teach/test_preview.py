@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from sim.pages.check import check_lesson
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 from sim.pages.teach import answer as wire
 from sim.pages.teach.answer import lesson_of, teach_answer
 from sim.pages.teach.frame import Site
@@ -96,8 +96,8 @@ def test_a_block_is_the_very_element_of_the_build_without_its_drawing() -> None:
     """The page draws it by the same functions; test_teacher_page looks at what comes of it."""
     from markdown import Markdown
 
-    from sim.pages.extension import CartsExtension, Page, set_page
-    from sim.pages.scene_block import Lesson
+    from sim.pages.blocks.extension import CartsExtension, Page, set_page
+    from sim.pages.blocks.scene_block import Lesson
 
     text = SCENE.format(mass="1 kg")
     (block,) = look(text)["blocks"]

@@ -16,12 +16,12 @@ import click
 from sim.cli.check import report
 from sim.cli.progress import pages_on_terminal
 from sim.cli.site import site_folder
-from sim.pages.check import USUAL_PLACES, check_paths
+from sim.pages.checks.lessons import USUAL_PLACES, check_paths
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
 
-    from sim.pages.site_build import SiteBuild
+    from sim.pages.site.build import SiteBuild
 
 
 NOT_OURS = {

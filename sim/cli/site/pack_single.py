@@ -13,7 +13,7 @@ from sim.cli.site.build import build_site
 from sim.cli.site.site_folder import SiteFolder
 
 if TYPE_CHECKING:
-    from sim.pages.site_build import SiteBuild
+    from sim.pages.site.build import SiteBuild
 
 
 def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:

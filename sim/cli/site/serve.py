@@ -146,7 +146,7 @@ class Previewer:
 
     def _forget_pages(self, changed: set[Path]) -> None:
         """The generator makes a page again whose file is older than its source."""
-        from sim.pages.preview import touched
+        from sim.pages.site.last_build import touched
         from sim.pages.text.lesson_places import page_of
 
         for source in touched(changed, (p for p in self.seen if p.suffix == ".md")):

@@ -12,8 +12,8 @@ import yaml
 
 from sim import __version__
 from sim.pages.findings import Finding, SiteError
-from sim.pages.settings_file import SETTINGS, not_yaml, settings_findings
-from sim.pages.site_id import facts_of
+from sim.pages.site.settings_file import SETTINGS, not_yaml, settings_findings
+from sim.pages.site.site_id import facts_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ def findings(root: Path) -> list[Finding]:
     """What is wrong with mkdocs.yml, with its places; none where there is no such file."""
     if not (root / SETTINGS).is_file():
         return []
-    from sim.pages.plugin import CartsConfig
+    from sim.pages.site.plugin import CartsConfig
 
     return settings_findings(root, dict(CartsConfig()._schema))
 

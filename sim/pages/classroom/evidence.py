@@ -25,8 +25,8 @@ from sim.classroom.paper import (
 from sim.classroom.report.numerals import number, signed
 from sim.classroom.show.html_parts import table
 from sim.classroom.statistics.spread import Spread
+from sim.pages.blocks.scene_block import Lesson, load_block
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, load_block
 from sim.pages.text.fence_scan import Block
 
 FILES = ("table-1.csv", "table-2.csv", "table-2-printed.csv", "table-3.csv")

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from sim.lesson.key_file import key_file
+from sim.pages.blocks.makers import Page
 from sim.pages.language import LANGUAGES, words_of
-from sim.pages.makers import Page
 
 FILE = "class-keys.js"
 FOR_TEACHERS = ("rubric", "note")

@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any
 
+from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import Source
 from sim.scene import SceneError, read_scene

@@ -23,10 +23,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from sim.pages.blocks.law_files import with_law_files
+from sim.pages.blocks.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import mark
-from sim.pages.law_files import with_law_files
-from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.text.fence_scan import Block
 from sim.scene import Fence, Problem, SceneError, read_fence
 from sim.scene.laws import is_written

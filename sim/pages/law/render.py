@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from sim.pages.bake import Run
+from sim.pages.blocks.bake import Run
 from sim.pages.language import told, tr_html
 from sim.pages.law.block import ASK, LawBlock
 from sim.pages.templates import element

@@ -22,8 +22,8 @@ from cyclonedx.output.json import JsonV1Dot6
 from packageurl import PackageURL
 from packaging.requirements import Requirement
 
-from sim.pages.carried import node_modules
 from sim.pages.licences import all_notices
+from sim.pages.site.carried import node_modules
 
 PROJECT = "newtons-carts"
 LONGEST_NAME = 60  # letters; what is longer is no name of a licence

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
 from sim.scene import Problem, SceneError, apply_changes
 from sim.scene.map import Map
 

@@ -16,14 +16,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import (
+from sim.pages.blocks.scene_block import (
     Lesson,
     Places,
     SiteIds,
     load_block,
     with_scene_file,
 )
+from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.yaml_source import Source

@@ -22,8 +22,8 @@ from sim.measured.refusal import ReadingError
 from sim.measured.sheet.cells import decoded
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import OFFERED, Units
+from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, SiteIds, load_block
 from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, Source

@@ -19,8 +19,8 @@ from sim.pages.head.policy import policy_of_file
 from sim.pages.language import speaking, tr_html, words
 from sim.pages.offline.hosting import PREVIEW
 from sim.pages.offline.open_me import IMAGES, STYLE
-from sim.pages.site_build import SiteBuild
-from sim.pages.site_files import ASSETS
+from sim.pages.site.build import SiteBuild
+from sim.pages.site.files import ASSETS
 from sim.pages.text.not_found import THEMES, language_in
 
 ADDRESS = "CARTS_SITE_URL"

@@ -15,8 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import (
+from sim.pages.blocks.scene_block import (
     Lesson,
     SceneBlock,
     SiteIds,
@@ -24,6 +23,7 @@ from sim.pages.scene_block import (
     load_block,
     read_scene_block,
 )
+from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.page_scenes import page_scenes

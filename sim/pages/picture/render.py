@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from html import escape
 
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
 from sim.pages.drawing import draw
 from sim.pages.findings import AuthorError
 from sim.pages.language import tr

@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.bake import Run, bake_with, without_title
+from sim.pages.blocks.bake import Run, bake_with, without_title
 from sim.pages.gzipped import gzipped
 from sim.pages.prepared.grid import Grid, grid_of
 from sim.pages.runtime.payload import make_payload

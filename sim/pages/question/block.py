@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.lesson import LessonError, Question, read_question
+from sim.pages.blocks.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.text.fence_scan import Block
 
 

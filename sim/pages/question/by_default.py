@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from sim.pages.blocks.scene_block import SceneBlock
 from sim.pages.findings import Finding
 from sim.pages.question.block import QuestionBlock
 from sim.pages.question.on_page import PageItems
-from sim.pages.scene_block import SceneBlock
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.held_back import first_told
 from sim.pages.text.lesson_places import LESSONS

@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from sim.lesson import keys
 from sim.lesson.goal import EXAMPLE, Goal, read_goal
 from sim.lesson.keys import PROSE, Key
+from sim.pages.blocks.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.text.fence_scan import Block
 from sim.scene import Fence, Problem
 from sim.scene.presentation import ID

@@ -12,11 +12,11 @@ from sim.dynamics.result.outcome import UnsolvedError
 from sim.lesson import Question
 from sim.lesson.key_file import item_key, key_file
 from sim.lesson.kinds.run import Reading
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.question.as_opened import as_opened
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.render import FORM_NAMES
-from sim.pages.scene_block import Lesson
 from sim.pages.templates import templates
 from sim.scene import Fence
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from sim.lesson import Question
 from sim.lesson.form import Form
 from sim.lesson.kinds.run import Reading
+from sim.pages.blocks.scene_block import Lesson, SiteIds, read_scene_block
 from sim.pages.findings import AuthorError
 from sim.pages.question.block import read_question_block
 from sim.pages.question.on_page import BEFORE_A_RUN, watched_by
 from sim.pages.question.quiz import read_quiz_block
-from sim.pages.scene_block import Lesson, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block, after_front_matter, scan
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections, title_of

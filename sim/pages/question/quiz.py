@@ -8,8 +8,8 @@ from pathlib import Path, PurePosixPath
 from sim.lesson import LessonError
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, bank_name, read_form
+from sim.pages.blocks.scene_block import Lesson, Places, SiteIds, load_block, yaml_findings
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.scene_block import Lesson, Places, SiteIds, load_block, yaml_findings
 from sim.pages.text.author_text import author_text, shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.lesson_text import text_findings

@@ -21,14 +21,9 @@ LAYERS = (
     *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach", "text")),
 )
 MODULES = (
-    "__init__",
-    "bake",
-    "effect_pages",
-    "findings",
-    "law_files",
-    "off_track",
-    "scene_block",
-    "templates",
+    *("__init__", "findings", "templates"),
+    *("blocks/__init__", "blocks/bake", "blocks/law_files", "blocks/scene_block"),
+    *("checks/__init__", "checks/off_track", "site/__init__", "site/effect_pages"),
 )
 """Of `sim/pages`."""
 BUILD_ONLY = (

@@ -21,7 +21,7 @@ from sim.pages.language import ENGLISH, mark, of_page, speaking, words
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE
 from sim.pages.single.beside import Beside, is_far
-from sim.pages.site_files import ASSETS, FILM
+from sim.pages.site.files import ASSETS, FILM
 
 _LOOK = """\
 html { font-size: 125%; } body { margin: 0; }

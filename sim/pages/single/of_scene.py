@@ -10,13 +10,14 @@ import html
 from collections.abc import Callable
 from pathlib import Path
 
-from sim.pages import licences, site_files
-from sim.pages.bake import bake
-from sim.pages.carried import node_modules
+from sim.pages import licences
+from sim.pages.blocks.bake import bake
+from sim.pages.blocks.scene_block import SceneBlock
 from sim.pages.findings import AuthorError, SiteError
 from sim.pages.head.policy import policy_of_file
-from sim.pages.scene_block import SceneBlock
 from sim.pages.single.all_inside import INSIDE, runtime_scripts
+from sim.pages.site import files as site_files
+from sim.pages.site.carried import node_modules
 from sim.pages.widget import render
 from sim.pages.widget.worlds import WORLDS
 from sim.scene.presentation import TOOLS

@@ -15,7 +15,7 @@ from urllib.parse import quote
 from sim.pages.findings import Finding, SiteError
 from sim.pages.single.all_inside import runtime_files
 from sim.pages.single.of_lesson import single_lesson
-from sim.pages.site_files import ASSETS
+from sim.pages.site.files import ASSETS
 from sim.pages.teach.doors import END
 
 FOLDER = "download/"

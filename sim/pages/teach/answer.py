@@ -18,8 +18,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.question.challenge import usual_id
-from sim.pages.scene_block import Lesson
 from sim.pages.teach.doubt import doubt
 from sim.pages.teach.edit import CannotWriteError, with_value
 from sim.pages.teach.fields import TRUTH, fields

@@ -13,12 +13,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
+from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block, read_scene_block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import speaking
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
-from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
 from sim.pages.teach.frame import Site, frame_of
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.held_back import mark_held

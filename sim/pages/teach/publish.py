@@ -18,10 +18,10 @@ from typing import Any
 from urllib.parse import quote
 
 from sim.lesson.opening import word_sum
+from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.findings import AuthorError
 from sim.pages.gzipped import gzipped
 from sim.pages.measured.block import read_measured_block
-from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold

@@ -5,10 +5,10 @@ from __future__ import annotations
 import posixpath
 from pathlib import Path
 
-from sim.pages.effect_pages import SCENES
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import SiteError
 from sim.pages.language import LANGUAGES
-from sim.pages.scene_block import Lesson
+from sim.pages.site.effect_pages import SCENES
 
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 BANK_FOLDER = "banks"

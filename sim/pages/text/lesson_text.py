@@ -12,9 +12,9 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
-from sim.pages.effect_pages import EFFECTS, PLACE
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson
+from sim.pages.site.effect_pages import EFFECTS, PLACE
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import misspelt, without_scene, without_text

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from sim.pages.blocks.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.findings import AuthorError
-from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block
 
 

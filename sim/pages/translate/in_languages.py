@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sim.pages.scene_block import Lesson
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.text.author_text import author_text
 from sim.pages.text.lesson_places import described, shown
 from sim.pages.translate.catalogues import lessons_folder

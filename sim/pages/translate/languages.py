@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from sim.pages.blocks.makers import Page
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.makers import Page
 from sim.pages.translate.page_line import draft_line, language_line, languages_of, with_lines
 from sim.pages.translate.translation import Translation, translations_of
 

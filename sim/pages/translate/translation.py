@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from urllib.parse import unquote
 
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
-from sim.pages.scene_block import Lesson
 from sim.pages.text.author_text import author_text, shown_here
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown

@@ -7,7 +7,7 @@ from dataclasses import replace
 from html import escape
 from typing import Any
 
-from sim.pages.bake import packages_of
+from sim.pages.blocks.bake import packages_of
 from sim.pages.templates import script_json
 from sim.pages.widget.baked import baked_values
 from sim.pages.widget.worlds import WORLDS, render_worlds

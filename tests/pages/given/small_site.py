@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from sim.pages import runtime, site_files
+from sim.pages import runtime
+from sim.pages.site import files as site_files
 
 ROOT = Path(__file__).parents[3]
 CONFIG = """\

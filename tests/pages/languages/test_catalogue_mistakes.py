@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sim.pages.check import check_paths
+from sim.pages.checks.lessons import check_paths
 from tests.pages.given.small_site import MakeSite, make_site
 from tests.pages.given.translated_site import SAID, TEXT, three, write_words
 

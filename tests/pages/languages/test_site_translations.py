@@ -12,8 +12,8 @@ import pytest
 
 from sim.bridge import protocol
 from sim.cli.site.build import build_site
-from sim.pages import bake as baking
-from sim.pages.check import check_paths
+from sim.pages.blocks import bake as baking
+from sim.pages.checks.lessons import check_paths
 from sim.pages.prepared import pack
 from tests.pages.given.small_site import MakeSite, lesson, make_site
 from tests.pages.given.translated_site import SAID, TEXT, three, write_words

@@ -5,11 +5,11 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
-from sim.pages.bake import OWN_LAW
-from sim.pages.extension import Page
-from sim.pages.makers import made
+from sim.pages.blocks.bake import OWN_LAW
+from sim.pages.blocks.extension import Page
+from sim.pages.blocks.makers import made
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.runtime import default_cache, pack
-from sim.pages.scene_block import Lesson
 from sim.pages.templates import script_json
 from sim.pages.text.fence_scan import scan
 from tests.web.runtime.boot_site import ROOT, STRICT, bundle

@@ -5,10 +5,10 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
+from sim.pages.blocks.scene_block import Lesson, SiteIds
 from sim.pages.measured.block import read_measured_block
 from sim.pages.measured.render import render_measured
 from sim.pages.runtime import MEASURED, default_cache, pack
-from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.text.fence_scan import scan
 from tests.web.runtime.boot_site import ROOT, STRICT, bundle
 

@@ -11,9 +11,9 @@ import pytest
 from markdown import Markdown
 from playwright.sync_api import Page
 
-from sim.pages.extension import CartsExtension, set_page
-from sim.pages.extension import Page as MadePage
-from sim.pages.scene_block import Lesson
+from sim.pages.blocks.extension import CartsExtension, set_page
+from sim.pages.blocks.extension import Page as MadePage
+from sim.pages.blocks.scene_block import Lesson
 from tests.web.runtime.boot_site import ROOT, STRICT, bundle
 
 SITE_ID = "question-tests"

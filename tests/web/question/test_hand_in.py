@@ -14,7 +14,7 @@ from sim.classroom.files.keyed import read_key_file
 from sim.lesson.form import Form
 from sim.lesson.handin import decode
 from sim.lesson.key_file import key_file
-from sim.pages.extension import Page as MadePage
+from sim.pages.blocks.extension import Page as MadePage
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as, saved_file
 from tests.web.question.question_site import BANK, question_site, questions_page, ready, write_page

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, Request, expect
 
 from sim.dynamics.loop.run import run
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
 from sim.pages.runtime import default_cache, pack
 from sim.scene import apply_changes, read_scene
 from tests import registry

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from sim.pages.makers import Page as Making
-from sim.pages.makers import made
-from sim.pages.scene_block import Lesson
+from sim.pages.blocks.makers import Page as Making
+from sim.pages.blocks.makers import made
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import STRICT

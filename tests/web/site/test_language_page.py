@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from sim.pages import makers
+from sim.pages.blocks import makers
 from sim.pages.language import speaking, told
 from sim.pages.language.extract import sentences
 from tests.pages.given.interface_words import BRACKETS, rebuilt, sent_of_runs

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from sim.pages.bake import bake_with
+from sim.pages.blocks.bake import bake_with
 from sim.pages.text.yaml_source import load
 from sim.pages.widget.render import render
 from sim.scene import read_fence

@@ -18,10 +18,10 @@ from markdown import Extension, Markdown
 from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
 
+from sim.pages.blocks.makers import MAKERS, Page, made
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import AuthorError, error_box
 from sim.pages.language import speaking, words
-from sim.pages.makers import MAKERS, Page, made
-from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.held_back import mark_held
 from sim.pages.text.plain_lines import without_code

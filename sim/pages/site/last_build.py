@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from jinja2 import BytecodeCache
 from jinja2.bccache import Bucket
 
+from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding, error_box
-from sim.pages.scene_block import Lesson
 from sim.pages.text.lesson_text import text_findings
 
 if TYPE_CHECKING:

@@ -12,11 +12,11 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from sim.pages import licences, site_files
-from sim.pages.carried import node_modules
+from sim.pages import licences
+from sim.pages.blocks.extension import Page
+from sim.pages.blocks.scene_block import SiteIds
 from sim.pages.classroom import practice_keys
 from sim.pages.classroom.practice_keys import practice_key
-from sim.pages.extension import Page
 from sim.pages.findings import Finding, SiteError
 from sim.pages.head.page_head import Needs, finish, needs_of
 from sim.pages.head.policy import Audience, inline_scripts, is_trusted
@@ -28,11 +28,12 @@ from sim.pages.language import (
     words_script,
 )
 from sim.pages.offline import Hosting
-from sim.pages.own_files import strangers
 from sim.pages.prepared import FOLDER as PREPARED
-from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
-from sim.pages.site_id import check_site_id
+from sim.pages.site import files as site_files
+from sim.pages.site.carried import node_modules
+from sim.pages.site.own_files import strangers
+from sim.pages.site.site_id import check_site_id
 from sim.pages.teach.doors import Doors
 from sim.pages.text.formulas import Formulas
 from sim.pages.text.lesson_places import described, shown

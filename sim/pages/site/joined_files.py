@@ -10,9 +10,9 @@ from typing import cast
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
-from sim.pages import effect_pages, lessons_only
 from sim.pages.language import ENGLISH, of_page, speaking, words
-from sim.pages.site_files import SEARCH_FROM_DISK, search_from_disk
+from sim.pages.site import effect_pages, lessons_only
+from sim.pages.site.files import SEARCH_FROM_DISK, search_from_disk
 from sim.pages.text.lesson_places import shown
 from sim.pages.translate.translation import Translation
 

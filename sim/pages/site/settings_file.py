@@ -15,8 +15,8 @@ from typing import Any
 import yaml
 
 from sim.pages.findings import Finding, SiteError
-from sim.pages.menu_names import named_in_vain
-from sim.pages.site_id import check_site_id
+from sim.pages.site.menu_names import named_in_vain
+from sim.pages.site.site_id import check_site_id
 from sim.scene.problem import did_you_mean, nearest
 
 SETTINGS = "mkdocs.yml"

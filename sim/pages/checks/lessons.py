@@ -5,27 +5,28 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
+from sim.pages.blocks.law_files import with_law_files
+from sim.pages.blocks.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
+from sim.pages.checks.hidden_forces import forces_nobody_finds
+from sim.pages.checks.preset_reach import presets_beyond_sliders
+from sim.pages.checks.relevance import relevance_hints
+from sim.pages.checks.steep import steep_slopes
+from sim.pages.checks.unbuilt import no_lesson, no_page
 from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
-from sim.pages.hidden_forces import forces_nobody_finds
 from sim.pages.law.block import LawBlock, read_law_block
-from sim.pages.law_files import with_law_files
 from sim.pages.map.bake import bake_map
 from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
 from sim.pages.picture.block import read_picture_block
-from sim.pages.preset_reach import presets_beyond_sliders
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.closed import closed_already
 from sim.pages.question.quiz import read_bank_text
-from sim.pages.relevance import relevance_hints
-from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
-from sim.pages.steep import steep_slopes
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
@@ -35,7 +36,6 @@ from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections
 from sim.pages.translate.check import catalogue_findings
 from sim.pages.translate.translation import Translation
-from sim.pages.unbuilt import no_lesson, no_page
 from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)

@@ -12,10 +12,10 @@ from typing import Any
 
 import yaml
 
-from sim.pages.effect_pages import PLACE, effect_pages
 from sim.pages.findings import SiteError
 from sim.pages.language import LANGUAGES
-from sim.pages.lessons_only import CLASS_RESULTS, HOME
+from sim.pages.site.effect_pages import PLACE, effect_pages
+from sim.pages.site.lessons_only import CLASS_RESULTS, HOME
 from sim.pages.text.lesson_places import LESSONS, check_folder
 from sim.pages.translate.catalogues import FOLDER
 from sim.scene.problem import did_you_mean

@@ -7,7 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from html import escape
 
-from sim.pages.bake import bake
+from sim.pages.blocks.bake import bake
+from sim.pages.blocks.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.drawing import DrawingError
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import ENGLISH, speaking, words
@@ -15,7 +16,6 @@ from sim.pages.map.block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.on_page import FORCES
-from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.sections import Section
 

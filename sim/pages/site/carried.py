@@ -1,7 +1,7 @@
 """What an installed wheel carries, so that a teacher needs neither Node.js nor a network.
 
 In a checkout fonts and KaTeX come from node_modules/ and the runtime is packed when a site is
-built. A wheel holds both ready-made in the folder sim/carried/; `python -m sim.pages.carried
+built. A wheel holds both ready-made in the folder sim/carried/; `python -m sim.pages.site.carried
 FOLDER` writes them when the wheel is built.
 """
 
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import sim
 from sim.pages import licences
-from sim.pages.site_files import FONTS, FONTS_INSIDE
+from sim.pages.site.files import FONTS, FONTS_INSIDE
 
 _SIM = Path(sim.__file__).parent
 CARRIED = _SIM / "carried"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from sim.pages.blocks.scene_block import SceneBlock
 from sim.pages.findings import Finding
-from sim.pages.scene_block import SceneBlock
 from sim.scene.problem import Problem
 
 STEEP = math.radians(20.0)

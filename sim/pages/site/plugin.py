@@ -25,22 +25,22 @@ from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
-from sim.pages import effect_pages, lessons_only, usual_settings
-from sim.pages.extension import CartsExtension, Page, set_page, with_late
+from sim.pages.blocks.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding, SiteError
 from sim.pages.head.policy import Audience, blocked, trusted_scripts
-from sim.pages.joined_files import (
+from sim.pages.language import ENGLISH
+from sim.pages.offline import Hosting, nowhere
+from sim.pages.site import effect_pages, lessons_only, usual_settings
+from sim.pages.site.build import SiteBuild
+from sim.pages.site.files import ASSETS, SEARCH_FROM_DISK
+from sim.pages.site.joined_files import (
     add_effect_pages,
     add_translations,
     leave_out,
     put_ready_pages,
 )
-from sim.pages.language import ENGLISH
-from sim.pages.offline import Hosting, nowhere
-from sim.pages.preview import Preview, text_box
-from sim.pages.site_build import SiteBuild
-from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
-from sim.pages.site_id import facts_of
+from sim.pages.site.last_build import Preview, text_box
+from sim.pages.site.site_id import facts_of
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
 from sim.pages.text.lesson_places import JOINING, check_folder

@@ -18,10 +18,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from sim.pages.blocks.law_files import with_law_files
+from sim.pages.checks.off_track import off_track
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
-from sim.pages.law_files import with_law_files
-from sim.pages.off_track import off_track
 from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
 from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load

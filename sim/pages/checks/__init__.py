@@ -1,0 +1,1 @@
+"""What an author is told without building: every mistake in lessons, and hints about scenes."""
