@@ -53,8 +53,8 @@
     const ours = catalogue[more]?.split(FORMS);
     if (!ours) return n === 1 ? one : more;
     const english = n === 1 ? 0 : 1;
-    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
-    return String(ours[Math.min(asked, ours.length - 1)]);
+    const asked2 = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked2, ours.length - 1)]);
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
@@ -553,6 +553,15 @@
     };
   }
 
+  // src/shared/staying.js
+  var asked = false;
+  function letItStay() {
+    if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    asked = true;
+    navigator.storage?.persist?.().catch(() => {
+    });
+  }
+
   // src/shared/tabs.js
   function telling(store, site) {
     const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
@@ -597,7 +606,10 @@
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      put: (key, value, alone2) => {
+        letItStay();
+        return all.put(before + key, stamped(value), alone2);
+      },
       remove: (key) => all.remove(before + key),
       hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
@@ -1097,18 +1109,18 @@
   function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask2(true));
-    const asked = html("span", "", `${question} `);
+    const asked2 = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask2(false), "carts-answers-no");
     const go = () => {
       ask2(false);
       act();
     };
-    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
-    asked.hidden = true;
-    row.append(first, asked);
+    asked2.append(button(yes, go, "carts-answers-yes"), " ", no);
+    asked2.hidden = true;
+    row.append(first, asked2);
     function ask2(on) {
       first.hidden = on;
-      asked.hidden = !on;
+      asked2.hidden = !on;
       (on ? no : first).focus();
     }
     return row;
@@ -1167,7 +1179,7 @@
       const name = html("span", "carts-answers-name");
       name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${held(book2, file)}`);
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
-      const asked = html("p", "carts-answers-whose");
+      const asked2 = html("p", "carts-answers-whose");
       const keep = (student) => {
         const now = (/* @__PURE__ */ new Date()).toISOString();
         const [fresh] = makeFiles(book2.entries(), { site: book2.site, student }, now).filter(
@@ -1187,7 +1199,7 @@
       };
       const save = button(
         tr("Save file"),
-        () => book2.student ? keep(book2.student) : askWhose(asked, book2, keep),
+        () => book2.student ? keep(book2.student) : askWhose(asked2, book2, keep),
         "carts-answers-save"
       );
       const csv = button(
@@ -1202,7 +1214,7 @@
         },
         "carts-answers-csv"
       );
-      row.append(name, save, " ", csv, asked);
+      row.append(name, save, " ", csv, asked2);
       return row;
     });
   }
@@ -1211,9 +1223,9 @@
     const { done, of } = book2.progress();
     if (form2 !== "worksheet" || page !== book2.page || !of)
       return counted("1 answer", "{n} answers", all);
-    const asked = tr("{part} of {all} questions", { part: done, all: of });
+    const asked2 = tr("{part} of {all} questions", { part: done, all: of });
     const more = all - done;
-    return more > 0 ? `${asked} + ${counted("1 more answer", "{n} more answers", more)}` : asked;
+    return more > 0 ? `${asked2} + ${counted("1 more answer", "{n} more answers", more)}` : asked2;
   }
   function askWhose(place2, book2, keep) {
     const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));

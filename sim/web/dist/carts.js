@@ -413,8 +413,8 @@
     const ours = catalogue[more]?.split(FORMS);
     if (!ours) return n3 === 1 ? one : more;
     const english = n3 === 1 ? 0 : 1;
-    const asked3 = RULE ? Number(RULE[n3 < RULE.length ? n3 : 100 + n3 % 100]) : english;
-    return String(ours[Math.min(asked3, ours.length - 1)]);
+    const asked4 = RULE ? Number(RULE[n3 < RULE.length ? n3 : 100 + n3 % 100]) : english;
+    return String(ours[Math.min(asked4, ours.length - 1)]);
   }
   function told2(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
@@ -881,12 +881,12 @@
         return bet.focus();
       }
       open2();
-      const asked3 = Number(error.value);
+      const asked4 = Number(error.value);
       const read = readTyped(times2.value);
       const factor = "value" in read ? read.value : Number.NaN;
-      const said = { error: asked3, bet: bet.value, times: factor };
+      const said = { error: asked4, bet: bet.value, times: factor };
       say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
-      put(need(root, ".carts-cost-asked"), "d", `M${LEFT2} ${px(yAt(asked3))}H${RIGHT2}`);
+      put(need(root, ".carts-cost-asked"), "d", `M${LEFT2} ${px(yAt(asked4))}H${RIGHT2}`);
     });
   }
 
@@ -1158,14 +1158,14 @@
           this.choice.of("method").value = point.method;
           this.#note("The point of the map is being run …");
         }
-        const asked3 = this.choice.asked(point?.parts);
+        const asked4 = this.choice.asked(point?.parts);
         try {
           if (this.choice.adaptive) {
             this.#note("Python’s scipy is being loaded …");
             await client2.need(PACKAGES);
           }
           const scene = point?.scene ?? this.#scene;
-          const message = { kind: "cost", scene, ...asked3 };
+          const message = { kind: "cost", scene, ...asked4 };
           const { header, numbers } = await client2.ask(this, () => message);
           if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
@@ -2315,8 +2315,8 @@
     const number = text.slice(0, text.length - unit.length);
     return unit && text.endsWith(unit) && /[\d.,\s]$/.test(number) ? number : text;
   }
-  function nearest(values, asked3) {
-    const far = (x2) => Math.abs(x2 - asked3);
+  function nearest(values, asked4) {
+    const far = (x2) => Math.abs(x2 - asked4);
     return values.reduce((best, x2, k) => far(x2) < far(values[best] ?? 0) ? k : best, 0);
   }
   function valueIn(header, target) {
@@ -4115,6 +4115,15 @@
     };
   }
 
+  // src/shared/staying.js
+  var asked2 = false;
+  function letItStay() {
+    if (asked2 || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    asked2 = true;
+    navigator.storage?.persist?.().catch(() => {
+    });
+  }
+
   // src/shared/tabs.js
   function telling(store, site) {
     const channel2 = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
@@ -4156,7 +4165,10 @@
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
+      put: (key, value, alone3) => {
+        letItStay();
+        return all.put(before + key, stamped(value), alone3);
+      },
       remove: (key) => all.remove(before + key),
       hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
@@ -4665,7 +4677,7 @@
   // src/predict/arrow-parts.js
   var ALIKE = 0.06;
   var LONG2 = 120;
-  function asked2(element, { contacts, track }) {
+  function asked3(element, { contacts, track }) {
     const { pair = "", on = "" } = element.dataset;
     const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
     const side = (
@@ -4722,7 +4734,7 @@
       );
       this.#rows = [...elements].map((element) => {
         const row = {
-          ...asked2(element, header),
+          ...asked3(element, header),
           size: null,
           good: null,
           // the last size that was not taken back: half-typed numbers do not count
@@ -5212,7 +5224,7 @@
         root.querySelectorAll(".carts-guess")
       );
       this.#rows = [...elements].map((element) => {
-        const row = { ...asked2(element, header), share: null };
+        const row = { ...asked3(element, header), share: null };
         row.slider.addEventListener("input", () => {
           row.share = row.slider.valueAsNumber;
           this.#show();
@@ -5348,9 +5360,9 @@
       need(this.box, ".carts-talk-change").addEventListener("click", change2);
       need(this.box, ".carts-talk-run").addEventListener("click", run);
     }
-    show(on, asked3) {
+    show(on, asked4) {
       this.box.hidden = !on;
-      if (on && asked3) need(this.box, ".carts-talk-run").focus();
+      if (on && asked4) need(this.box, ".carts-talk-run").focus();
     }
   };
   var Why = class {
@@ -6272,12 +6284,12 @@
       for (const button of this.buttons) {
         const values = Object.entries(this.#of(button));
         const numbers = this.numbers[button.dataset.preset ?? ""];
-        const asked3 = values.every(([target, value]) => settings[target] === value);
+        const asked4 = values.every(([target, value]) => settings[target] === value);
         const same = values.every(([target, value]) => {
           const what = thingIn(header, target);
           return what ? what === value : valueIn(header, target) === numbers?.[target];
         });
-        put(button, "aria-pressed", String(values.length > 0 && (asked3 || same)));
+        put(button, "aria-pressed", String(values.length > 0 && (asked4 || same)));
       }
     }
     seen(names) {
@@ -7127,12 +7139,12 @@
     return { settings, t: Number.isFinite(t3) ? Math.max(0, t3) : 0 };
   }
   async function followLink(scene, runs, say2) {
-    const asked3 = readLink(location.hash, scene.id);
-    if (!asked3) return;
-    if ("problem" in asked3) return say2(asked3.problem);
+    const asked4 = readLink(location.hash, scene.id);
+    if (!asked4) return;
+    if ("problem" in asked4) return say2(asked4.problem);
     try {
-      await runs.become(asked3.settings);
-      scene.time = asked3.t;
+      await runs.become(asked4.settings);
+      scene.time = asked4.t;
       scene.scrollIntoView();
     } catch (error) {
       const { message } = (
@@ -7494,19 +7506,19 @@ ${lines4.join("\n")}
       const set = {};
       let number = 0;
       for (const axis2 of axes) {
-        const asked3 = wanted2[axis2.set];
-        const place4 = nearest(axis2.numbers, this.#number(axis2, asked3));
+        const asked4 = wanted2[axis2.set];
+        const place4 = nearest(axis2.numbers, this.#number(axis2, asked4));
         number = number * axis2.values.length + place4;
-        if (asked3 !== void 0) set[axis2.set] = axis2.values[place4] ?? asked3;
+        if (asked4 !== void 0) set[axis2.set] = axis2.values[place4] ?? asked4;
       }
       return { number, set };
     }
-    #number(axis2, asked3) {
+    #number(axis2, asked4) {
       const control = this.controls.find(({ set }) => set === axis2.set);
       const box2 = this.switches.find(({ set }) => set === axis2.set);
-      if (asked3 === void 0) return control ? control.value * control.per : Number(box2?.value);
-      if (typeof asked3 !== "string") return Number(asked3);
-      const text = asked3.trim();
+      if (asked4 === void 0) return control ? control.value * control.per : Number(box2?.value);
+      if (typeof asked4 !== "string") return Number(asked4);
+      const text = asked4.trim();
       const unit = control?.unit ?? "";
       const number = text.endsWith(unit) ? text.slice(0, text.length - unit.length) : "";
       if (!control || number.trim() === "" || Number.isNaN(Number(number))) {
@@ -7622,8 +7634,8 @@ ${lines4.join("\n")}
     hear(signal) {
       const owner = {};
       const answer = ({ detail }) => {
-        const asked3 = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
-        detail.answer(this.client.ask(owner, () => asked3));
+        const asked4 = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
+        detail.answer(this.client.ask(owner, () => asked4));
       };
       this.owner.addEventListener(ASKED, answer, { signal });
     }
@@ -7661,9 +7673,9 @@ ${lines4.join("\n")}
     become(changes2) {
       const back = this.values.replace(changes2);
       const done = this.compute(changes2, performance.now());
-      const asked3 = this.#asked;
+      const asked4 = this.#asked;
       return done.catch((error) => {
-        if (asked3 === this.#asked) back();
+        if (asked4 === this.#asked) back();
         throw error;
       });
     }
@@ -7695,9 +7707,9 @@ ${lines4.join("\n")}
     }
     async #meanwhile() {
       if (!this.prepared?.there) return;
-      const asked3 = this.#asked;
+      const asked4 = this.#asked;
       const found3 = await this.prepared.nearest(this.values.wanted).catch(() => null);
-      if (!found3?.header.ok || asked3 !== this.#asked) return;
+      if (!found3?.header.ok || asked4 !== this.#asked) return;
       this.values.good = found3.set;
       const { header, numbers } = found3;
       await this.acts.draw({ header, trajectory: fromWire(header, numbers) });

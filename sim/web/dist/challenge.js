@@ -395,6 +395,15 @@
     };
   }
 
+  // src/shared/staying.js
+  var asked = false;
+  function letItStay() {
+    if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    asked = true;
+    navigator.storage?.persist?.().catch(() => {
+    });
+  }
+
   // src/shared/tabs.js
   function telling(store, site) {
     const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
@@ -436,7 +445,10 @@
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value2, alone2) => all.put(before + key, stamped(value2), alone2),
+      put: (key, value2, alone2) => {
+        letItStay();
+        return all.put(before + key, stamped(value2), alone2);
+      },
       remove: (key) => all.remove(before + key),
       hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value2]) => [key.slice(before.length), value2])
@@ -507,12 +519,12 @@
         if (!Number.isInteger(runs)) return null;
         return { runs, found: Number.isInteger(found2) ? found2 : 0, values: String(values ?? "") };
       },
-      async put(asked, tried, said) {
+      async put(asked2, tried, said) {
         if (!outline()) return;
         const now = (/* @__PURE__ */ new Date()).toISOString();
         const first = (await kept2.get())?.first ?? now;
         const entry = { id, type: TYPE, value: tried, first, last: now, tries: tried.runs };
-        await kept2.put({ ...entry, asked, said }).catch(() => {
+        await kept2.put({ ...entry, asked: asked2, said }).catch(() => {
         });
       }
     };

@@ -50,8 +50,8 @@
     const ours = catalogue[more]?.split(FORMS);
     if (!ours) return n === 1 ? one : more;
     const english = n === 1 ? 0 : 1;
-    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
-    return String(ours[Math.min(asked, ours.length - 1)]);
+    const asked2 = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked2, ours.length - 1)]);
   }
   function told(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
@@ -2305,18 +2305,18 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
-    const asked = html("span", "", `${question} `);
+    const asked2 = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();
     };
-    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
-    asked.hidden = true;
-    row.append(first, asked);
+    asked2.append(button(yes, go, "carts-answers-yes"), " ", no);
+    asked2.hidden = true;
+    row.append(first, asked2);
     function ask(on) {
       first.hidden = on;
-      asked.hidden = !on;
+      asked2.hidden = !on;
       (on ? no : first).focus();
     }
     return row;
@@ -2755,6 +2755,15 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     };
   }
 
+  // src/shared/staying.js
+  var asked = false;
+  function letItStay() {
+    if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    asked = true;
+    navigator.storage?.persist?.().catch(() => {
+    });
+  }
+
   // src/shared/tabs.js
   function telling(store, site) {
     const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
@@ -2796,7 +2805,10 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      put: (key, value, alone2) => {
+        letItStay();
+        return all.put(before + key, stamped(value), alone2);
+      },
       remove: (key) => all.remove(before + key),
       hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])

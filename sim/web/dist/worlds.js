@@ -14,8 +14,8 @@
     const ours = catalogue[more]?.split(FORMS);
     if (!ours) return n === 1 ? one : more;
     const english = n === 1 ? 0 : 1;
-    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
-    return String(ours[Math.min(asked, ours.length - 1)]);
+    const asked2 = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked2, ours.length - 1)]);
   }
   function told(sentence) {
     if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
@@ -2569,6 +2569,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     };
   }
 
+  // src/shared/staying.js
+  var asked = false;
+  function letItStay() {
+    if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    asked = true;
+    navigator.storage?.persist?.().catch(() => {
+    });
+  }
+
   // src/shared/tabs.js
   function telling(store, site) {
     const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
@@ -2610,7 +2619,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      put: (key, value, alone2) => {
+        letItStay();
+        return all.put(before + key, stamped(value), alone2);
+      },
       remove: (key) => all.remove(before + key),
       hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])

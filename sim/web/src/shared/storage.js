@@ -11,6 +11,7 @@ import { instead, takeTexts } from "./brought-over.js";
 import { STUDENT } from "./code-word.js";
 import { indexed, SETTLED } from "./indexed-store.js";
 import { memory, sheltered } from "./shelter.js";
+import { letItStay } from "./staying.js";
 import { telling } from "./tabs.js";
 import { textStore } from "./text-store.js";
 
@@ -69,7 +70,10 @@ export function forStudent(all, code) {
     kind: all.kind,
     how: all.how,
     get: (key) => all.get(before + key),
-    put: (key, value, alone) => all.put(before + key, stamped(value), alone),
+    put: (key, value, alone) => {
+      letItStay();
+      return all.put(before + key, stamped(value), alone);
+    },
     remove: (key) => all.remove(before + key),
     hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
     entries: async () =>
