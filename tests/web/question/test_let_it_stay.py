@@ -1,4 +1,4 @@
-"""Of a full disk a browser frees what sites have kept: where it can be asked not to, it is asked."""
+"""With a full disk a browser frees what sites kept: where it can be asked not to, it is asked."""
 
 from __future__ import annotations
 
