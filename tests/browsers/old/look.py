@@ -50,10 +50,10 @@ def look(program: Path, lesson: Path, free: Path) -> dict[str, bool]:
         told = _until(page, TELLS, SOON)
         _until(page, f"['ready', 'failed'].includes({STATE})", SETTLED if not told else SOON)
         live = page.run(STATE) == "ready"
-        kept = bool(page.run(WRITE)) and _until(page, SAVED, SOON)
+        kept = bool(page.run(WRITE)) and _until(page, SAVED, SETTLED)
         if kept:
             page.ask("Page.navigate", url=lesson.as_uri())
-            kept = _until(page, THERE, SOON)
+            kept = _until(page, THERE, SETTLED)
         readable = bool(page.run(READABLE))
         page.ask("Page.navigate", url=free.as_uri())
         plays = bool(_until(page, CAN_PLAY, SETTLED) and page.run(PLAYS))
