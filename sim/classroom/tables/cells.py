@@ -9,8 +9,9 @@ import csv
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import islice
+from itertools import dropwhile, islice
 
+from sim.scene.encoded import of_a_spreadsheet
 from sim.scene.said import said, template
 
 MOST_BYTES = 50_000_000
@@ -110,9 +111,9 @@ def _text(content: bytes) -> str:
     if content[:4] in (b"PK\x03\x04", b"PK\x05\x06", b"\xd0\xcf\x11\xe0"):
         raise TableError(WORKBOOK)
     wide = content[:2] in (b"\xff\xfe", b"\xfe\xff")
-    for encoding in ["utf-16"] if wide else ["utf-8-sig", "cp1252"]:
+    for encoding in ["utf-16"] if wide else ["utf-8-sig", ""]:
         try:
-            text = content.decode(encoding)
+            text = content.decode(encoding) if encoding else of_a_spreadsheet(content)
         except UnicodeDecodeError:
             continue
         if "\0" not in text:
@@ -128,7 +129,7 @@ def _told(text: str) -> str:
 
 def _delimiter(lines: Sequence[str]) -> str:
     """The one that splits the first rows as it splits the header; of several the one with most
-    cells. A question may hold more commas than there are columns.
+    cells. A question may hold more commas than there are columns, and a title may stand above.
     """
 
     def fits(delimiter: str) -> tuple[int, int]:
@@ -137,8 +138,8 @@ def _delimiter(lines: Sequence[str]) -> str:
                                LOOKED_AT))  # fmt: skip
         except csv.Error:
             return 0, 0
-        cells = [len(row) for row in rows]
-        if not cells or cells[0] < 2:
+        cells = list(dropwhile(lambda count: count < 2, map(len, rows)))
+        if not cells:
             return 0, 0
         return cells.count(cells[0]), cells[0]
 

@@ -20,16 +20,17 @@ def pivoted(
     Columns: student, group, class, time, then the items in their order.
     """
     (column,) = layout.items
-    person = layout.student[0][0] if layout.student else None
-    fixed = (person, layout.group, layout.klass, layout.time)
+    person = layout.student[0] if layout.student else ()
+    fixed = (layout.group, layout.klass, layout.time)
     made: dict[tuple[str, ...], dict[str, str]] = {}
     lines: dict[tuple[str, ...], int] = {}
     names: dict[str, int] = {}
     bad: list[Bad] = []
     for row in rows:
-        cells = tuple(row.cells[k] if k is not None and k < len(row.cells) else "" for k in fixed)
-        name = row.cells[layout.item] if layout.item is not None else ""
-        mark = row.cells[column.place] if column.place < len(row.cells) else ""
+        who = " ".join(filter(None, (_cell(row, k) for k in person)))
+        cells = (who, *(_cell(row, k) for k in fixed))
+        name = _cell(row, layout.item)
+        mark = _cell(row, column.place)
         answers = made.setdefault(cells, {})
         lines.setdefault(cells, row.line)
         if not name:
@@ -46,15 +47,18 @@ def pivoted(
         Row(lines[cells], (*cells, *(answers.get(name, "") for name in names)))
         for cells, answers in made.items()
     ]
-    places = [0 if person is not None else None, *(
-        k if place is not None else None for k, place in enumerate(fixed[1:], 1))]  # fmt: skip
+    places = [k if place is not None else None for k, place in enumerate(fixed, 1)]
     return (
         replace(
-            layout, item=None, student=((0,),) if person is not None else (),
-            group=places[1], klass=places[2], time=places[3],
+            layout, item=None, student=((0,),) if person else (),
+            group=places[0], klass=places[1], time=places[2],
             items=tuple(Column(k, name, "", column.of) for name, k in names.items()),
         ),
         Row(heads.line, ("", "", "", "", *names)),
         wide,
         bad,
     )  # fmt: skip
+
+
+def _cell(row: Row, place: int | None) -> str:
+    return row.cells[place] if place is not None and place < len(row.cells) else ""

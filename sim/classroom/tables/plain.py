@@ -27,31 +27,29 @@ from sim.classroom.tables.layout import (
     with_most,
 )
 from sim.classroom.tables.marks import NOTHING, is_mark, mark
-from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, STUDENT, TIME, TOTAL
+from sim.classroom.tables.who import named_by
+from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, TIME, TOTAL, WHO
 
 ADDS_UP = 0.9
 """Share of the rows in which the items add up to the total, for them to be its items."""
 
-OTHER_NAMES = OTHER | STUDENT
+OTHER_NAMES = OTHER | WHO
 ENOUGH = 0.5
 """Share of filled cells that must be marks or letters, for a column to be a question."""
 
 
-def columns(heads: Sequence[str]) -> Columns:
-    """Who, group and class. A name is looked for before an `id`: that may count the answers only,
-    and number 3 of two tests is no one student."""
-    ways = (("student", "code word"), STUDENT - {"id"}, ("id",))
-    places = (place_of(heads, names) for names in ways)
-    student = next((place for place in places if place is not None), None)
-    return Columns(student, (place_of(heads, GROUP), place_of(heads, CLASS)))
+def columns(heads: Sequence[str], rows: Sequence[Row]) -> Columns:
+    """Who, group and class."""
+    who = named_by(heads, rows)
+    return Columns(who[0] if who else None, (place_of(heads, GROUP), place_of(heads, CLASS)))
 
 
 def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> Layout:
     """The columns of the table; raises `TableError` where it holds no marks."""
-    where = columns(heads)
-    person, (group, klass) = where.student, where.beside
+    person = named_by(heads, (*rows, *keys))
+    group, klass = place_of(heads, GROUP), place_of(heads, CLASS)
     time, item = place_of(heads, TIME), place_of(heads, ITEM)
-    used = {place for place in (person, group, klass, time, item) if place is not None}
+    used = {place for place in (*person, group, klass, time, item) if place is not None}
     rest = [k for k, head in enumerate(heads) if k not in used and norm(head) not in OTHER_NAMES]
     if item is not None:
         called = {k: norm(with_most(heads[k])[0]) for k in rest}
@@ -75,13 +73,13 @@ def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> La
 
 
 def _made(
-    heads: Sequence[str], person: int | None, group: int | None, klass: int | None,
+    heads: Sequence[str], person: tuple[int, ...], group: int | None, klass: int | None,
     time: int | None, item: int | None, items: tuple[Column, ...], totals: tuple[Column, ...],
 ) -> Layout:  # fmt: skip
-    taken = {person, group, klass, time, item, *(c.place for c in (*items, *totals))}
+    taken = {*person, group, klass, time, item, *(c.place for c in (*items, *totals))}
     return Layout(
         kind="plain",
-        student=((person,),) if person is not None else (),
+        student=(person,) if person else (),
         group=group, klass=klass, time=time, item=item, items=items, totals=totals,
         left_out=tuple(head for k, head in enumerate(heads) if k not in taken),
     )  # fmt: skip

@@ -8,6 +8,7 @@ from dataclasses import replace
 from sim.classroom.files.archive import shown as safe
 from sim.classroom.tables import google, microsoft, moodle, plain
 from sim.classroom.tables import sentences as say
+from sim.classroom.tables.above import from_the_heads
 from sim.classroom.tables.apart import Columns, Parted, parted
 from sim.classroom.tables.cells import Broken, Row, TableError, rows_of
 from sim.classroom.tables.layout import Column, Layout
@@ -33,7 +34,7 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
     rows = [row for row in found if isinstance(row, Row)]
     if not rows:
         raise TableError("there is no row in this file")
-    heads, *rest = rows
+    heads, *rest = from_the_heads(rows)
     heads = Row(heads.line, tuple(safe(cell) for cell in heads.cells))
     layout, heads, rows_, bad = _parted(heads, rest)
     refused += bad
@@ -61,7 +62,7 @@ def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[
     layout = next((made for one in EXPORTS if (made := one(heads.cells))), None)
     if layout is not None:
         return layout, heads, Parted(list(rows)), []
-    found = parted(rows, plain.columns(heads.cells))
+    found = parted(rows, plain.columns(heads.cells, rows))
     layout = plain.layout(heads.cells, found.students, found.keys)
     if layout.item is None:
         return layout, heads, found, []

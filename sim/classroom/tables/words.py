@@ -25,13 +25,23 @@ def _typed(word: str) -> Iterator[str]:
 
 STUDENT = words("""
     student | students | student id | studentid | id | student code | code | code word | codeword |
-    pseudonym | name | student name | participant | schüler | schülerin | codewort | kode | murid |
-    pelajar | nama | élève | étudiant | étudiante | nom | nom de famille | nom et prénom |
-    nom complet | prénom | identifiant | pseudonyme | mot de code | participante | estudiante |
+    pseudonym | name | full name | student name | participant | schüler | schülerin | codewort |
+    kode | murid | pelajar | nama | élève | étudiant | étudiante | nom | nom de famille |
+    nom et prénom | nom complet | prénom | identifiant | pseudonyme | mot de code | participante | estudiante |
     alumno | alumna | alumno/a | nombre | nombre y apellidos | apellidos y nombre |
     nombre completo | apellido | apellidos | apellido(s) | código | seudónimo |
-    palabra clave | 学生 | 学号 | 姓名 | மாணவர் | பெயர்
+    palabra clave | 学生 | 学生姓名 | 学号 | 姓名 | மாணவர் | பெயர்
 """)
+FAMILY = words("""
+    last name | lastname | surname | family name | nachname | familienname | zuname | nom |
+    nom de famille | apellido | apellidos | apellido(s) | 姓
+""")
+GIVEN = words("""
+    first name | firstname | given name | forename | vorname | rufname | prénom | nombre |
+    nombre(s) | 名
+""")
+"""One student is named by both: of either alone there may be two in a class."""
+WHO = STUDENT | FAMILY | GIVEN
 GROUP = words("""
     group | condition | treatment | gruppe | kumpulan | groupe | grupo | condición | 组 | 组别 |
     小组 | குழு

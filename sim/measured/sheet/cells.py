@@ -15,6 +15,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from sim.measured.refusal import Fault, refuse, shown
+from sim.scene.encoded import of_a_spreadsheet
 
 MOST_BYTES = 4_000_000
 """Bytes of one file: an hour of a sensor at 20 readings per second, ten times over."""
@@ -59,7 +60,7 @@ class Rows:
 
 def decoded(content: bytes) -> str:
     """The bytes as text: UTF-8 with or without its mark, UTF-16 with it; else, where no sign is in
-    it that no text has, what spreadsheets of western Windows write (windows-1252)."""
+    it that no text has, what spreadsheets of an older Windows write (windows-1252, GBK)."""
     if len(content) > MOST_BYTES:
         raise refuse(1, "this file is too large to be readings of two carts", "at most 4 MB")
     coding = "utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
@@ -68,7 +69,7 @@ def decoded(content: bytes) -> str:
     except UnicodeDecodeError as error:
         with suppress(UnicodeDecodeError):
             if coding != "utf-16" and not _NO_TEXT.search(content):
-                return content.decode("cp1252")
+                return of_a_spreadsheet(content)
         line = content[: error.start].count(b"\n") + 1
         raise refuse(line, "this is no text, or not in UTF-8", "save it as text (UTF-8)") from None
 

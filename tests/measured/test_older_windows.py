@@ -1,0 +1,37 @@
+"""A table of readings as Excel writes plain CSV: windows-1252 in the west, GBK in China."""
+
+from __future__ import annotations
+
+import pytest
+
+from sim.measured.refusal import ReadingError
+from sim.measured.sheet.cells import decoded
+from sim.measured.tracks import read_measured
+
+TEXT = "t in s;x von Wägelchen A in m;x von Wägelchen B in m\n0,00;0,40;1,20\n0,05;0,42;1,20\n"
+
+
+def test_umlauts_of_western_windows_are_read() -> None:
+    assert decoded(TEXT.encode("cp1252")) == TEXT
+    assert decoded(TEXT.encode()) == TEXT
+    assert decoded(TEXT.encode("utf-16")) == TEXT
+
+
+def test_chinese_windows_are_read_with_their_units() -> None:
+    text = "时间(毫秒),小车A位置(厘米),小车B位置(厘米)\n" + "".join(
+        f"{50 * k},{40 + k},{120}\n" for k in range(12)
+    )
+    assert decoded(text.encode("gbk")) == text
+    found = read_measured([decoded(text.encode("gbk"))])
+    assert found.tracks[0].t[1] == pytest.approx(0.05)
+    assert found.tracks[0].value[0] == pytest.approx(0.40)
+
+
+def test_two_letters_with_accents_side_by_side_are_not_chinese() -> None:
+    for text in ("Größe A;Größe B\n", "créée;º°\n", "ÄÖÜ;Länge\n", "Größe in m²; ±5 µm\n"):
+        assert decoded(text.encode("cp1252")) == text
+
+
+def test_a_picture_is_no_text() -> None:
+    with pytest.raises(ReadingError, match="no text"):
+        decoded(b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR")
