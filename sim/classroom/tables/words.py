@@ -27,9 +27,10 @@ STUDENT = words("""
     student | students | student id | studentid | id | student code | code | code word | codeword |
     pseudonym | name | full name | student name | participant | schüler | schülerin | codewort |
     kode | murid | pelajar | nama | élève | étudiant | étudiante | nom | nom de famille |
-    nom et prénom | nom complet | prénom | identifiant | pseudonyme | mot de code | participante | estudiante |
-    alumno | alumna | alumno/a | nombre | nombre y apellidos | apellidos y nombre |
-    nombre completo | apellido | apellidos | apellido(s) | código | seudónimo |
+    nom et prénom | nom complet | prénom | identifiant | pseudonyme | mot de code |
+    participante | estudiante | alumno | alumna | alumno/a | nombre | nombre y apellidos |
+    apellidos y nombre | nombre completo | apellido | apellidos | apellido(s) | código |
+    seudónimo |
     palabra clave | 学生 | 学生姓名 | 学号 | 姓名 | மாணவர் | பெயர்
 """)
 FAMILY = words("""
