@@ -75,9 +75,11 @@ def command(
             texts = sum(finding.code == TEXT for finding in counted)
             lessons = len({finding.file for finding in counted})
             open_text = f", the text below {texts} prediction{'s' * (texts > 1)} does not"
+            waiting = len(counted) - texts
+            wait = "scene or question waits" if waiting == 1 else "scenes and questions wait"
             click.echo(
-                f"{len(counted) - texts} scenes and questions of {lessons} "
-                f"lesson{'s' * (lessons > 1)} wait by default until a run was watched"
+                f"{waiting} {wait} by default until a run was watched, in {lessons} "
+                f"lesson{'s' * (lessons > 1)}"
                 f"{open_text if texts else ''}: carts check --defaults lists them."
             )
         report(found)

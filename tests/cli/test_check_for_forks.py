@@ -68,7 +68,10 @@ def test_what_is_so_by_default_is_counted_and_listed_when_asked(tmp_path: Path) 
     lesson.write_text(text, encoding="utf-8")
     counted = CliRunner().invoke(main, ["check", str(lesson)])
     assert counted.exit_code == 0, counted.output
-    assert "3 scenes and questions of 1 lesson wait by default" in counted.output
+    assert (
+        "3 scenes and questions wait by default until a run was watched, in 1 lesson"
+        in counted.output
+    )
     listed = CliRunner().invoke(main, ["check", "--defaults", str(lesson)]).output
     assert re.findall(r"hint: (?:id: )?(“\w+” is watched|opens when “\w+”)", listed) == [
         "“first” is watched",

@@ -14,7 +14,7 @@ from sim.pages.blocks import extension, makers
 from sim.pages.blocks.extension import CartsExtension, Page, set_page
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.head.policy import blocked
+from sim.pages.text.blocked import blocked
 
 SCENE = """\
 ```scene

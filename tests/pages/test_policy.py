@@ -9,13 +9,13 @@ import html
 import pytest
 
 from sim.pages.head.policy import (
-    blocked,
     inline_scripts,
     is_trusted,
     policy_of_file,
     policy_of_page,
     trusted_scripts,
 )
+from sim.pages.text.blocked import blocked
 
 PAGE = (
     '<head><script>a = 1</script></head><body><script src="x.js"></script>'

@@ -119,7 +119,8 @@ def test_the_policy_is_first_on_every_page(site: Path, hosted_site: Path) -> Non
 
 
 def test_no_page_holds_what_the_policy_forbids(site: Path) -> None:
-    from sim.pages.head.policy import blocked, inline_scripts
+    from sim.pages.head.policy import inline_scripts
+    from sim.pages.text.blocked import blocked
 
     for page in pages(site):
         text = page.read_text(encoding="utf-8")

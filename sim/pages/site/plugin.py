@@ -27,7 +27,7 @@ from mkdocs.utils import CountHandler, get_relative_url
 
 from sim.pages.blocks.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding, SiteError
-from sim.pages.head.policy import Audience, blocked, trusted_scripts
+from sim.pages.head.policy import Audience, trusted_scripts
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting, nowhere
 from sim.pages.site import effect_pages, lessons_only, usual_settings
@@ -42,6 +42,7 @@ from sim.pages.site.joined_files import (
 from sim.pages.site.last_build import Preview, text_box
 from sim.pages.site.site_id import facts_of
 from sim.pages.teach.doors import Doors
+from sim.pages.text.blocked import blocked
 from sim.pages.text.lesson_list import lessons_in, with_lessons
 from sim.pages.text.lesson_places import JOINING, check_folder
 from sim.pages.text.page_meta import tell_theme

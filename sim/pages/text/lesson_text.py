@@ -20,6 +20,7 @@ from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, languag
 from sim.pages.text.held_back import misspelt, without_scene, without_text
 from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
 from sim.pages.text.plain_lines import lines_of, without_code
+from sim.pages.text.raw_html import never_shown, own_pictures
 
 # As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow, up to the
 # last of them. A bare one begins with no blank, so that each blank belongs to one part only: of a
@@ -56,7 +57,7 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     found = [*front_matter(text), *_few_backticks(prose)]
     found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *language(text)]
     found += [*_headings(prose), *_formulas_in_rows(prose)]
-    found += [*_minutes_of_questions(prose), *_held_back(prose, text)]
+    found += [*_minutes_of_questions(prose), *_held_back(prose, text), *never_shown(prose)]
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
     return _located(found, text, lesson)
@@ -193,19 +194,20 @@ def _minutes_of_questions(prose: str) -> Iterator[Found]:
 
 def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
     folder = lesson.scene_folders[0]
-    for link in (*_LINK.finditer(prose), *_PICTURE.finditer(prose)):
-        address = link["wrapped"] or link["bare"] or ""
+    found = (*_LINK.finditer(prose), *_PICTURE.finditer(prose))
+    written = ((link.start(), link["wrapped"] or link["bare"] or "") for link in found)
+    for at, address in (*written, *own_pictures(prose)):
         target = unquote(address.split("#")[0].split("?")[0])
         if not target or re.match(r"[a-z][a-z0-9+.-]*:|//", target):
             continue
         place = next((one for one in _places(folder, target, lesson) if one.exists()), None)
         if place is None:
             hint = "look at the name, and from which folder it is counted"
-            yield link.start(), "broken-link", f"there is no file “{target[:60]}”", hint
+            yield at, "broken-link", f"there is no file “{target[:60]}”", hint
         elif place.is_file() and not _joins(place, folder, lesson):
             message = f"“{target[:60]}” does not join the site: it stays in the folder of lessons"
             hint = f"what joins it there: .md {' '.join(JOINING)}"
-            yield link.start(), "not-in-site", message, hint
+            yield at, "not-in-site", message, hint
 
 
 def _joins(place: Path, folder: Path, lesson: Lesson) -> bool:

@@ -1,0 +1,67 @@
+"""What a lesson holds that its page will not show: pictures and frames from elsewhere, scripts.
+
+The build names them too, once a page is made. Here they have a line, and what to write in their
+place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from sim.pages.text.blocked import blocked
+from sim.pages.text.front_matter import Found
+
+_TAG = re.compile(r"<(?P<name>[a-zA-Z][\w-]*)(?:\s(?:[^<>\"']|\"[^\"]*\"|'[^']*')*)?/?>")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_SOURCE = re.compile(r"\bsrc\s*=\s*(?:\"([^\"]*)\"|'([^']*)'|([^\s>]+))", re.IGNORECASE)
+_ELSEWHERE = re.compile(r"(?:https?:)?//", re.IGNORECASE)
+_PICTURE_ELSEWHERE = re.compile(r"!\[[^\]\n]*\]\([ \t]*<?(?P<at>(?:https?:)?//[^\s)>]*)")
+SHOWN = 60
+
+PICTURE = "save it beside the lesson and write its name: ![two carts, one at rest](carts.png)"
+LINK = "a page loads nothing from elsewhere: write a link, [the film](https://example.org/film)"
+SCRIPT = "delete it: no script of a lesson runs"
+STYLE = "delete it: colours and sizes are those of the site"
+HINTS = {"img": PICTURE, "script": SCRIPT, "style": STYLE, "base": "delete it"}
+"""By the tag; another one that shows something is a frame, a film or a sound."""
+
+
+def never_shown(prose: str) -> Iterator[Found]:
+    """Each tag and picture that the page's policy blocks."""
+    prose = without_comments(prose)
+    for picture in _PICTURE_ELSEWHERE.finditer(prose):
+        told = f"the page will not show a picture from elsewhere: {picture['at'][:SHOWN]}"
+        yield picture.start(), "blocked", told, PICTURE
+    for tag in _TAG.finditer(prose):
+        what = blocked(tag[0])
+        if what:
+            yield (
+                tag.start(),
+                "blocked",
+                f"the page will not show this: {tag[0][:SHOWN]}",
+                _hint(tag["name"].lower(), what),
+            )
+
+
+def own_pictures(prose: str) -> Iterator[tuple[int, str]]:
+    """Where an `<img>` names a file of the site, and its address."""
+    for tag in _TAG.finditer(without_comments(prose)):
+        source = _SOURCE.search(tag[0]) if tag["name"].lower() == "img" else None
+        address = next(filter(None, source.groups()), "") if source else ""
+        if address and not _ELSEWHERE.match(address):
+            yield tag.start(), address
+
+
+def without_comments(prose: str) -> str:
+    """The text with comments blanked out, so that every place stays where it is."""
+    return _COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), prose)
+
+
+def _hint(tag: str, what: list[str]) -> str:
+    first = what[0]
+    if first.startswith("style="):
+        return STYLE
+    if first.startswith("on") or "javascript:" in first:
+        return SCRIPT
+    return HINTS.get(tag, LINK)
