@@ -30,8 +30,12 @@ def unknown_keys(
     table: Mapping[str, Any], known: tuple[str, ...], path: Path, problems: list[Problem]
 ) -> None:
     """One problem for each key of `table` that is not in `known`."""
+    empty = ""  # the known key above that has nothing: what belongs below it may stand too far left
     for key in table:
-        if key not in known and table[key] is None and _AFTER_COMMA.fullmatch(str(key)):
+        if key in known:
+            empty = key if table[key] is None else ""
+            continue
+        if table[key] is None and _AFTER_COMMA.fullmatch(str(key)):
             problems.append(
                 Problem(
                     (*path, key),
@@ -40,8 +44,10 @@ def unknown_keys(
                     "write decimals with a point: 0.5 kg",
                 )
             )
-        elif key not in known:
-            hint = did_you_mean(key, known, f"known keys: {', '.join(known)}")
+        else:
+            listed = f"known keys: {', '.join(known)}"
+            further = f"what belongs to “{empty}:” begins two spaces further right"
+            hint = did_you_mean(key, known, further if empty else listed)
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))

@@ -43,6 +43,10 @@ def test_places_count_from_where_the_text_stands_in_its_file() -> None:
         ("ask: Join # of 50%", (1, 11), "what comes after # is left out"),
         ("options:\n  - text: Item # 3", (2, 16), "what comes after # is left out"),
         ("\tmass: 1", (1, 1), "a tab character"),
+        ("A: {mass：1 kg, position: 1 m}", (1, 9), "a wide colon"),
+        ("A: {mass: 1 kg，position: 1 m}", (1, 15), "a wide comma"),
+        ("ask: “Ana: it is larger.” Is it?", (1, 6), "typographic quotes"),
+        ("options:\n  - {text: “Yes, it is.”, correct: true}", (2, 12), "typographic quotes"),
     ],
 )
 def test_what_a_word_processor_leaves_behind_is_named_where_it_stands(
@@ -52,6 +56,12 @@ def test_what_a_word_processor_leaves_behind_is_named_where_it_stands(
         load(text)
     assert (caught.value.line, caught.value.col) == place
     assert caught.value.message.startswith(said)
+
+
+def test_typographic_quotes_inside_a_text_are_its_own() -> None:
+    texts = ("ask: Ana says “no”. Is it so?", "ask: “No”, says Ana.", 'ask: "“Ana: no”"')
+    for text in (*texts, "options:\n  - {text: “Yes.”, correct: true}"):
+        assert load(text).plain
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,13 @@ _NEVER = "\u00ad\u200b\u2060\ufeff"
 """Of these, what no language writes: a value that is no prose must not have it anywhere."""
 
 _VALUE = re.compile(rf"\s*(?:- +)*([\w.-]+):\s[^\"'\[{{]*?([{_NEVER}])[^\"'\[{{]*$")
-_WIDE = re.compile(r"\s*(?:- +)*[\w.-]+(：)")
+_WIDE = re.compile(r"\s*(?:- +)*[\w.-]+(：)|[^\"'#]*[{,]\s*[\w.-]+(：)")
+_WIDE_COMMA = re.compile(r"[^\"'#]*\{[^\"'#]*?(，)\s*[\w.-]+:\s")
+_CURLY = re.compile(
+    r"\s*(?:- +)*[\w.-]+:\s+([“„])[^”“]*(?::\s|\s#)"
+    r"|[^\"'#]*[{,]\s*[\w.-]+:\s+([“„])[^”“]*,"
+)
+"""Typographic quotes around what straight ones alone hold together: a colon; a comma in braces."""
 _TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
 _CUT = re.compile(rf"\s*(?:- +)*({'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
@@ -58,7 +64,17 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
         yield number, found.start(2), *_unseen(found[2])
     elif found := _WIDE.match(line):
         hint = "write “key: value”, with an ordinary colon and a space"
-        yield number, found.start(1), "a wide colon (：) stands here", hint
+        yield number, found.start(found.lastindex or 1), "a wide colon (：) stands here", hint
+    elif found := _WIDE_COMMA.match(line):
+        yield number, found.start(1), "a wide comma (，) stands here", "write an ordinary comma: ,"
+    elif found := _CURLY.match(line):
+        hint = 'write straight quotes: "…"'
+        yield (
+            number,
+            found.start(found.lastindex or 1),
+            "typographic quotes (“ ”) hold no text together",
+            hint,
+        )
     elif found := _TIGHT.match(line):
         hint = "write a space after the hyphen: - {…}"
         yield number, found.end() - 1, "a list entry begins with a hyphen and a space", hint
