@@ -13,6 +13,7 @@ from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
 from sim.measured.model.contact import LAWS as LAWS_FITTED
 from sim.pages.measured.block import KEYS as MEASURED_KEYS
+from sim.pages.text.plain_lines import without_code
 from sim.pages.text.yaml_source import load
 from sim.scene import fields, read_fence
 from sim.scene.effects import EffectKind, kinds
@@ -139,7 +140,8 @@ def test_every_scene_in_the_texts_is_a_good_one(where: str, block: str) -> None:
 
 @pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_no_text_links_to_a_file_that_is_not_there(path: Path) -> None:
-    for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", path.read_text(encoding="utf-8")):
+    text = without_code(path.read_text(encoding="utf-8"))
+    for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", text):
         if "worksheets/" in target:  # the site puts docs/ and worksheets/ into one folder
             assert (ROOT / target[target.index("worksheets/") :]).exists(), target
             continue

@@ -45,6 +45,12 @@ def test_the_offline_policy_is_the_one_in_the_interfaces() -> None:
     )
 
 
+def test_a_page_may_play_what_lies_beside_it_only_where_it_plays_something() -> None:
+    for audience in ("offline", "hosted"):
+        assert "media-src" not in policy_of_page(audience)  # type: ignore[arg-type]
+        assert "media-src 'self'" in policy_of_page(audience, films=True)  # type: ignore[arg-type]
+
+
 def test_the_hosted_policy_allows_its_own_origin_more() -> None:
     rules = policy_of_page("hosted")
     assert "connect-src 'self'" in rules

@@ -115,7 +115,12 @@ def test_a_link_to_what_stays_in_the_folder_of_lessons_has_its_line(
 
 
 @pytest.mark.parametrize(
-    ("name", "link"), [("worksheets/plan.PDF", "plan.PDF"), ("docs/t.csv", "../docs/t.csv")]
+    ("name", "link"),
+    [
+        ("worksheets/plan.PDF", "plan.PDF"),
+        ("worksheets/bump.MP4", "bump.MP4"),
+        ("docs/t.csv", "../docs/t.csv"),
+    ],
 )
 def test_a_link_to_what_joins_the_site_is_no_mistake(
     make_site: MakeSite, name: str, link: str
@@ -143,3 +148,15 @@ def test_a_readme_among_the_lessons_is_the_first_page_of_their_folder(
     page = (root / "site" / "worksheets" / "index.html").read_text(encoding="utf-8")
     assert '<a href="ms/index.html" hreflang="ms">' in page
     assert (root / "site/assets/carts/download/worksheets-README.txt").is_file()
+
+
+def test_a_film_that_not_every_browser_plays_is_told_with_what_to_save_it_as(
+    make_site: MakeSite,
+) -> None:
+    root = make_site(first="# A\n\n![two carts](bump.mov)\n\n![](bump.mp4)\n")
+    for name in ("bump.mov", "bump.mp4"):
+        (root / "worksheets" / name).write_bytes(b"x")
+    found = [(one.line, one.message, one.hint) for one in check_paths([root / "worksheets"], root)]
+    assert [line for line, _, _ in found] == [3, 5]
+    assert "save the film as .mp4 or .webm" in str(found[0][2])
+    assert found[1][1] == "this film has no words beside it"

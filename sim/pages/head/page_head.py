@@ -15,6 +15,7 @@ from typing import Any
 from sim.pages.head.policy import Audience, inline_scripts, is_trusted, policy_of_page
 from sim.pages.head.watchdog import watchdog
 from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.text.films import plays_films
 from sim.pages.text.formulas import SHEET
 
 # Firefox prefetches these pages, which the policy rightly forbids; the links in the footer stay.
@@ -43,6 +44,7 @@ class Needs:
     hosted: bool = False  # on a web server: how to take it home
     law: bool = False  # a law that a reader writes
     tools: bool = False  # that a reader works in a scene
+    films: bool = False  # or sounds, beside the page
 
 
 def needs_of(
@@ -62,6 +64,7 @@ def needs_of(
         hosted=hosted,
         law="<carts-law" in html,
         tools='class="carts-tools"' in html,
+        films=plays_films(html),
     )
 
 
@@ -94,7 +97,7 @@ def finish(
     allowed = [script for script in inline_scripts(page) if is_trusted(script, trusted)]
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
-        f'content="{policy_of_page(audience, [*allowed, watching])}">\n'
+        f'content="{policy_of_page(audience, [*allowed, watching], films=needs.films)}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )

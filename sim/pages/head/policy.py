@@ -41,10 +41,12 @@ _HOSTED = {
 _PREVIEW = {**_HOSTED, "script-src": "'self' 'wasm-unsafe-eval' 'unsafe-inline'"}
 
 
-def policy_of_page(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
-    """The Content-Security-Policy for a page with these inline scripts."""
+def policy_of_page(
+    audience: Audience, inline_scripts: Iterable[str] = (), *, films: bool = False
+) -> str:
+    """The Content-Security-Policy for a page with these inline scripts; `films`: it plays some."""
     changes: dict[str, dict[str, str]] = {"offline": {}, "hosted": _HOSTED, "preview": _PREVIEW}
-    rules = _COMMON | changes[audience]
+    rules = _COMMON | changes[audience] | ({"media-src": "'self'"} if films else {})
     if audience != "preview":
         rules["script-src"] = f"{rules['script-src']} {_named(inline_scripts)}".rstrip()
     return _joined(rules)
@@ -56,11 +58,13 @@ def policy_of_file(
     *,
     images: str = "data:",
     fonts: str = "'none'",
+    films: str = "",
     python: bool = False,
 ) -> str:
     """The policy of a file that has these styles and scripts in itself, as an attribute's value.
 
-    `images`, `fonts`: where they may come from; `python`: whether it may run here.
+    `images`, `fonts`, `films` (empty: it has none): where they may come from; `python`: whether it
+    may run here.
     """
     wasm = "'wasm-unsafe-eval' " if python else ""
     rules = {
@@ -69,6 +73,7 @@ def policy_of_file(
         "style-src": _named(styles),
         "img-src": images,
         "font-src": fonts,
+        **({"media-src": films} if films else {}),
         "worker-src": "blob:",
         "base-uri": "'none'",
         "form-action": "'none'",

@@ -8,13 +8,16 @@ import re
 from pathlib import Path
 from typing import Any
 
+from sim.pages.text.films import FILMS
+
 WORKER = "sw.js"
 LEFT_OUT = re.compile(
     r"sw\.js|sitemap\.xml(\.gz)?|.*\.map|CNAME|_headers|_redirects|_config\.yml|robots\.txt"
     r"|(?:.*/)?\..*"  # hidden files and folders: .nojekyll, .DS_Store, .git/
+    rf"|(?i:.*(?:{'|'.join(map(re.escape, FILMS))}))"
 )
 """What is for a server or nobody. Many servers answer 404 for it, and of a list with one such file
-in it a browser keeps nothing at all."""
+in it a browser keeps nothing at all. Films are too large to be kept, and asked for in pieces."""
 
 FEW = re.compile(
     r"assets/carts/(?:runtime/(?:numpy|scipy|python-more|newtons_carts_)"

@@ -15,6 +15,8 @@ from markdown import Markdown
 from markdown.treeprocessors import Treeprocessor
 from markdown.util import AMP_SUBSTITUTE
 
+from sim.pages.text.films import show_films
+
 _LAST = -5  # when all addresses are made
 
 _ONE_PARAGRAPH = re.compile(r"<p>((?:(?!<p>).)*)</p>", re.DOTALL)
@@ -64,6 +66,7 @@ class _SafeAddresses(Treeprocessor):
                 address = element.get(name)
                 if address is not None and not _is_safe(address):
                     element.attrib.pop(name)
+        show_films(root)
 
 
 def _is_safe(address: str) -> bool:

@@ -22,10 +22,12 @@ from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE
 from sim.pages.single.beside import Beside, is_far
 from sim.pages.site.files import ASSETS, FILM
+from sim.pages.text.films import plays_films
 
 _LOOK = """\
 html { font-size: 125%; } body { margin: 0; }
-main, details.carts-about { margin: 0 auto; max-width: 42rem; padding: 0 0.8rem; }
+main, details.carts-about { margin: 0 auto; max-width: 42rem; padding: 0 0.8rem;
+  width: 100%; box-sizing: border-box; }
 details.carts-about { padding-bottom: 4rem; font: 0.7rem/1.5 system-ui, sans-serif; }
 details.carts-about pre { white-space: pre-wrap; }
 """
@@ -37,6 +39,7 @@ follow();
 """
 _ONLY_IN_A_SITE = ("iframe-worker", "teacher", "hosted.js", "offline.js")
 _WITH_PYTHON = ("/carts.js", "/measured.js", "/law.js")
+_SHOWN = "img|video|audio|source"
 _NOTHING = "data:,"  # in the place of a picture that the site has not: its words are shown
 _MADE = mark("Made with Newton's Carts. Licences")
 _PAGE = """\
@@ -91,6 +94,7 @@ def single_lesson(
             scripts.append(script.read_text(encoding="utf-8"))
     data = re.findall(r'<script type="application/json" id="carts-lesson">.*?</script>', text, re.S)
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
+    article = _article(text, beside)
     language = _first(r'<html lang="([^"]*)"', text) or ENGLISH
     said = words(of_page(None, "", language))
     with speaking(said):  # its class closes what waits for a run, as in the site
@@ -101,13 +105,18 @@ def single_lesson(
         watching=watching,
         kinds=_first(r'<html [^>]*class="no-js *([^"]*)"', text),
         policy=policy_of_file(
-            styles, [watching, *scripts], images="data: blob:", fonts="data:", python=True
+            styles,
+            [watching, *scripts],
+            images="data: blob:",
+            fonts="data:",
+            films="data:" if plays_films(article) else "",
+            python=True,
         ),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),
         title=_first(r"<title>(.*?)</title>", text),
         styles="\n".join(f"<style>{style}</style>" for style in styles),
-        article=_article(text, beside),
+        article=article,
         licences=html.escape(licences),
         data="\n".join(data),
         scripts="\n".join(_script(script, elsewhere or {}) for script in scripts),
@@ -133,6 +142,7 @@ def _article(text: str, beside: Beside) -> str:
         flags=re.S,
     )
     article = re.sub(r"<a [^>]*md-content__button.*?</a>", "", article, flags=re.S)
+    article = re.sub(r'(<span class="carts-film-words">[^<]*?)(?: · )?<a .*?</a>', r"\1", article)
 
     def picture(match: re.Match[str]) -> str:
         if is_far(match[2]):
@@ -140,7 +150,8 @@ def _article(text: str, beside: Beside) -> str:
         file = beside.at(beside.page, match[2])
         return f"{match[1]}{_data(file) if file else _NOTHING}{match[3]}"
 
-    article = re.sub(r'(<img [^>]*src=")([^"]+)(")', picture, article)
+    article = re.sub(r'(<img [^>]*?)\ssrcset="[^"]*"', r"\1", article)  # one of them is enough
+    article = re.sub(rf'(<(?:{_SHOWN})\b[^>]*?\s(?:src|poster)=")([^"]+)(")', picture, article)
     return re.sub(r'(<a [^>]*?)\s?href="(?!#|https?:|mailto:)[^"]*"', r"\1", article)
 
 

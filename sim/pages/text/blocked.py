@@ -22,7 +22,7 @@ class _Blocked(HTMLParser):
                 self.found.append(f"{name}=javascript: on <{tag}>")
             elif tag != "a" and name in ("src", "href") and re.match(r"(https?:)?//", target):
                 self.found.append(f"<{tag} {name}={value}>")
-        if tag in ("style", "iframe", "object", "embed", "base", "video", "audio"):
+        if tag in ("style", "iframe", "object", "embed", "base"):
             self.found.append(f"<{tag}>")
         if tag == "script" and not any(name in ("src", "type") for name, _ in attrs):
             self.found.append("<script> with its text in the page")

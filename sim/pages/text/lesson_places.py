@@ -9,13 +9,14 @@ from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import SiteError
 from sim.pages.language import LANGUAGES
 from sim.pages.site.effect_pages import SCENES
+from sim.pages.text.films import FILMS
 
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 BANK_FOLDER = "banks"
 LESSONS = "worksheets"
 """The folder of lessons. Commands read them from there, so a site can name no other."""
 
-JOINING = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf")
+JOINING = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf", *FILMS)
 """What joins the site from a folder of lessons beside them. Other files may be for teachers alone:
 banks hold keys, tables hold names."""
 

@@ -16,6 +16,7 @@ from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
 from sim.pages.site.effect_pages import EFFECTS, PLACE
 from sim.pages.text.fence_scan import KINDS, after_front_matter
+from sim.pages.text.films import FILMS, OTHER_FILMS, is_film
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import misspelt, without_scene, without_text
 from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
@@ -103,7 +104,8 @@ def _pictures(prose: str) -> Iterator[Found]:
     hint = "say what it shows, without giving an answer away: ![two carts, one at rest](carts.png)"
     for picture in _PICTURE.finditer(prose):
         if not picture[1].strip():
-            yield picture.start(), "missing-alt", "this picture has no words beside it", hint
+            kind = "film" if is_film(picture["wrapped"] or picture["bare"] or "") else "picture"
+            yield picture.start(), "missing-alt", f"this {kind} has no words beside it", hint
     for picture in _HTML_PICTURE.finditer(prose):
         yield picture.start(), "missing-alt", "this picture has no words beside it", hint
 
@@ -207,6 +209,8 @@ def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
         elif place.is_file() and not _joins(place, folder, lesson):
             message = f"“{target[:60]}” does not join the site: it stays in the folder of lessons"
             hint = f"what joins it there: .md {' '.join(JOINING)}"
+            if place.suffix.lower() in OTHER_FILMS:
+                hint = f"save the film as {' or '.join(FILMS)}, which every browser plays"
             yield at, "not-in-site", message, hint
 
 

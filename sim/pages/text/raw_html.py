@@ -18,13 +18,18 @@ _SOURCE = re.compile(r"\bsrc\s*=\s*(?:\"([^\"]*)\"|'([^']*)'|([^\s>]+))", re.IGN
 _ELSEWHERE = re.compile(r"(?:https?:)?//", re.IGNORECASE)
 _PICTURE_ELSEWHERE = re.compile(r"!\[[^\]\n]*\]\([ \t]*<?(?P<at>(?:https?:)?//[^\s)>]*)")
 SHOWN = 60
+SHOWING = ("img", "video", "audio", "source")
 
 PICTURE = "save it beside the lesson and write its name: ![two carts, one at rest](carts.png)"
 LINK = "a page loads nothing from elsewhere: write a link, [the film](https://example.org/film)"
+FILM = f"save the film beside the lesson, ![what it shows](film.mp4); or {LINK.partition(': ')[2]}"
 SCRIPT = "delete it: no script of a lesson runs"
 STYLE = "delete it: colours and sizes are those of the site"
-HINTS = {"img": PICTURE, "script": SCRIPT, "style": STYLE, "base": "delete it"}
-"""By the tag; another one that shows something is a frame, a film or a sound."""
+HINTS = {
+    **{"img": PICTURE, "script": SCRIPT, "style": STYLE, "base": "delete it"},
+    **dict.fromkeys(("video", "source", "iframe"), FILM),
+}
+"""By the tag; another one that shows something is an object or a sound."""
 
 
 def never_shown(prose: str) -> Iterator[Found]:
@@ -45,9 +50,9 @@ def never_shown(prose: str) -> Iterator[Found]:
 
 
 def own_pictures(prose: str) -> Iterator[tuple[int, str]]:
-    """Where an `<img>` names a file of the site, and its address."""
+    """Where a picture or a film in HTML names a file of the site, and its address."""
     for tag in _TAG.finditer(without_comments(prose)):
-        source = _SOURCE.search(tag[0]) if tag["name"].lower() == "img" else None
+        source = _SOURCE.search(tag[0]) if tag["name"].lower() in SHOWING else None
         address = next(filter(None, source.groups()), "") if source else ""
         if address and not _ELSEWHERE.match(address):
             yield tag.start(), address

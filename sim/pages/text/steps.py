@@ -2,7 +2,7 @@
 
 Notes that wait (`!!! after`) become elements of their own: they open as questions do, and search
 passes them. Headings in them stay out of the table of contents, which is read before any
-prediction. Headings of parts say how long they take.
+prediction. Headings of parts say how long they take. Pictures that are films are played.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from markdown import Markdown
 from markdown.extensions.toc import remove_fnrefs, render_inner_html, strip_tags, unique
 from markdown.treeprocessors import Treeprocessor
 
+from sim.pages.language import tr
+from sim.pages.text.films import show_films
 from sim.pages.text.held_back import MARK
 from sim.pages.text.part_lengths import add_lengths
 
@@ -28,6 +30,7 @@ _HEADINGS = tuple(f"h{level}" for level in range(1, 7))
 _AFTER_TEXT = 15  # when the text within has become HTML (20), before it is written out
 _AFTER_ATTRIBUTES = 6  # when {: … } of a heading has become attributes (8), before the contents (5)
 _AFTER_CONTENTS = 4
+_AFTER_ADDRESSES = -1  # when the generator has made addresses of pages and files (0)
 
 
 def add_steps(
@@ -45,6 +48,10 @@ def add_steps(
         with spoken():
             add_lengths(root)
 
+    def films(root: Element) -> None:
+        with spoken():
+            show_films(root, tr("The film as a file"))
+
     def hide(root: Element) -> None:
         _hide_headings(root, _namer(md))
 
@@ -53,6 +60,7 @@ def add_steps(
         ("carts_hidden", _AFTER_ATTRIBUTES, hide),
         ("carts_seen", _AFTER_CONTENTS, _show_headings),
         ("carts_lengths", _AFTER_CONTENTS - 1, lengths),
+        ("carts_films", _AFTER_ADDRESSES, films),
     ):
         md.treeprocessors.register(_Step(md, do), name, when)
 
