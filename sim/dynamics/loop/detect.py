@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from sim.dynamics.loop import parabolas, recontact
+from sim.dynamics.loop import alike, parabolas, recontact
 from sim.dynamics.loop.rooms import SAME_SPEED, clearance, no_approach, rate_at, resting, room_at
-from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.pair_contact import PairContact
-from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
+from sim.dynamics.motion.safe_step import SAFE_STEPS
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
@@ -30,9 +29,6 @@ that is known tells whether the one is being pushed into the other, or away."""
 KNOWN = 1e-15
 """Of the way that the faster one goes up to the horizon, and of the swing that a formula tells its
 place from. Less room than that has no sign."""
-
-CRAWLS = 1e-6
-"""Of what is left of the search. Steps this short would not end it."""
 
 CLEARLY = 1e4
 """Times that. From so much room on the search for the next touch is not led astray by rounding."""
@@ -97,10 +93,10 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
     """The first touch from now on, at room = −rest; it may be at once."""
     begin = 0.0
     if room + rest <= 0.0:
-        alike = no_approach(gap, now) or abs(gap.rate) <= SAME_SPEED * _fastest(gap, now, horizon)
-        if gap.rate < 0.0 and not alike:
+        level = no_approach(gap, now) or -SAME_SPEED * _fastest(gap, now, horizon) <= gap.rate <= 0
+        if gap.rate < 0.0 and not level:
             return 0.0
-        if alike:
+        if level:
             begin = _open_from(gap, now, rest, horizon)
             if begin in (0.0, math.inf):
                 return begin
@@ -171,50 +167,21 @@ def _first_fall(
     gap: Gap, now: Time, t: float, horizon: float, rest: float, sign: float
 ) -> float | None:
     """The first t at which sign × (room + rest) falls to zero, from a t at which it is positive."""
+    if sign * gap.rate > 0.0 and alike.by_one_law(gap):
+        return None
     begin = t
     for _ in range(SAFE_STEPS):
         here = sign * clearance(gap, now, t, rest)
         rate = sign * rate_at(gap, now, t)
         if here <= 0.0 and t > begin and rate <= 0.0:  # what grows has fallen by rounding alone
             return t
-        moment = later(now, t)
-        bound = sum(
-            body.motion.acceleration(body, moment)
-            for body in (gap.left, gap.right)
-            if body.motion is not None
-        )
-        step = safe_step(max(here, 0.0), rate, bound)
-        if step < CRAWLS * (horizon - t):
-            step = _together(gap, moment, max(here, 0.0), rate, step, horizon - t)
+        step = alike.safe(gap, later(now, t), max(here, 0.0), rate, horizon - t)
         if step <= TOUCH_ROUNDING * t:
             return t if rate < 0.0 else None
         t += step
         if t > horizon:
             return None
     return t
-
-
-def _together(
-    gap: Gap, moment: Time, here: float, rate: float, step: float, horizon: float
-) -> float:
-    """A longer safe step of two whose accelerations are nearly the same, as downhill side by side.
-
-    Each of them lies between its values at both ends of a stretch: that bounds their difference
-    there far better than both do together.
-    """
-    left, right = gap.left.motion, gap.right.motion
-    if not isinstance(left, Flight) or not isinstance(right, Flight):
-        return step
-    while 0.0 < step < horizon:  # no step at all says that it is there: no bound can tell more
-        stretch = min(8.0 * step, horizon)
-        low_left, high_left = left.accelerations(moment, stretch)
-        low_right, high_right = right.accelerations(moment, stretch)
-        bound = max(abs(high_right - low_left), abs(low_right - high_left))
-        safe = safe_step(here, rate, bound)
-        if safe < stretch:  # a longer stretch has a greater bound
-            return max(step, safe)
-        step = stretch
-    return step
 
 
 def _pushed_again(

@@ -95,9 +95,9 @@ class CoupledGroup:
         """Least and greatest velocity in the step."""
         return self.step.speeds(self._place(body), self.duration)
 
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound over the step."""
-        return self.step.acceleration(self._place(body), self.duration)
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """m/s². Least and greatest from `now` on, within the step."""
+        return self.step.accelerations(self._place(body), elapsed(self.begun, now), horizon)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt of a gap of the chain."""

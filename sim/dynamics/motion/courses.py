@@ -28,6 +28,10 @@ class Course(Protocol):
     def sparse(self) -> bool:
         """Is x a polynomial of degree 2 at most, so that two samples draw it?"""
 
+    @property
+    def law(self) -> tuple[float, float, float]:
+        """a [m/s²], γ [1/s], κ [1/m] of v' = a − γ v − κ v|v|."""
+
     def at(self, t: float) -> tuple[float, float, float]:
         """x [m], v [m/s], a [m/s²]."""
 
@@ -45,6 +49,11 @@ class Parabola:
     v0: float
     a: float
     sparse: bool = True
+
+    @property
+    def law(self) -> tuple[float, float, float]:
+        """Of v'."""
+        return self.a, 0.0, 0.0
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""
@@ -75,6 +84,11 @@ class Fading:
     a: float
     gamma: float  # 1/s
     sparse: bool = False
+
+    @property
+    def law(self) -> tuple[float, float, float]:
+        """Of v'."""
+        return self.a, self.gamma, 0.0
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""
@@ -112,6 +126,11 @@ class Slowing:
     v0: float
     kappa: float  # 1/m
     sparse: bool = False
+
+    @property
+    def law(self) -> tuple[float, float, float]:
+        """Of v'."""
+        return 0.0, 0.0, self.kappa
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""

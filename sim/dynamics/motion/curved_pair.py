@@ -150,9 +150,10 @@ class CurvedPair:
         reach = abs(self.side(body)) * math.hypot(course.u, math.sqrt(2.0 * stored / self.mu))
         return self.velocity_of_centre - reach * SLACK, self.velocity_of_centre + reach * SLACK
 
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound over the contact."""
-        return abs(self.side(body)) * self.course.strongest() / self.mu * SLACK
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """m/s². Bounds over the contact."""
+        bound = abs(self.side(body)) * self.course.strongest() / self.mu * SLACK
+        return -bound, bound
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt."""

@@ -119,6 +119,11 @@ class Driven:
         self.turn = first.halt()
         self.back = OneWay(0.0, -first.push, first.gamma, first.kappa)
 
+    @property
+    def law(self) -> tuple[float, float, float]:
+        """Of v'."""
+        return self.way * self.first.push, self.first.gamma, self.first.kappa
+
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""
         if self.seen is None or self.seen[0] != t:

@@ -66,16 +66,12 @@ class Flight:
         here, there = self.course.at(t)[1], self.course.at(t + horizon)[1]
         return min(here, there), max(here, there)
 
-    def accelerations(self, now: Time, horizon: float) -> tuple[float, float]:
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """Least and greatest from `now` on: a follows from v, falls where v grows, and v is
         monotone."""
         t = elapsed(self.begun, now)
         here, there = self.course.at(t)[2], self.course.at(t + horizon)[2]
         return min(here, there), max(here, there)
-
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound from `now` on: it never grows."""
-        return abs(self.course.at(elapsed(self.begun, now))[2])
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²]."""

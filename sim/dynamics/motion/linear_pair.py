@@ -105,10 +105,10 @@ class LinearPair:
         reach = abs(self.side(body)) * self.between.fastest()
         return min(ends) - reach, max(ends) + reach
 
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound from `now` on."""
-        swing = self.between.strongest_from(elapsed(self.begun, now))
-        return abs(self.drift[1]) + abs(self.side(body)) * swing
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """m/s². Least and greatest from `now` on."""
+        swing = abs(self.side(body)) * self.between.strongest_from(elapsed(self.begun, now))
+        return self.drift[1] - swing, self.drift[1] + swing
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt, of contact and springs: what moves the two besides constant forces."""

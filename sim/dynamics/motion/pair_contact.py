@@ -156,14 +156,15 @@ class PairContact:
         reach = abs(self.side(body)) * fastest
         return self.velocity_of_centre - reach, self.velocity_of_centre + reach
 
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². Bound from `now` on: where it fades, what was at first would bound nothing."""
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """m/s². Bounds from `now` on: where it fades, what was at first would bound nothing."""
         tau, swings = elapsed(self.begun, now), self.stretches
         if swings and swings[-1].rate.beta > 0.0 and tau > swings[-1].start:
             bend = swings[-1].strongest_from(tau)
         else:
             bend = max(self.peak()[1] / self.mu, abs(self.at(min(self.duration, FAR))[2]))
-        return abs(self.side(body)) * bend * SLACK
+        bend *= abs(self.side(body)) * SLACK
+        return -bend, bend
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body with that side, tau s after the start."""

@@ -79,9 +79,11 @@ class Step:
         reach = size([0.0, *speed[1:]], t)
         return speed[0] - reach, speed[0] + reach
 
-    def acceleration(self, i: int, t: float) -> float:
-        """m/s². Bound for body i up to t."""
-        return size(slope(self.speed[i]), t)
+    def accelerations(self, i: int, t: float, dt: float) -> tuple[float, float]:
+        """m/s². Least and greatest of body i from t s on: it grows by its rate at most."""
+        growth = slope(self.speed[i])
+        here, reach = value(growth, t), dt * size(slope(growth), t + dt)
+        return here - reach, here + reach
 
     def overlap(self, k: int, t: float) -> tuple[float, float]:
         """m and m/s: overlap of gap k and its rate."""

@@ -139,8 +139,8 @@ class Motion(Protocol):
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """m/s. Bounds on the velocity from `now` on."""
 
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². A bound from `now` on."""
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """m/s². Bounds on the acceleration from `now` on."""
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt in a gap: all that pushes the two apart."""

@@ -32,7 +32,7 @@ class CurvedStep(Step):
     clock: int | None
     own: OwnTime
     rates: list[Poly]  # m/s
-    accelerations: list[Poly]  # m/s²
+    bends: list[Poly]  # m/s², accelerations
     impulses: list[Poly]  # N s
     losses: list[Poly]  # J, of curved contacts
     rate_squares: list[Poly]  # m²/s, integrals of o'² where a damper asks for them
@@ -79,7 +79,7 @@ class CurvedStep(Step):
     def motion(self, i: int, t: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of body i."""
         s = self.own.of(t)
-        return value(self.path[i], s), value(self.speed[i], s), value(self.accelerations[i], s)
+        return value(self.path[i], s), value(self.speed[i], s), value(self.bends[i], s)
 
     def excess(self, i: int, a: float, dt: float) -> float:
         """m. Displacement of body i from a s on, beyond that at the velocity there."""
@@ -90,9 +90,10 @@ class CurvedStep(Step):
         """m/s. Least and greatest velocity of body i up to t."""
         return Step.speeds(self, i, self.own.of(t))
 
-    def acceleration(self, i: int, t: float) -> float:
-        """m/s². Bound for body i up to t."""
-        return size(self.accelerations[i], self.own.of(t))
+    def accelerations(self, i: int, t: float, dt: float) -> tuple[float, float]:
+        """m/s². Least and greatest of body i in the step."""
+        bound = size(self.bends[i], self.own.of(t + dt))
+        return -bound, bound
 
     def overlap(self, k: int, t: float) -> tuple[float, float]:
         """m and m/s."""

@@ -127,10 +127,11 @@ class ModalGroup:
         reach = speed.bound(t, 0)
         return min(ends) - reach, max(ends) + reach
 
-    def acceleration(self, body: Body, now: Time) -> float:
-        """m/s². A bound from now on."""
+    def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """m/s². Least and greatest from now on."""
         speed = self.sums.speed[self._place(body)]
-        return abs(speed.growth) + speed.bound(elapsed(self.begun, now), 1)
+        swing = speed.bound(elapsed(self.begun, now), 1)
+        return speed.growth - swing, speed.growth + swing
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt of a gap of the chain."""

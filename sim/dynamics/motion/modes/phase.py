@@ -74,17 +74,17 @@ class Phase(Step):
         reach = Started(0.0, v.slope, v.bend, v.shape).size(self.modes, t)
         return v.first - reach, v.first + reach
 
-    def acceleration(self, i: int, t: float) -> float:
-        """m/s². Bound for body i up to t."""
+    def accelerations(self, i: int, t: float, dt: float) -> tuple[float, float]:
+        """m/s². Least and greatest of body i up to t + dt."""
         v = self.speeds_of[i]
         modes = self.modes
         swing = sum(
             [
-                a * b * min(t, 2.0 / abs(z))
+                a * b * min(t + dt, 2.0 / abs(z))
                 for a, b, z in zip(modes.sizes, v.shape.size, modes.rates, strict=True)
             ]
         )
-        return abs(v.slope) + swing
+        return v.slope - swing, v.slope + swing
 
     def overlap(self, k: int, t: float) -> tuple[float, float]:
         """m and m/s: overlap of gap k and its rate."""

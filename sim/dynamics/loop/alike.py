@@ -1,0 +1,79 @@
+"""Two that move side by side: how far can their accelerations differ?
+
+What each of them does says little of their room where both go downhill together: the bound of a
+safe step (`safe_step`) is one on the difference of two accelerations, not on their sum.
+
+Each lies, on a stretch, between bounds of its own: their difference between those of the bounds,
+and the shorter the stretch, the less it is. A room that closes is asked for as far as it would at
+twice the time that it needs at its speed; one that opens on ever longer stretches.
+
+The same law of motion, v' = f(v), as of carts of one mass on one slope in air: two solutions of one
+equation do not cross. Who is faster stays faster, and two that open never touch. Drag grows with
+the speed, so (v − u)' = f'(w) (v − u) with −L <= f' <= 0: they come together no faster than they
+do now, and |v' − u'| <= L |v − u|.
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.motion.flight import Flight
+from sim.dynamics.motion.safe_step import safe_step
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time
+
+LONGER = 8.0
+"""Times the step that is known to be safe: the stretch tried next. A longer one has a greater
+bound, a shorter one gains little."""
+
+
+def by_one_law(gap: Gap) -> bool:
+    """Do both neighbours fly under the same law v' = f(v)?"""
+    left, right = gap.left.motion, gap.right.motion
+    if not isinstance(left, Flight) or not isinstance(right, Flight):
+        return False
+    return left.course.law == right.course.law
+
+
+def safe(gap: Gap, moment: Time, here: float, rate: float, horizon: float) -> float:
+    """s from `moment` in which a room of `here` [m] >= 0, growing at `rate`, cannot fall to zero.
+
+    inf where it never can; it is asked for no longer than `horizon` [s].
+    """
+    stretch = min(horizon, 2.0 * here / -rate) if rate < 0.0 else horizon
+    step = safe_step(here, rate, _relative(gap, moment, rate, stretch))
+    if step >= stretch:
+        return step if stretch == horizon else stretch
+    while rate >= 0.0 and step > 0.0:
+        stretch = min(LONGER * step, horizon)
+        longer = safe_step(here, rate, _relative(gap, moment, rate, stretch))
+        if longer < stretch:
+            return max(step, longer)
+        if stretch == horizon:
+            return longer
+        step = stretch
+    return step
+
+
+def _relative(gap: Gap, moment: Time, rate: float, stretch: float) -> float:
+    """m/s². A bound on the acceleration of the right one relative to the left, for so long [s]."""
+    left, right = gap.left, gap.right
+    if by_one_law(gap):
+        assert left.motion is not None
+        assert right.motion is not None
+        assert isinstance(left.motion, Flight)
+        _, gamma, kappa = left.motion.course.law
+        if kappa == 0.0:
+            return gamma * abs(rate)
+        ends = (
+            *left.motion.speeds(left, moment, stretch),
+            *right.motion.speeds(right, moment, stretch),
+        )
+        return (gamma + 2.0 * kappa * max(map(abs, ends))) * abs(rate)
+    low_left, high_left = _accelerations(left, moment, stretch)
+    low_right, high_right = _accelerations(right, moment, stretch)
+    return max(abs(high_right - low_left), abs(low_right - high_left))
+
+
+def _accelerations(body: Body, moment: Time, stretch: float) -> tuple[float, float]:
+    if body.motion is None:
+        return 0.0, 0.0
+    return body.motion.accelerations(body, moment, stretch)
