@@ -94,7 +94,7 @@ def at_rest(
 
 
 def _may_rest(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> bool:
-    """Do all touch, by laws with linear branches, and does nobody slide?"""
+    """Do all touch, by forces with a stiffness, and does nobody slide?"""
     fixed = [body.held or body.mass == math.inf for body in bodies]
     for block in blocks([branch.locked for branch in branches]):
         if any(fixed[i] for i in block):
@@ -104,9 +104,9 @@ def _may_rest(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> bo
             if load.static or load.kinetic or (dragged and not any(fixed)):
                 return False
     return bool(gaps) and all(
-        (gap.touching is not None and (gap.law is None or gap.law.linear))
+        (gap.touching is not None and (branch.locked or branch.kappa > 0.0))
         or (gap.touching is None and bool(gap.links) and gap.room > 0.0)
-        for gap in gaps
+        for gap, branch in zip(gaps, branches, strict=True)
     )
 
 

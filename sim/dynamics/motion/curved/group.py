@@ -15,6 +15,7 @@ from dataclasses import replace
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.coupled_group import CoupledGroup, group_of
 from sim.dynamics.motion.curved.own_time import fresh, keeper, unit_of
+from sim.dynamics.motion.curved.resting import resting_step
 from sim.dynamics.motion.curved.series import OfRoot, RowSeries
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
@@ -49,6 +50,8 @@ def curved_group(
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
     fastest = max([*(abs(body.v) for body in bodies), *(abs(gap.rate) for gap in gaps)])
+    if (rest := resting_step(bodies, gaps, branches, limit)) is not None:
+        return group_of(rest, [], limit, now)
     if any(body.load.quadratic and not body.sliding for body in bodies):
         return None
     row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
