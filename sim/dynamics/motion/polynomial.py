@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import count
-from operator import mul, truediv
+from operator import truediv
 
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.effects.forces import Poly
@@ -83,31 +83,12 @@ FAINT = 1e-20
 """Of the greatest coefficient. Later ones that are smaller than that add nothing."""
 
 
-def cube_integral(p: Poly, h: float) -> float:
-    """Integral of p³ over [0, h], all terms: the cube has three times the order of p.
-
-    In a step of half a swing those beyond the order of p are 1e-9 of it.
-    """
-    q = _told(_scaled(p, h))
-    squared = _told(_product(q, q))
-    return h * value(integral(_product(squared, q)), 1.0)
-
-
 def _told(q: Poly) -> Poly:
     """Without last coefficients that add nothing at 1."""
     faint = FAINT * max(map(abs, q), default=0.0)
     while len(q) > 1 and abs(q[-1]) <= faint:
         q.pop()
     return q
-
-
-def _product(p: Poly, q: Poly) -> Poly:
-    """Of two polynomials."""
-    turned, more = q[::-1], len(q) - 1
-    return [
-        math.fsum(map(mul, p[max(0, n - more) : n + 1], turned[max(0, more - n) :]))
-        for n in range(len(p) + more)
-    ]
 
 
 SMALL = 1e-3

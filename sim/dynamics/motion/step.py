@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from sim.dynamics.motion.guards import along
 from sim.dynamics.motion.polynomial import (
     Poly,
-    cube_integral,
     first_fall,
     integral_value,
     size,
@@ -16,6 +15,7 @@ from sim.dynamics.motion.polynomial import (
     value,
     value_and_slope,
 )
+from sim.dynamics.motion.quadrature import square_and_cube
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch, Guard
 
@@ -150,9 +150,10 @@ class Step:
         load, speed, way = self.bodies[i].load, self.speed[i], self.bodies[i].sliding
         if not (load.linear or load.quadratic):
             return 0.0, 0.0, 0.0
-        square = square_integral(speed, t)
-        cube = way * cube_integral(speed, t) if load.quadratic else 0.0
-        return square, way * square, cube
+        if not load.quadratic:
+            return square_integral(speed, t), 0.0, 0.0
+        square, cube = square_and_cube(speed, t)
+        return square, way * square, way * cube
 
     def rate_square(self, k: int, t: float) -> float:
         """m²/s. Integral of o'² dt in gap k."""
