@@ -81,3 +81,29 @@ def test_a_search_beside_a_row_that_slides_along_takes_few_steps(
     }
     downhill(carts, {"linear": 0.05}, until=2.0)
     assert max(searches) < 60
+
+
+@pytest.mark.parametrize("speed", [1e-3, 1e-5, 1e-7])
+@pytest.mark.parametrize("drag", [{"linear": 0.05}, {"linear": 0.05, "quadratic": 0.5}])
+def test_two_that_touch_and_roll_uphill_in_air_come_down_together(
+    speed: float, drag: dict[str, float]
+) -> None:
+    """Air parts them as they go up, by less than any place is known, and presses them together as
+    they come down: they touched by what was foreseen, parted by their forces, and so on for ever.
+    """
+    carts = {
+        "A": {"mass": 0.25, "position": 0.1, "velocity": speed},
+        "B": {"mass": 1, "position": 0.3, "velocity": speed},
+    }
+    scene = {
+        "carts": carts,
+        "contact": {"law": "instant", "restitution": 0.9},
+        "effects": [{"incline": {"angle": "-5 deg"}}, {"drag": drag}],
+        "until": 30,
+    }
+    with budget(3.0):
+        done = run(read_scene(scene))
+    assert len(done.record.events) < 300
+    assert done.v[0] == pytest.approx(done.v[1], rel=1e-13)
+    assert done.x[1] - done.x[0] == pytest.approx(0.2, abs=1e-12)
+    assert done.ledger.imbalance() < 1e-14

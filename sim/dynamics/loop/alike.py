@@ -11,6 +11,10 @@ The same law of motion, v' = f(v), as of carts of one mass on one slope in air: 
 equation do not cross. Who is faster stays faster, and two that open never touch. Drag grows with
 the speed, so (v − u)' = f'(w) (v − u) with −L <= f' <= 0: they come together no faster than they
 do now, and |v' − u'| <= L |v − u|.
+
+Two that touch, move alike, and open by less than any place is known before they close (carts of two
+masses that air parts as they roll uphill, up to where they turn) are pressed from where the
+difference of their accelerations turns: earlier a contact would have to pull, and end at once.
 """
 
 from __future__ import annotations
@@ -18,11 +22,17 @@ from __future__ import annotations
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import safe_step
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.clock import Time
+from sim.dynamics.state.clock import Time, later
 
 LONGER = 8.0
 """Times the step that is known to be safe: the stretch tried next. A longer one has a greater
 bound, a shorter one gains little."""
+
+KNOWN = 1e-13
+"""Of both accelerations. A smaller difference of theirs has no sign."""
+
+HALVINGS = 60
+"""Of a stretch of time: down to its last bit."""
 
 
 def by_one_law(gap: Gap) -> bool:
@@ -77,3 +87,32 @@ def _accelerations(body: Body, moment: Time, stretch: float) -> tuple[float, flo
     if body.motion is None:
         return 0.0, 0.0
     return body.motion.accelerations(body, moment, stretch)
+
+
+def pressed_from(gap: Gap, now: Time, probes: list[float]) -> float:
+    """s from `now` to where the two are known to be pressed together; 0 where it is not known that
+    they open now. `probes` [s]: ever later times."""
+    if _pressed(gap, now) >= 0:
+        return 0.0
+    early = 0.0
+    for late in probes:
+        if _pressed(gap, later(now, late)) > 0:
+            break
+        early = late
+    else:
+        return 0.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (early + late)
+        if _pressed(gap, later(now, middle)) > 0:
+            late = middle
+        else:
+            early = middle
+    return late
+
+
+def _pressed(gap: Gap, moment: Time) -> int:
+    """1 where accelerations press the two together, −1 where they part them, 0: not known."""
+    low_left, high_left = _accelerations(gap.left, moment, 0.0)
+    low_right, high_right = _accelerations(gap.right, moment, 0.0)
+    known = KNOWN * (max(high_left, -low_left) + max(high_right, -low_right))
+    return (low_left - high_right > known) - (low_right - high_left > known)
