@@ -14,7 +14,8 @@ do now, and |v' − u'| <= L |v − u|.
 
 Two that touch, move alike, and open by less than any place is known before they close (carts of two
 masses that air parts as they roll uphill, up to where they turn) are pressed from where the
-difference of their accelerations turns: earlier a contact would have to pull, and end at once.
+difference of their accelerations turns: earlier a contact without a duration would have to pull,
+and end at once.
 """
 
 from __future__ import annotations

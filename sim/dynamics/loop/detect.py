@@ -98,9 +98,9 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
             return 0.0
         if level:
             begin = _open_from(gap, now, rest, horizon)
-            if begin == 0.0:
+            if begin == 0.0 and gap.law is None:
                 return alike.pressed_from(gap, now, [probe * horizon for probe in PROBES])
-            if begin == math.inf:
+            if begin in (0.0, math.inf):
                 return begin
     found = _first_fall(gap, now, begin, horizon, rest, +1.0)
     return math.inf if found is None else found
