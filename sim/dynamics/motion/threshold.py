@@ -33,11 +33,12 @@ def first_fall_to(rate: Rate, z0: float, v0: float, level: float) -> float:
     if rate.beta == 0.0:
         return _undamped(rate.w0, z0, v0, level)
     begin = 0.0
-    if v0 > 0.0 or (v0 == 0.0 and z0 < 0.0):  # it rises first
+    rises = v0 > 0.0 or (v0 == 0.0 and z0 < 0.0)
+    if rises:  # first, be it for less than a clock can tell
         begin = first_turn(rate, z0, v0)
         if begin == math.inf:
             return math.inf  # it creeps up to nought
-    if begin == 0.0 and v0 != 0.0:
+    if not rises and v0 != 0.0:
         lowest = first_turn(rate, z0, v0)
     else:  # from one turning point to the next
         lowest = begin + math.pi / rate.w if rate.regime == "under" else math.inf
