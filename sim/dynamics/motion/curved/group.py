@@ -19,7 +19,7 @@ from sim.dynamics.motion.curved.resting import resting_step
 from sim.dynamics.motion.curved.series import OfRoot, RowSeries
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
-from sim.dynamics.motion.polynomial import value
+from sim.dynamics.motion.polynomial import size, value
 from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step_ends import first_ends
@@ -93,12 +93,15 @@ def _strength(law: ContactLaw, gap: Gap) -> float:
 
 
 def _faint_until(series: RowSeries, span: float, momentum: float) -> float:
-    """The span up to which the contacts that are left out stay faint; `momentum` in kg m/s."""
+    """The span up to which the contacts that are left out stay faint; `momentum` in kg m/s.
+
+    All the way: at its end a pair may have parted again.
+    """
     for k in series.silent:
         gap, law = series.gaps[k], curved(series.gaps[k])
         assert law is not None
         while span > 0.0:
-            push = abs(law.force(gap.mu, value(series.o[k], span), value(series.r[k], span)))
+            push = law.force(gap.mu, size(series.o[k], span), size(series.r[k], span))
             others = [abs(value(n, span)) for n in (*series.force, *series.pull) if n]
             greatest = max([*others, *map(abs, series.row.steady)])
             if push <= FAINT * greatest or push * value(series.t, span) <= FAINT * momentum:
