@@ -13,6 +13,7 @@ import pytest
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests.fuzz.mirror import mirrored
+from tests.processor_time import budget
 
 MASS, GRAVITY, STATIC = 2.0, 10.0, 0.4  # kg, m/s², 1
 HOLDS = STATIC * MASS * GRAVITY  # N
@@ -72,3 +73,27 @@ def test_a_bumper_held_at_its_deepest_is_at_rest_when_it_is_let_go_from_either_s
     one, two = run(read_scene(plain)), run(read_scene(mirrored(plain)))
     assert [-v for v in reversed(two.v)] == pytest.approx(list(one.v), abs=1e-14)
     assert two.record.counts == one.record.counts
+
+
+def test_a_cart_that_a_damped_contact_lets_creep_to_the_edge_of_friction_is_held() -> None:
+    """B is held, and what pushes C between it and the wall falls, ever slower, to just what
+    friction can bear: by rounding, 1e-17 N, C slid and stood for ever, 1e-9 s after 1e-9 s."""
+    carts = {
+        "A": {"mass": 0.25, "position": 0.2, "velocity": 0.3},
+        "B": {"mass": 1, "position": 0.4, "velocity": 0.3},
+        "C": {"mass": 2, "position": 0.6, "velocity": 0.3},
+    }
+    scene = {
+        "carts": carts,
+        "track": {"left": "wall", "right": "wall", "length": 1.0},
+        "contact": {"law": "push-only", "restitution": 0.05, "stiffness": 5000},
+        "effects": [
+            {"push": {"cart": "A", "force": 1, "from": 0.5, "until": 3}},
+            {"friction": {"coefficient": 0.02}},
+        ],
+        "until": 20,
+    }
+    with budget(3.0):
+        done = run(read_scene(scene))
+    assert done.v == (0.0, 0.0, 0.0)
+    assert len(done.record.events) < 20

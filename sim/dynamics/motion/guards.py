@@ -8,6 +8,7 @@ from sim.dynamics.motion.polynomial import Poly, slope
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
+from sim.dynamics.state.loads import Load
 from sim.laws.branch import APART, LOCKED, Branch, Guard
 
 PUSH_ROUNDING = 1e-12
@@ -126,9 +127,20 @@ def refuse_too_near(gaps: list[Gap], now: Time) -> None:
             )
 
 
+SAME_GRIP = 1e-12
+"""Relative. At the onset of sliding the other forces equal μ_s N. Where that is μ N too, both modes
+give the same motion there: friction takes exactly what the others are, and rounding does not decide
+whether the body moves. Damped contacts creep to just that edge, and would alternate there."""
+
+
+def grip(load: Load) -> float:
+    """N. The most that static friction is known to hold; more, and the body slides."""
+    return load.static * (1.0 + SAME_GRIP) if load.static == load.kinetic else load.static
+
+
 def reserves(body: Body, others: Poly) -> list[tuple[int, Poly]]:
     """How much more static friction can bear, to the right (1) and to the left (−1)."""
-    limit = body.load.static
+    limit = grip(body.load)
     return [
         (1, [limit - others[0], *(-c for c in others[1:])]),
         (-1, [limit + others[0], *others[1:]]),

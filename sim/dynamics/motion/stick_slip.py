@@ -8,13 +8,9 @@ they are judged together. Next to a wall a locked group cannot slide at all.
 
 from __future__ import annotations
 
-from sim.dynamics.motion.guards import push_now
+from sim.dynamics.motion.guards import SAME_GRIP, grip, push_now
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
-
-SAME_GRIP = 1e-12
-"""Relative. At the onset of sliding the other forces equal μ_s N; where that is μ N too, friction
-takes exactly what they are, so that rounding does not decide whether the body moves."""
 
 
 def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
@@ -51,7 +47,7 @@ def _judge(bodies: list[Body], group: list[int], gaps: list[Gap], pushes: list[f
     resting = all(body.v == 0.0 for body in members)
     static = sum(body.load.static for body in members)
     slips = next((body.slips for body in members if body.slips), 0)
-    held = resting and static > 0.0 and abs(total) <= static and not slips
+    held = resting and static > 0.0 and abs(total) <= _grip(members) and not slips
     for body in members:
         body.slips = 0
         body.held = held and body.load.static > 0.0
@@ -63,6 +59,11 @@ def _judge(bodies: list[Body], group: list[int], gaps: list[Gap], pushes: list[f
             body.sliding = slips
         else:
             body.sliding = (total > 0.0) - (total < 0.0)
+
+
+def _grip(members: list[Body]) -> float:
+    """N. What static friction can hold of all these."""
+    return sum(grip(body.load) for body in members)
 
 
 def friction(body: Body, others: float) -> float:
