@@ -129,9 +129,8 @@ class ModalGroup:
 
     def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """m/s². Least and greatest from now on."""
-        speed = self.sums.speed[self._place(body)]
-        swing = speed.bound(elapsed(self.begun, now), 1)
-        return speed.growth - swing, speed.growth + swing
+        speed, t = self.sums.speed[self._place(body)], elapsed(self.begun, now)
+        return speed.growth - speed.bound(t, 1), speed.growth + speed.bound(t, 1)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt of a gap of the chain."""
