@@ -5399,7 +5399,7 @@
         Object.assign(radio, { type: "radio", name: this.name, value, checked: value === now });
         radio.autocomplete = "off";
         radio.addEventListener("change", () => choose(value));
-        line3.append(radio, ` ${text}`);
+        line3.append(radio, html("span", "", text));
         set.append(line3);
       }
       return set;

@@ -669,12 +669,20 @@
     const known = Object.keys(units).filter(Boolean);
     const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
     const factor = unit ? own ? units[own] : void 0 : 1;
-    if (factor === void 0) {
-      const text2 = { unit, units: known.join(", ") };
-      return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
-    }
+    if (factor === void 0) return { problem: unfit(unit, units) };
     const value2 = Number((Number(number2.replace(",", ".")) * factor).toPrecision(15));
     return Number.isFinite(value2) ? { value: value2 } : { problem: tr("{text} is too large.", { text }) };
+  }
+  function unfit(unit, units) {
+    if (/^\/\s*\d/.test(unit))
+      return tr("A fraction is not read here: work it out and type for example 0.5");
+    const [own = "", ...others] = Object.keys(units);
+    if (!own) return tr("“{unit}” does not fit here: it is a number without a unit.", { unit });
+    const close = (one) => one.replace(/\s/g, "");
+    const told2 = [own, ...others].filter(
+      (one, place2, all) => one && !all.slice(0, place2).some((other) => close(other) === close(one))
+    );
+    return tr("“{unit}” does not fit here. Units: {units}", { unit, units: told2.join(", ") });
   }
 
   // src/question/forms/run.js

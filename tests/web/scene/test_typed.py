@@ -180,3 +180,19 @@ def test_a_sign_that_stands_apart_and_wide_figures_are_read_alike_everywhere() -
     assert scene[2]["problem"].startswith("-1,000 can mean -1 or -1000")
     assert scene[3]["problem"].startswith("1,000 can mean 1 or 1000")
     assert words == "－５ kg"
+
+
+def test_what_is_no_unit_of_the_question_is_answered_with_what_to_type() -> None:
+    plain, momentum = {"": 1, "%": 0.01}, {"kg m/s": 1, "N s": 1, "Ns": 1, "kgm/s": 1}
+    said = in_node(
+        """const { readNumber } = await import(source + "/question/marking/typed-number.js");
+        give(data.map(([typed, units]) => readNumber(typed, units).problem));""",
+        [["0.2 kg", plain], ["1/5", plain], ["3 / 10", momentum], ["1 kg", momentum]],
+    )
+    fraction = "A fraction is not read here: work it out and type for example 0.5"
+    assert said == [
+        "“kg” does not fit here: it is a number without a unit.",
+        fraction,
+        fraction,
+        "“kg” does not fit here. Units: kg m/s, N s",
+    ]

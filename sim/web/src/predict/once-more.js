@@ -28,7 +28,7 @@ export class OnceMore {
       Object.assign(radio, { type: "radio", name: this.name, value, checked: value === now });
       radio.autocomplete = "off";
       radio.addEventListener("change", () => choose(value));
-      line.append(radio, ` ${text}`);
+      line.append(radio, html("span", "", text));
       set.append(line);
     }
     return set;

@@ -38,11 +38,21 @@ export function readNumber(typed, units) {
   const known = Object.keys(units).filter(Boolean);
   const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
   const factor = unit ? (own ? units[own] : undefined) : 1;
-  if (factor === undefined) {
-    const text = { unit, units: known.join(", ") };
-    return { problem: tr("“{unit}” does not fit here. Units: {units}", text) };
-  }
+  if (factor === undefined) return { problem: unfit(unit, units) };
   // To the digits that a unit leaves: 35 cm/s are 0.35 m/s, not 0.35000000000000003.
   const value = Number((Number(number.replace(",", ".")) * factor).toPrecision(15));
   return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
+}
+
+/** Why what stands behind the number is no unit of the question. @param {string} unit @param {Record<string, number>} units */
+function unfit(unit, units) {
+  if (/^\/\s*\d/.test(unit))
+    return tr("A fraction is not read here: work it out and type for example 0.5");
+  const [own = "", ...others] = Object.keys(units); // that of the question first; %: of a plain number
+  if (!own) return tr("“{unit}” does not fit here: it is a number without a unit.", { unit });
+  const close = (/** @type {string} */ one) => one.replace(/\s/g, "");
+  const told = [own, ...others].filter(
+    (one, place, all) => one && !all.slice(0, place).some((other) => close(other) === close(one)),
+  );
+  return tr("“{unit}” does not fit here. Units: {units}", { unit, units: told.join(", ") });
 }
