@@ -7,6 +7,7 @@ import pytest
 from sim.measured.refusal import ReadingError
 from sim.measured.sheet.cells import decoded
 from sim.measured.tracks import read_measured
+from tests.web.scene.given.widget_site import in_node
 
 TEXT = "t in s;x von Wägelchen A in m;x von Wägelchen B in m\n0,00;0,40;1,20\n0,05;0,42;1,20\n"
 
@@ -30,6 +31,26 @@ def test_chinese_windows_are_read_with_their_units() -> None:
 def test_two_letters_with_accents_side_by_side_are_not_chinese() -> None:
     for text in ("Größe A;Größe B\n", "créée;º°\n", "ÄÖÜ;Länge\n", "Größe in m²; ±5 µm\n"):
         assert decoded(text.encode("cp1252")) == text
+
+
+@pytest.mark.parametrize(
+    ("encoding", "text"),
+    [
+        ("gbk", "时间(毫秒),小车A位置(厘米)\n0,40\n"),
+        ("gb18030", "姓名,㐀,時間\n时间,位置,速度\n"),
+        ("cp1252", "Größe in m²; créée; ÄÖÜ; ±5 µm\n"),
+        ("utf-8-sig", TEXT),
+        ("utf-16", TEXT),
+    ],
+)
+def test_the_page_finds_the_same_text(encoding: str, text: str) -> None:
+    content = text.encode(encoding)
+    page = in_node(
+        """const { decoded } = await import(source + "/measured/decoded.js");
+        give(decoded(new Uint8Array(data).buffer));""",
+        list(content),
+    )
+    assert page == decoded(content) == text
 
 
 def test_a_picture_is_no_text() -> None:

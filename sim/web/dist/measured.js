@@ -1026,6 +1026,35 @@
     place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
   }
 
+  // src/measured/decoded.js
+  function decoded(bytes) {
+    const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
+    const mark = start[0] === 255 && start[1] === 254 ? "utf-16le" : "";
+    const wide = start[0] === 254 && start[1] === 255 ? "utf-16be" : mark;
+    return strictly(wide || "utf-8", bytes) ?? (isChinese(new Uint8Array(bytes)) ? strictly("gb18030", bytes) : void 0) ?? new TextDecoder("windows-1252").decode(bytes);
+  }
+  function strictly(encoding, bytes) {
+    try {
+      return new TextDecoder(encoding, { fatal: true }).decode(bytes);
+    } catch {
+      return void 0;
+    }
+  }
+  function isChinese(bytes) {
+    let usual2 = 0;
+    let beyond = 0;
+    for (let at = 0; at < bytes.length; at += 1) {
+      const first = bytes[at] ?? 0;
+      if (first < 128) continue;
+      const second = bytes[at + 1] ?? 0;
+      beyond += 1;
+      const known = first >= 176 && first <= 215 || first === 161 || first === 163;
+      if (known && second > 160) usual2 += 1;
+      at += second >= 48 && second <= 57 ? 3 : 1;
+    }
+    return 2 * usual2 > beyond;
+  }
+
   // ../view/language.js
   var catalogue = (
     /** @type {any} */
@@ -1299,16 +1328,6 @@
     let text2 = "";
     for (const byte of new Uint8Array(bytes)) text2 += String.fromCharCode(byte);
     return btoa(text2);
-  }
-  function decoded(bytes) {
-    const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
-    const mark = start[0] === 255 && start[1] === 254 ? "utf-16le" : "";
-    const wide = start[0] === 254 && start[1] === 255 ? "utf-16be" : mark;
-    try {
-      return new TextDecoder(wide || "utf-8", { fatal: true }).decode(bytes);
-    } catch {
-      return new TextDecoder("windows-1252").decode(bytes);
-    }
   }
 
   // src/measured/stage.js

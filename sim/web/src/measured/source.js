@@ -2,6 +2,7 @@
 
 import { need } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { decoded } from "./decoded.js";
 import { Films, isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
@@ -126,16 +127,4 @@ function base64(bytes) {
   let text = "";
   for (const byte of new Uint8Array(bytes)) text += String.fromCharCode(byte);
   return btoa(text);
-}
-
-/** The bytes as text: UTF-8 or UTF-16, else what spreadsheets of western Windows write. @param {ArrayBuffer} bytes */
-function decoded(bytes) {
-  const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
-  const mark = start[0] === 0xff && start[1] === 0xfe ? "utf-16le" : "";
-  const wide = start[0] === 0xfe && start[1] === 0xff ? "utf-16be" : mark;
-  try {
-    return new TextDecoder(wide || "utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    return new TextDecoder("windows-1252").decode(bytes);
-  }
 }
