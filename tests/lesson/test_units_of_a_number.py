@@ -130,3 +130,14 @@ def test_percent_of_a_wrong_nought_is_exactly_nought() -> None:
     wrong = [{"value": "0 N", "tolerance": "5 %", "feedback": "There is one."}]
     question = read_question({**FORCE, "answer": "2 N", "wrong": wrong})
     assert question.data(key=True)["key"]["wrong"][0]["tolerance"] == 0
+
+
+@pytest.mark.parametrize(("answer", "hint"), [("0.5 N", "2 %"), ("0.5", "2 %"), ("0 N", "0.01 N")])
+def test_a_tolerance_that_is_missing_is_answered_with_a_narrow_one(answer: str, hint: str) -> None:
+    """The example of a force, 0.5 N, would let any answer pass."""
+    with pytest.raises(LessonError) as caught:
+        read_question({"id": "f", "type": "number", "ask": "How large?", "answer": answer})
+    (problem,) = caught.value.problems
+    assert (str(problem.message), problem.hint) == (
+        "tolerance is missing", f"tolerance: {hint}",
+    )  # fmt: skip

@@ -78,6 +78,10 @@ def read_tolerance(
     unit, dimension = measured
     if lacks_unit(table, measured, path, problems):
         return Fraction(0)
+    if table.get("tolerance") is None:  # no example of its kind: 0.60 m/s would let anything pass
+        hint = "tolerance: 2 %" if exact else f"tolerance: 0.01 {unit}".rstrip()
+        problems.append(Problem(path, "missing", "tolerance is missing", hint))
+        return Fraction(0)
     relative = _relative(table, unit)
     kind = units.RATIO if relative else dimension
     found = read_number(table, "tolerance", kind, path, problems)

@@ -21,6 +21,7 @@ from sim.pages.law.block import LawBlock, read_law_block
 from sim.pages.map.bake import bake_map
 from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
+from sim.pages.never_touch import forces_that_never_act
 from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
@@ -104,7 +105,10 @@ def _read(
     items.scenes.append(scene.fence)
     if scene.fence.predict:
         items.asking = scene.fence.id
-    found = forces_nobody_finds(scene, run.header)
+    found = [
+        *forces_nobody_finds(scene, run.header),
+        *forces_that_never_act(scene, run.header),
+    ]
     if hints:
         called_for = relevance_hints(scene.fence.scene, scene.places)
         doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene)]
