@@ -144,44 +144,6 @@ def test_hidden_forces_that_nobody_can_find_are_a_warning(effects: str, warned: 
     )
 
 
-ARROWS = """# A lesson
-
-```scene
-id: arrows
-carts:
-  A: {mass: 0.5 kg, position: 0.40 m, velocity: %s}
-  B: {mass: 1 kg, position: 1.2 m}
-track: {length: 2.4 m}
-until: %s
-%s
-```
-"""
-
-
-@pytest.mark.parametrize(
-    ("velocity", "until", "more", "warned"),
-    [
-        ("0.6 m/s", "3 s", "predict: {arrows: [A-B]}", ""),
-        ("0.6 m/s", "0.5 s", "predict: {arrows: [A-B]}", "A and B never push each other"),
-        ("-0.1 m/s", "3 s", "predict: {arrows: [A-B]}", "A and B never push each other"),
-        ("0.6 m/s", "0.5 s", "predict: {curve: F.B}", "nothing touches B"),
-        ("0.6 m/s", "0.5 s", "predict: {curve: v.B}", ""),
-        (
-            "0",
-            "0.5 s",
-            "effects: [{magnets: {between: [A, B], strength: 1e-4}}]\npredict: {arrows: [A-B]}",
-            "",
-        ),
-    ],
-)
-def test_forces_to_predict_that_never_act_are_a_warning(
-    velocity: str, until: str, more: str, warned: str
-) -> None:
-    found = check_lesson(ARROWS % (velocity, until, more), Lesson("a.md", (), ()), SiteIds())
-    told = [(f.code, f.severity, warned in f.message) for f in found]
-    assert told == ([("no-force-to-predict", "warning", True)] if warned else []), found
-
-
 def test_a_folder_of_banks_is_named_once(tmp_path: Path) -> None:
     lesson = tmp_path / "worksheets" / "a.md"
     lesson.parent.mkdir()

@@ -9,6 +9,8 @@ from sim.pages.blocks.bake import bake
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.checks.hidden_forces import forces_nobody_finds
+from sim.pages.checks.large_numbers import large_numbers
+from sim.pages.checks.never_touch import forces_that_never_act
 from sim.pages.checks.preset_reach import presets_beyond_sliders
 from sim.pages.checks.relevance import relevance_hints
 from sim.pages.checks.steep import steep_slopes
@@ -21,7 +23,6 @@ from sim.pages.law.block import LawBlock, read_law_block
 from sim.pages.map.bake import bake_map
 from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
-from sim.pages.never_touch import forces_that_never_act
 from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
@@ -111,7 +112,7 @@ def _read(
     ]
     if hints:
         called_for = relevance_hints(scene.fence.scene, scene.places)
-        doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene)]
+        doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene), *large_numbers(scene)]
         return [*found, *watched_by_default(scene), *called_for, *doubts]
     return found
 
