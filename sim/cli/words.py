@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import NoReturn
 
@@ -11,7 +12,7 @@ import click
 from sim.cli.check import report
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
-from sim.pages.language import LANGUAGES
+from sim.pages.language import LANGUAGES, UnknownLanguageError, language_of
 from sim.pages.text.author_text import author_text
 from sim.pages.text.lesson_places import BANK_FOLDER
 from sim.pages.text.lesson_places import shown as shown_from
@@ -21,7 +22,14 @@ from sim.pages.translate.put_in import units_of
 
 
 class _Spoken(click.Choice[str]):
-    """A language that there is a catalogue of; what to do about another one."""
+    """A language that there is a catalogue of, also as others call it (zh); what to do about
+    another one.
+    """
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        with suppress(UnknownLanguageError):
+            value = language_of(value)
+        return super().convert(value, param, ctx)
 
     def fail(
         self, message: str, param: click.Parameter | None = None, ctx: click.Context | None = None

@@ -100,3 +100,9 @@ def test_a_language_without_a_catalogue_leads_to_the_guide(lesson: Path) -> None
     guide = "docs/developers/add-a-language.md"
     assert guide in result.output
     assert (Path(__file__).parents[2] / guide).is_file()
+
+
+def test_a_language_may_be_called_as_the_settings_of_a_site_call_it(lesson: Path) -> None:
+    result = CliRunner().invoke(main, ["words", str(lesson), "--language", "zh"])
+    assert result.exit_code == 0, result.output
+    assert Path("worksheets/words/zh-Hans/one.po").is_file()

@@ -147,3 +147,12 @@ def test_a_file_is_too_large_for_the_page_where_it_is_for_python() -> None:
     script = """const { MOST_BYTES, MOST_ZIPPED } = await import(source + "/measured/source.js");
     give([MOST_BYTES, MOST_ZIPPED]);"""
     assert in_node(script, None) == [MOST_BYTES, MOST_ZIPPED]
+
+
+def test_words_below_the_readings_are_answered_with_how_a_remark_is_written() -> None:
+    text = body({}) + "Filmed by 10b\n"
+    with pytest.raises(ReadingError) as caught:
+        read_measured([text])
+    (fault,) = caught.value.faults
+    assert fault.hint == "begin the line of a remark with #, or take it out"
+    assert read_measured([text.replace("Filmed", "# Filmed")]).names == ("A", "B")

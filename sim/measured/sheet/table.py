@@ -132,6 +132,8 @@ def _numbers(
         for k in range(width):
             cell = row.cells[k] if k < len(row.cells) else ""
             value, fault = _number(row.line, cell)
+            if fault and not any(row.cells[1:]):  # words below the readings, alone in their line
+                fault = replace(fault, hint="begin the line of a remark with #, or take it out")
             if fault and names and names[k]:
                 fault = replace(fault, reason=f"{fault.reason} (column {shown(names[k])})")
             if fault and (names is None or names[k]):
