@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from sim.pages.check import check_lesson
-from sim.pages.scene_block import Lesson, SiteIds
+
+from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.lessons import check_lesson
 
 ARROWS = """# A lesson
 

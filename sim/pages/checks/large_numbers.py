@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sim.pages.blocks.scene_block import SceneBlock
 from sim.pages.findings import Finding
-from sim.pages.scene_block import SceneBlock
 from sim.scene.problem import Problem
 
 USUAL = {

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from sim.pages.blocks.scene_block import SceneBlock
 from sim.pages.findings import Finding
-from sim.pages.scene_block import SceneBlock
 from sim.scene.problem import Problem
 
 OF_TWO = ("contact", "release", "peak", "separate", "stick")

@@ -6,33 +6,19 @@ it, a formula that is never closed prints its source, a lesson's minutes nobody 
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterable, Iterator
-from pathlib import Path
-from urllib.parse import unquote
 
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
-from sim.pages.site.effect_pages import EFFECTS, PLACE
 from sim.pages.text.fence_scan import KINDS, after_front_matter
-from sim.pages.text.films import FILMS, OTHER_FILMS, is_film
+from sim.pages.text.films import is_film
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
 from sim.pages.text.held_back import misspelt, without_scene, without_text
-from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
+from sim.pages.text.links import PICTURE, links
 from sim.pages.text.plain_lines import lines_of, without_code
-from sim.pages.text.raw_html import never_shown, own_pictures
+from sim.pages.text.raw_html import never_shown
 
-# As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow, up to the
-# last of them. A bare one begins with no blank, so that each blank belongs to one part only: of a
-# link that is never closed the search ends in its line.
-_TARGET = (
-    r"\([ \t]*\n?[ \t]*(?:<(?P<wrapped>[^<>\n]*)>"
-    r"|(?P<bare>(?:[^()\s]|\([^()\n]*\))(?:[^()\n]|\([^()\n]*\))*?)|)"
-    r"(?:[ \t]+(?:\"[^\n]*\"|'[^\n]*'))?[ \t]*\n?[ \t]*\)"
-)
-_PICTURE = re.compile(rf"!\[([^\]\n]*)\]{_TARGET}")
-_LINK = re.compile(rf"(?<!!)\[[^\]\n]+\]{_TARGET}")
 _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
@@ -60,7 +46,7 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     found += [*_headings(prose), *_formulas_in_rows(prose)]
     found += [*_minutes_of_questions(prose), *_held_back(prose, text), *never_shown(prose)]
     if lesson.scene_folders:  # where the lesson lies is known
-        found += _links(prose, lesson)
+        found += links(prose, lesson)
     return _located(found, text, lesson)
 
 
@@ -102,7 +88,7 @@ def _held_back(prose: str, text: str) -> Iterator[Found]:
 
 def _pictures(prose: str) -> Iterator[Found]:
     hint = "say what it shows, without giving an answer away: ![two carts, one at rest](carts.png)"
-    for picture in _PICTURE.finditer(prose):
+    for picture in PICTURE.finditer(prose):
         if not picture[1].strip():
             kind = "film" if is_film(picture["wrapped"] or picture["bare"] or "") else "picture"
             yield picture.start(), "missing-alt", f"this {kind} has no words beside it", hint
@@ -192,54 +178,3 @@ def _minutes_of_questions(prose: str) -> Iterator[Found]:
         if taken > int(part[1]):
             message = f"the questions of this part take {taken} minutes, the part only {part[1]}"
             yield part.start(), "minutes", message, "change one of them"
-
-
-def _links(prose: str, lesson: Lesson) -> Iterator[Found]:
-    folder = lesson.scene_folders[0]
-    found = (*_LINK.finditer(prose), *_PICTURE.finditer(prose))
-    written = ((link.start(), link["wrapped"] or link["bare"] or "") for link in found)
-    for at, address in (*written, *own_pictures(prose)):
-        target = unquote(address.split("#")[0].split("?")[0])
-        if not target or re.match(r"[a-z][a-z0-9+.-]*:|//", target):
-            continue
-        place = next((one for one in _places(folder, target, lesson) if one.exists()), None)
-        if place is None:
-            hint = "look at the name, and from which folder it is counted"
-            yield at, "broken-link", f"there is no file “{target[:60]}”", hint
-        elif place.is_file() and not _joins(place, folder, lesson):
-            message = f"“{target[:60]}” does not join the site: it stays in the folder of lessons"
-            hint = f"what joins it there: .md {' '.join(JOINING)}"
-            if place.suffix.lower() in OTHER_FILMS:
-                hint = f"save the film as {' or '.join(FILMS)}, which every browser plays"
-            yield at, "not-in-site", message, hint
-
-
-def _joins(place: Path, folder: Path, lesson: Lesson) -> bool:
-    """Whether a file is one of the site; of the folder of lessons only some are."""
-    lessons = Path(os.path.normpath(_root(folder, lesson) / LESSONS))
-    lies = Path(os.path.normpath(place))
-    if not lies.is_relative_to(lessons):
-        return True
-    return is_built(lies, lessons) if lies.suffix == ".md" else lies.suffix.lower() in JOINING
-
-
-def _root(folder: Path, lesson: Lesson) -> Path:
-    """The folder that the lesson's name is counted from; `folder`: its own."""
-    depth = len(Path(lesson.file).parts) - 1
-    return folder.parents[depth - 1] if 0 < depth <= len(folder.parents) else folder
-
-
-def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
-    """Where a link may lead: beside the lesson, or where the site puts lessons and pages."""
-    source = re.sub(r"\.html$", ".md", target)
-    yield folder / source
-    yield folder / target
-    root = _root(folder, lesson)
-    inside = folder.relative_to(root).as_posix().removeprefix("docs").strip("/")
-    address = os.path.normpath(f"{inside}/{source}").lstrip("/")
-    yield root / address
-    yield root / "docs" / address
-    if lesson.file.startswith(EFFECTS):  # the pages of effects join the docs at their place
-        yield from (root / "docs" / PLACE / source, folder.parent / Path(source).stem / "page.md")
-    elif Path(address).parent.as_posix() == PLACE.strip("/"):
-        yield root / EFFECTS / Path(source).stem / "page.md"
