@@ -64,6 +64,17 @@ def test_the_page_reads_typed_numbers_as_written_by_hand() -> None:
             assert found == {"value": case["value"]}, case
 
 
+def test_a_unit_that_most_people_write_with_a_capital_is_read() -> None:
+    """As in “0.3 Kg m/s.”: what is asked for is the number."""
+    made = in_node(
+        """const { readNumber } = await import(source + "/question/marking/typed-number.js");
+        give(data.map((typed) => readNumber(typed, { "kg m/s": 1, "kg": 1 })));""",
+        ["0.3 Kg m/s.", "0.3 KG", "0.3 kG m/s", "0.3 K"],
+    )
+    assert made[:2] == [{"value": 0.3}] * 2
+    assert all("problem" in one for one in made[2:])
+
+
 NOTATIONS = [
     ["m/s²", "m/s^2", "m s⁻²", "m s^-2", "m·s-2", "m s−2", "m/s/s", "m s**-2", "m s2/s⁴"],
     ["kg m/s", "kg m s⁻¹", "kg·m·s^-1", "m kg/s"],

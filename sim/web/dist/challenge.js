@@ -665,7 +665,7 @@
     if (!found2 || /^[.,]/.test(found2[2] ?? ""))
       return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number2 = String(found2[1]);
-    const unit = found2[2] ?? "";
+    const unit = (found2[2] ?? "").replace(/(.)\.$/, "$1").replace(/\bK[gG]\b/, "kg");
     const known = Object.keys(units).filter(Boolean);
     const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
     const factor = unit ? own ? units[own] : void 0 : 1;

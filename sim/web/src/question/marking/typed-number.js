@@ -34,7 +34,7 @@ export function readNumber(typed, units) {
   if (!found || /^[.,]/.test(found[2] ?? ""))
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   const number = String(found[1]);
-  const unit = found[2] ?? "";
+  const unit = (found[2] ?? "").replace(/(.)\.$/, "$1").replace(/\bK[gG]\b/, "kg");
   const known = Object.keys(units).filter(Boolean);
   const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
   const factor = unit ? (own ? units[own] : undefined) : 1;
