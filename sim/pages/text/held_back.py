@@ -24,6 +24,9 @@ _OPENS = re.compile(
     r"(?: +\"(?P<title>[^\"]*)\")?[ \t]*"
 )
 _NOTE = re.compile(r"\s*!!! ?(?P<words>[\w-]+(?: +[\w-]+)*)(?: +\".*\")?[ \t]*")
+_BOX = re.compile(
+    r"(?P<indent>\s*)(?:!!!|\?\?\?\+?) ?(?P<kind>[\w-]+)(?: +[\w-]+)*(?P<title> +\"[^\"]+\")?[ \t]*"
+)
 WORD = "after"
 INSIDE = 4  # spaces before what belongs to a note
 
@@ -92,13 +95,31 @@ def without_text(prose: str, text: str) -> Iterator[int]:
     whole = lines_of(text)
     at = 0
     for k, line in enumerate(lines_of(prose, keepends=True)):
-        if found := _OPENS.fullmatch(line.rstrip("\n")):
-            below = dropwhile(lambda one: not one.strip(), whole[k + 1 :])
-            first = list(takewhile(str.strip, below)) or [""]
-            inside = _room_before(found["indent"] + "!") + INSIDE
-            if any(_room_before(one) < inside for one in first):
-                yield at + len(found["indent"])
+        found = _OPENS.fullmatch(line.rstrip("\n"))
+        if found and any(_outside(found["indent"], whole[k + 1 :])):
+            yield at + len(found["indent"])
         at += len(line)
+
+
+def empty_boxes(prose: str, text: str) -> Iterator[tuple[int, str]]:
+    """Where a box begins that nothing belongs to, and its kind: the text below stands too far left.
+    One of a title alone, with an empty line below it, may be meant. As for `without_text`."""
+    whole = lines_of(text)
+    at = 0
+    for k, line in enumerate(lines_of(prose, keepends=True)):
+        end = line.rstrip("\n")
+        if (box := _BOX.fullmatch(end)) and not _OPENS.fullmatch(end):
+            meant = box["title"] and not "".join(whole[k + 1 : k + 2]).strip()
+            if not meant and all(_outside(box["indent"], whole[k + 1 :])):
+                yield at + len(box["indent"]), box["kind"]
+        at += len(line)
+
+
+def _outside(indent: str, below: Sequence[str]) -> list[bool]:
+    """Of each line of the paragraph below: does it stand too far left to belong to the note?"""
+    first = takewhile(str.strip, dropwhile(lambda one: not one.strip(), below))
+    inside = _room_before(indent + "!") + INSIDE
+    return [_room_before(one) < inside for one in first] or [True]
 
 
 def _room_before(line: str) -> int:

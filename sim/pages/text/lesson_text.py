@@ -14,7 +14,7 @@ from sim.pages.findings import Finding
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.films import is_film
 from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
-from sim.pages.text.held_back import misspelt, without_scene, without_text
+from sim.pages.text.held_back import empty_boxes, misspelt, without_scene, without_text
 from sim.pages.text.links import PICTURE, links
 from sim.pages.text.plain_lines import lines_of, without_code
 from sim.pages.text.raw_html import never_shown
@@ -73,10 +73,13 @@ def _few_backticks(prose: str) -> Iterator[Found]:
 
 
 def _held_back(prose: str, text: str) -> Iterator[Found]:
-    """Text that would wait, and is there at once."""
+    """Text that would wait, and is there at once; boxes that hold nothing."""
     for at in without_text(prose, text):
         message = "text below this “!!! after” does not belong to it, and is there at once"
         yield at, "nothing-held", message, "begin each line of what waits with four spaces"
+    for at, kind in empty_boxes(prose, text):
+        message = f"the box “{kind[:40]}” is empty: the text below does not belong to it"
+        yield at, "empty-box", message, "begin each line of the box with four spaces"
     hint = "put it below the scene whose run is watched first"
     for at, named in without_scene(prose):
         told = f"no scene “{named[:40]}” stands above it" if named else "no scene stands above it"
