@@ -750,7 +750,8 @@
       const done = items2.filter((item2) => {
         const entry = this.get(item2.form, item2.id);
         const predicted = ["arrows", "curve", "choice", "text"].includes(item2.type);
-        return entry && isCurrent(entry) && (predicted ? entry.locked : !isEmpty(entry.value));
+        const unread = item2.type === "number" && typeof entry?.value === "string";
+        return entry && isCurrent(entry) && (predicted ? entry.locked : !isEmpty(entry.value) && !unread);
       });
       return { done: done.length, of: items2.length };
     }

@@ -157,7 +157,10 @@ export class Book extends EventTarget {
     const done = items.filter((item) => {
       const entry = this.get(item.form, item.id);
       const predicted = ["arrows", "curve", "choice", "text"].includes(item.type);
-      return entry && isCurrent(entry) && (predicted ? entry.locked : !isEmpty(entry.value));
+      const unread = item.type === "number" && typeof entry?.value === "string"; // as it was typed
+      return (
+        entry && isCurrent(entry) && (predicted ? entry.locked : !isEmpty(entry.value) && !unread)
+      );
     });
     return { done: done.length, of: items.length };
   }
