@@ -12,7 +12,7 @@ from tests.web.question.question_site import questions_page
 SCENE = """```scene
 id: light-meets-heavy
 carts:
-  A: {mass: 1 kg, position: 0.4 m}
+  A: {mass: 1 kg, position: 0.4 m, velocity: 0.6 m/s}
   B: {mass: 1 kg, position: 1 m}
 until: 1 s
 predict: {arrows: [A-B]}

@@ -31,7 +31,7 @@ def forces_that_never_act(scene: SceneBlock, header: Mapping[str, Any]) -> Itera
 
 def _warning(scene: SceneBlock, key: str, what: str) -> Finding:
     until = scene.fence.scene.until
-    message = f"predict.{key}: {what} in this run, which ends at {until:g} s"
+    message = f"{what} in this run, which ends at {until:g} s"
     hint = "let it end later (until:), or let one cart come to the other: + is to the right"
     problem = Problem(("predict", key), "no-force-to-predict", message, hint)
     return replace(scene.places.finding(problem), severity="warning")

@@ -4118,9 +4118,11 @@
   // src/shared/staying.js
   var asked2 = false;
   function letItStay() {
-    if (asked2 || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    const storage = navigator.storage;
+    if (asked2 || !storage?.persist || location.protocol === "file:") return;
+    if (CSS.supports("-moz-appearance", "none")) return;
     asked2 = true;
-    navigator.storage?.persist?.().catch(() => {
+    storage.persist().catch(() => {
     });
   }
 

@@ -2758,9 +2758,11 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   // src/shared/staying.js
   var asked = false;
   function letItStay() {
-    if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    const storage = navigator.storage;
+    if (asked || !storage?.persist || location.protocol === "file:") return;
+    if (CSS.supports("-moz-appearance", "none")) return;
     asked = true;
-    navigator.storage?.persist?.().catch(() => {
+    storage.persist().catch(() => {
     });
   }
 

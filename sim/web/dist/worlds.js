@@ -2572,9 +2572,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/shared/staying.js
   var asked = false;
   function letItStay() {
-    if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+    const storage = navigator.storage;
+    if (asked || !storage?.persist || location.protocol === "file:") return;
+    if (CSS.supports("-moz-appearance", "none")) return;
     asked = true;
-    navigator.storage?.persist?.().catch(() => {
+    storage.persist().catch(() => {
     });
   }
 

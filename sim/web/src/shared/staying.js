@@ -9,7 +9,9 @@ let asked = false;
 
 /** Called when something is about to be kept; never waited for. */
 export function letItStay() {
-  if (asked || location.protocol === "file:" || CSS.supports("-moz-appearance", "none")) return;
+  const storage = navigator.storage; // old browsers and plain http have none
+  if (asked || !storage?.persist || location.protocol === "file:") return;
+  if (CSS.supports("-moz-appearance", "none")) return;
   asked = true;
-  navigator.storage?.persist?.().catch(() => {}); // what it says changes nothing: all is kept as before
+  storage.persist().catch(() => {}); // what it says changes nothing: all is kept as before
 }
