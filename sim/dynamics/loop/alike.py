@@ -36,12 +36,12 @@ HALVINGS = 60
 """Of a stretch of time: down to its last bit."""
 
 
-def by_one_law(gap: Gap) -> bool:
-    """Do both neighbours fly under the same law v' = f(v)?"""
+def by_one_law(gap: Gap) -> tuple[float, float, float] | None:
+    """a, γ, κ of the law v' = f(v) under which both neighbours fly; None where they do not."""
     left, right = gap.left.motion, gap.right.motion
     if not isinstance(left, Flight) or not isinstance(right, Flight):
-        return False
-    return left.course.law == right.course.law
+        return None
+    return left.course.law if left.course.law == right.course.law else None
 
 
 def safe(gap: Gap, moment: Time, here: float, rate: float, horizon: float) -> float:
@@ -67,21 +67,19 @@ def safe(gap: Gap, moment: Time, here: float, rate: float, horizon: float) -> fl
 def _relative(gap: Gap, moment: Time, rate: float, stretch: float) -> float:
     """m/s². A bound on the acceleration of the right one relative to the left, for so long [s]."""
     left, right = gap.left, gap.right
-    if by_one_law(gap):
-        assert left.motion is not None
-        assert right.motion is not None
-        assert isinstance(left.motion, Flight)
-        _, gamma, kappa = left.motion.course.law
+    if (law := by_one_law(gap)) is not None:
+        _, gamma, kappa = law
         if kappa == 0.0:
             return gamma * abs(rate)
-        ends = (
-            *left.motion.speeds(left, moment, stretch),
-            *right.motion.speeds(right, moment, stretch),
-        )
+        ends = (*_speeds(left, moment, stretch), *_speeds(right, moment, stretch))
         return (gamma + 2.0 * kappa * max(map(abs, ends))) * abs(rate)
     low_left, high_left = _accelerations(left, moment, stretch)
     low_right, high_right = _accelerations(right, moment, stretch)
     return max(abs(high_right - low_left), abs(low_right - high_left))
+
+
+def _speeds(body: Body, moment: Time, stretch: float) -> tuple[float, float]:
+    return body.motion.speeds(body, moment, stretch) if body.motion else (0.0, 0.0)
 
 
 def _accelerations(body: Body, moment: Time, stretch: float) -> tuple[float, float]:

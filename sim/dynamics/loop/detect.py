@@ -169,7 +169,7 @@ def _first_fall(
     gap: Gap, now: Time, t: float, horizon: float, rest: float, sign: float
 ) -> float | None:
     """The first t at which sign × (room + rest) falls to zero, from a t at which it is positive."""
-    if sign * gap.rate > 0.0 and alike.by_one_law(gap):
+    if sign * gap.rate > 0.0 and alike.by_one_law(gap) is not None:
         return None
     begin = t
     for _ in range(SAFE_STEPS):
