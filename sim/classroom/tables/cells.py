@@ -7,12 +7,16 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import dropwhile, islice
 
 from sim.scene.encoded import of_a_spreadsheet
 from sim.scene.said import said, template
+
+_UTF_8: Callable[[bytes], str] = partial(str, encoding="utf-8-sig")
+_UTF_16: Callable[[bytes], str] = partial(str, encoding="utf-16")
 
 MOST_BYTES = 50_000_000
 MOST_ROWS = 200_000
@@ -111,9 +115,9 @@ def _text(content: bytes) -> str:
     if content[:4] in (b"PK\x03\x04", b"PK\x05\x06", b"\xd0\xcf\x11\xe0"):
         raise TableError(WORKBOOK)
     wide = content[:2] in (b"\xff\xfe", b"\xfe\xff")
-    for encoding in ["utf-16"] if wide else ["utf-8-sig", ""]:
+    for read in [_UTF_16] if wide else [_UTF_8, of_a_spreadsheet]:
         try:
-            text = content.decode(encoding) if encoding else of_a_spreadsheet(content)
+            text = read(content)
         except UnicodeDecodeError:
             continue
         if "\0" not in text:
