@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import Scene, read_scene
 
 ROOT = Path(__file__).parents[1]

@@ -85,7 +85,7 @@ def test_its_proof_holds_with_those_of_all_others(project: Path) -> None:
 def test_a_slider_and_a_switch_move_it(project: Path) -> None:
     program = """
 from sim.bridge.protocol import answer
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import read_fence
 plain = dict(load(open("sim/effects/wind/scenes/wind-steady.yml").read()).plain)
 controls = [{"set": "wind.speed", "from": -1, "to": 1, "step": 0.1}, {"switch": "wind"}]

@@ -14,7 +14,7 @@ from sim.dynamics.report.document import report
 from sim.measured.model.contact import LAWS as LAWS_FITTED
 from sim.pages.measured.block import KEYS as MEASURED_KEYS
 from sim.pages.text.plain_lines import without_code
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import fields, read_fence
 from sim.scene.effects import EffectKind, kinds
 from sim.scene.laws import laws

@@ -49,7 +49,7 @@ HEAVY = {
         ("sim.bridge.protocol", set()),
         ("sim.cli", {"click"}),
         ("sim.cli.classroom.results", {"click"}),
-        ("sim.pages.text.yaml_source", {"yaml"}),
+        ("sim.pages.text.yaml.source", {"yaml"}),
         ("sim.pages.checks.lessons", {"yaml"}),
         ("sim.pages.blocks.extension", {"yaml", "markdown"}),
     ],

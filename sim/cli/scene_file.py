@@ -14,7 +14,7 @@ from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import read_scene_text
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.plain_lines import lines_of
-from sim.pages.text.yaml_source import MAX_CHARACTERS
+from sim.pages.text.yaml.source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
 from sim.scene.presentation import Fence
 

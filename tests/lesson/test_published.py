@@ -25,7 +25,7 @@ from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS, read_question
 from sim.pages.question.published import REFERENCE, published
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from tests.lesson.good_answers import GOOD
 from tests.lesson.json_schema import faults
 from tests.lesson.marking_vectors import SETS

@@ -14,7 +14,7 @@ from sim.measured.report import model_as_tracker, motion_report
 from sim.measured.tracks import read_measured
 from sim.pages.blocks.scene_block import Lesson, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import read_fence
 from tests.measured.makers import as_text, film, truth
 

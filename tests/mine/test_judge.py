@@ -11,7 +11,7 @@ from sim.mine.judge.checks import CHECKS
 from sim.mine.judge.document import for_page, judged_so_far
 from sim.mine.judge.scenes import usual
 from sim.mine.judge.search import IN_A_PAGE, PARTS, judge, judge_part
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import read_scene
 from tests.mine.laws import RIGHT, SPRING, WRONG
 

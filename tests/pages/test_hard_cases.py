@@ -21,7 +21,7 @@ from sim.pages.hard_cases.block import HardCasesBlock, read_hard_cases_block
 from sim.pages.hard_cases.measured import measure, measured
 from sim.pages.hard_cases.render import render_hard_cases, yaml_text
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import read_scene
 from tests import registry
 from tests.web.scene.given.widget_site import in_node

@@ -13,7 +13,7 @@ from sim.lesson.beliefs import BELIEFS
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.front_matter import lesson_order
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 
 pytestmark = pytest.mark.slow  # builds the site
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 
 import pytest
 
-from sim.pages.text.yaml_lost import PROSE_KEYS
-from sim.pages.text.yaml_source import YamlError, load
+from sim.pages.text.yaml.lost import PROSE_KEYS
+from sim.pages.text.yaml.source import YamlError, load
 from sim.pages.translate.block_units import schema_of
 from sim.scene.prose import MARK
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim.pages.text.yaml_source import MAX_CHARACTERS, YamlError, load
+from sim.pages.text.yaml.source import MAX_CHARACTERS, YamlError, load
 
 
 def test_values_are_plain_and_know_their_place() -> None:

@@ -10,7 +10,7 @@ import pytest
 from sim.pages.teach.answer import teach_answer
 from sim.pages.teach.fields import Field, fields
 from sim.pages.teach.pieces import blocks
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 
 ROOT = Path(__file__).parents[2]
 HEAD = "id: q\ntype: {kind}\nask: Which?\noptions:\n"

@@ -14,7 +14,7 @@ from sim.pages.teach.fields import fields
 from sim.pages.teach.pieces import blocks, pieces
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import WORDS, restore, withheld_findings, withhold
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 
 ROOT = Path(__file__).parents[2]
 SHIPPED = sorted([*(ROOT / "worksheets").rglob("*.md"), *(ROOT / "docs").rglob("*.md")])

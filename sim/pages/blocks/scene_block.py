@@ -24,7 +24,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
 from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
-from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load
+from sim.pages.text.yaml.source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
 
 _FAULTS = {

@@ -19,7 +19,7 @@ from typing import Any
 from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_source import Source
+from sim.pages.text.yaml.source import Source
 from sim.scene import SceneError, read_scene
 from sim.scene.presentation import FENCE_KEYS
 

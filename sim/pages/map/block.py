@@ -26,7 +26,7 @@ from sim.pages.blocks.scene_block import (
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.page_scenes import page_scenes
-from sim.pages.text.yaml_source import Source
+from sim.pages.text.yaml.source import Source
 from sim.scene import SceneError
 from sim.scene.map import Map, read_map
 

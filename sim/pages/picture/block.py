@@ -28,7 +28,7 @@ from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.plain_lines import lines_of
-from sim.pages.text.yaml_source import Source
+from sim.pages.text.yaml.source import Source
 from sim.scene.quantity import TIME, QuantityError, read_quantity
 
 KEYS = ("of", "scene", "file", "at", "forces")

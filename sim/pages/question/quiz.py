@@ -13,7 +13,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.author_text import author_text, shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.lesson_text import text_findings
-from sim.pages.text.yaml_source import Plain, YamlError, load
+from sim.pages.text.yaml.source import Plain, YamlError, load
 from sim.scene import Problem
 
 FOLDER = "banks"

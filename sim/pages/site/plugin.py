@@ -9,8 +9,7 @@ assets join the site), `env` (which scripts are the theme's), `page_markdown` an
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Literal
 
@@ -18,15 +17,13 @@ from jinja2 import Environment
 from mkdocs.config import config_options as c
 from mkdocs.config.base import Config
 from mkdocs.config.defaults import MkDocsConfig
-from mkdocs.exceptions import PluginError
 from mkdocs.plugins import BasePlugin, event_priority
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
-from mkdocs.utils import CountHandler, get_relative_url
+from mkdocs.utils import get_relative_url
 
 from sim.pages.blocks.extension import CartsExtension, Page, set_page, with_late
-from sim.pages.findings import Finding, SiteError
 from sim.pages.head.policy import Audience, trusted_scripts
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting, nowhere
@@ -40,6 +37,7 @@ from sim.pages.site.joined_files import (
     put_ready_pages,
 )
 from sim.pages.site.last_build import Preview, text_box
+from sim.pages.site.messages import do_not_count_warnings, report, stopping
 from sim.pages.site.site_id import facts_of
 from sim.pages.teach.doors import Doors
 from sim.pages.text.blocked import blocked
@@ -84,14 +82,14 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         audience: Audience = "hosted" if self.config.hosted else "offline"
         if self.serving:
             audience = "preview"
-            _do_not_count_warnings()
+            do_not_count_warnings()
         if self.partial:
             config.theme.static_templates.clear()
         else:
-            with _stopping():
+            with stopping():
                 check_folder(self.config.lessons)
                 site_id = str(facts_of(config.extra).get("site_id"))
-                self.build = SiteBuild(root, audience, site_id, _report)
+                self.build = SiteBuild(root, audience, site_id, report)
         self.late: dict[str, dict[str, str]] = {}
         self.folder = root / self.config.lessons
         self.build.lessons = self.folder
@@ -99,12 +97,12 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         usual_settings.fill_in(config, links=self.lessons_only)
         self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = lessons_in(self.folder)
-        self.build.languages = Languages.of(self.folder, root, self.lessons, _report)
+        self.build.languages = Languages.of(self.folder, root, self.lessons, report)
         if config.nav is not None:
             all_ = [*self.lessons, *self.build.languages.paths]
             config.nav = effect_pages.with_effects(with_lessons(config.nav, self.folder, all_))
         if audience == "hosted":
-            with _stopping():
+            with stopping():
                 config.site_url = config.site_url or nowhere.address_told()
             about, address = config.site_description or "", config.site_url or ""
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
@@ -124,7 +122,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
 
     def on_files(self, files: Files, *, config: MkDocsConfig) -> Files:
         """Lessons and their pictures join the site; what only developers use is left out."""
-        with _stopping():
+        with stopping():
             self.build.refuse_links(Path(config.docs_dir), self.folder)
         if self.lessons_only:
             names = self.named | {lessons_only.HOME}
@@ -137,7 +135,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             files.append(file)
         add_translations(files, config, self.build.root, self.build.languages.made)
         add_effect_pages(files, config)
-        with _stopping():
+        with stopping():
             for uri, content in self.build.assets().items():
                 files.append(File.generated(config, uri, content=content))
         leave_out(files, config, from_disk=self.build.audience == "offline")
@@ -187,7 +185,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         if self.serving:
             self.preview.names[name] = str(page.title or "")
             if page.file.abs_src_path:  # written by somebody
-                html = text_box(page.file.content_string, self.page.lesson, _report) + html
+                html = text_box(page.file.content_string, self.page.lesson, report) + html
         return html
 
     def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:
@@ -227,25 +225,5 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
     @event_priority(-100)  # after the search index has been written
     def on_post_build(self, *, config: MkDocsConfig) -> None:
         """What can only be made when all pages are known."""
-        with _stopping():
+        with stopping():
             self.build.complete(Path(config.site_dir), log.getChild("runtime").info)
-
-
-@contextmanager
-def _stopping() -> Iterator[None]:
-    """MkDocs stops with a message, not with a traceback."""
-    try:
-        yield
-    except SiteError as error:
-        raise PluginError(str(error)) from error
-
-
-def _do_not_count_warnings() -> None:
-    """A strict build stops at the end if there were warnings; a preview goes on."""
-    mkdocs = logging.getLogger("mkdocs")
-    for handler in [h for h in mkdocs.handlers if isinstance(h, CountHandler)]:
-        mkdocs.removeHandler(handler)
-
-
-def _report(finding: Finding) -> None:
-    log.warning("%s", finding)  # a warning stops a strict build and leaves a preview running

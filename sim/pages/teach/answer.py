@@ -31,7 +31,7 @@ from sim.pages.teach.spans import values
 from sim.pages.teach.take_home import zipped
 from sim.pages.teach.withheld import restore
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_source import KeyPath
+from sim.pages.text.yaml.source import KeyPath
 
 DESK = "lesson-desk"
 """A folder in the memory of the page's Python: files that the lesson names lie there."""

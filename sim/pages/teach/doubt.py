@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sim.pages.text.yaml_source import KeyPath
+from sim.pages.text.yaml.source import KeyPath
 
 HEAVY = 20.0
 """kg. What runs on a school's track is lighter; the masses of carts in grams are larger numbers."""

@@ -10,7 +10,7 @@ from typing import Any
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import Value, values
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_source import KeyPath, YamlError, load
+from sim.pages.text.yaml.source import KeyPath, YamlError, load
 
 Change = tuple[int, int, str]
 """Where a piece of the text begins and ends, and what takes its place."""

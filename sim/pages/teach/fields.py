@@ -13,7 +13,7 @@ from typing import Any, Literal
 from sim.pages.teach.right_answers import may_be_right
 from sim.pages.teach.spans import values
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_source import KeyPath, Place
+from sim.pages.text.yaml.source import KeyPath, Place
 from sim.scene.laws import laws
 from sim.scene.track import WHAT
 

@@ -13,7 +13,7 @@ from typing import Any
 from sim.pages.teach.edit import CannotWriteError, Change, block_at, first_that_reads, read
 from sim.pages.teach.spans import Value, names, values
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_source import KeyPath
+from sim.pages.text.yaml.source import KeyPath
 
 
 def may_be_right(block: Block) -> int:

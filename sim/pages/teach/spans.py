@@ -13,8 +13,8 @@ import yaml
 
 from sim.pages.teach.pieces import Lines
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_loader import RefusedError, composed
-from sim.pages.text.yaml_source import KeyPath, Place
+from sim.pages.text.yaml.loader import RefusedError, composed
+from sim.pages.text.yaml.source import KeyPath, Place
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from yaml import YAMLError, safe_load
 from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.plain_lines import lines_of
-from sim.pages.text.yaml_source import YamlError, load
+from sim.pages.text.yaml.source import YamlError, load
 
 KEYS = (
     *("title", "description", "author", "minutes", "order", "language"),

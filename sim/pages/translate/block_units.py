@@ -12,7 +12,7 @@ from typing import Any
 
 from sim.pages.teach.spans import names, values
 from sim.pages.text.fence_scan import Block
-from sim.pages.text.yaml_source import KeyPath
+from sim.pages.text.yaml.source import KeyPath
 from sim.pages.translate.unit import Unit, is_prose
 from sim.scene.prose import MARK, PROSE
 

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim.pages.text.fence_scan import scan
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.pages.translate.put_in import bank_units, lesson_units, put_in
 from sim.pages.translate.unit import Unit, changed_marks, is_prose
 

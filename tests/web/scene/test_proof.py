@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 
 from sim.bridge.certify_answer import PATIENCE
 from sim.bridge.protocol import answer
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import read_fence
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import LIVE, in_node, live, on_scene

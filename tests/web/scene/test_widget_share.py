@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from sim.bridge.protocol import answer
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.scene import read_fence
 from tests import registry
 from tests.web.scene.given.widget_site import COASTING, MEETING, STRUCK, baked, in_node

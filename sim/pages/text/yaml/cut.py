@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 import yaml
 
-from sim.pages.text.yaml_loader import Loader
-from sim.pages.text.yaml_lost import CUT_OFF, PROSE_KEYS, is_quantity, place_of
-from sim.pages.text.yaml_typos import CUT, HINT_CUT, Typo
+from sim.pages.text.yaml.loader import Loader
+from sim.pages.text.yaml.lost import CUT_OFF, PROSE_KEYS, is_quantity, place_of
+from sim.pages.text.yaml.typos import CUT, HINT_CUT, Typo
 
 _OPEN = (yaml.FlowMappingStartToken, yaml.FlowSequenceStartToken)
 _CLOSE = (yaml.FlowMappingEndToken, yaml.FlowSequenceEndToken)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from sim.pages.text.yaml_dash import no_dash
+from sim.pages.text.yaml.dash import no_dash
 
 
 class YamlError(ValueError):

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 import yaml
 
 from sim.lesson.units import dimension_of
-from sim.pages.text.yaml_errors import BACKSLASH, HALF, NO_NEW_LINE
-from sim.pages.text.yaml_typos import CUT, HINT_CUT, Typo
+from sim.pages.text.yaml.errors import BACKSLASH, HALF, NO_NEW_LINE
+from sim.pages.text.yaml.typos import CUT, HINT_CUT, Typo
 from sim.scene.quantity import QuantityError, read_quantity, unit_of
 
 PROSE_KEYS = frozenset({

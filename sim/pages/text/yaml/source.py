@@ -17,8 +17,8 @@ from itertools import pairwise
 
 import yaml
 
-from sim.pages.text.yaml_cut import cut_off
-from sim.pages.text.yaml_errors import (
+from sim.pages.text.yaml.cut import cut_off
+from sim.pages.text.yaml.errors import (
     EXPLAINED,
     FOUND_TOO_LATE,
     YamlError,
@@ -26,10 +26,10 @@ from sim.pages.text.yaml_errors import (
     of_neighbours,
     unclosed,
 )
-from sim.pages.text.yaml_loader import RefusedError, composed
-from sim.pages.text.yaml_lost import lost
-from sim.pages.text.yaml_numbers import WHOLE, misread
-from sim.pages.text.yaml_typos import typos
+from sim.pages.text.yaml.loader import RefusedError, composed
+from sim.pages.text.yaml.lost import lost
+from sim.pages.text.yaml.numbers import WHOLE, misread
+from sim.pages.text.yaml.typos import typos
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from sim.pages.blocks.bake import bake_with
-from sim.pages.text.yaml_source import load
+from sim.pages.text.yaml.source import load
 from sim.pages.widget.render import render
 from sim.scene import read_fence
 from tests.web.scene.given.against_ends import AGAINST, THINGS, ends
