@@ -56,8 +56,8 @@ REFUSED = {
     "no such columns": ("t\ta\tb\tc\n1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no column holds positions"),
     "frames in the place of time": ("frame\tx_A\tx_B\n" + rows("\t"), 1, "counts frames"),
     "four numbers, no heads": ("1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no line that names them"),
-    "decimal commas between commas": (
-        "t,x_A,x_B\n" + "".join(f"0,{k},0,{k},0,{k}\n" for k in range(100, 120)), 2, "comma"
+    "decimal commas between commas, one number whole": (
+        "t,x_A,x_B\n" + "".join(f"0,{k},1,0,{k}\n" for k in range(100, 120)), 2, "comma"
     ),
     "a thousand columns": (
         "\t".join(f"x{k}" for k in range(1000)) + "\n" + "\t".join("1" * 1000) + "\n", 1, "columns"

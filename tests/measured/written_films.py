@@ -40,6 +40,13 @@ VARIANTS = {
     "decimal comma and real minus": decimal_comma(PLAIN).replace("-", "\u2212"),
     "semicolons and decimal comma": decimal_comma(PLAIN).replace("\t", ";"),
     "commas": PLAIN.replace("\t", ","),
+    "commas and decimal commas": decimal_comma(PLAIN).replace("\t", ","),
+    "commas, decimal commas and real minus": decimal_comma(PLAIN.replace("-", "\u2212")).replace(
+        "\t", ","
+    ),
+    "CSV with decimal commas": "t,x_A,x_B\n" + decimal_comma(rows(",", form="{:.9f}")),
+    "CSV with decimal commas and spaces": "t, x_A, x_B\n"
+    + decimal_comma(rows(";", form="{:.9f}")).replace(";", ", "),
     "velocity columns with empty cells": with_y(),
     "without the multi line": PLAIN.removeprefix("#multi:\n"),
     "CSV": "t,x_A,x_B\n" + rows(","),

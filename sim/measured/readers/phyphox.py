@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 
-from sim.measured.readers.qualisys import axis_of
+from sim.measured.direction import axis_of, told
 from sim.measured.refusal import refuse
 from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.table import Column, read_table
@@ -77,8 +77,7 @@ def read(text: str, units: Units) -> Reading:
     if len(rows) < FEWEST:
         raise refuse(table.lines[-1], f"{len(rows)} readings: at least {FEWEST} are needed")
     axis = axis_of([point for _, point, _ in rows])
-    notes = ["acceleration of a phone, m/s²", "direction of the track, from the motion: ("
-             + ", ".join(f"{part:.3f}" for part in axis) + ")"]  # fmt: skip
+    notes = ["acceleration of a phone, m/s²", told(axis)]
     if repeated:
         notes.append(f"{repeated} rows whose time does not go on, left out")
     a = tuple(sum(u * x for u, x in zip(axis, p, strict=True)) for _, p, _ in rows)

@@ -2,7 +2,8 @@
 
 time      t, time, Zeit, temps, tiempo, 时间 (sim.measured.sheet.heads), or a unit of time; else
           the first column
-position  x of each track; x_A, xA, x1, A.x; other columns (y, v_x …) are left out
+position  x of each track; x_A, xA, x1, A.x; with y beside each along the track, however the film
+          lay (sim.measured.sheet.turned); other columns (v_x …) are left out
 force     F_A, force 2, or a unit of force
 """
 
@@ -17,6 +18,7 @@ from sim.measured.refusal import Fault, ReadingError, refuse, shown
 from sim.measured.sheet.heads import holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import MOST_FAULTS, Column, Table, read_table
+from sim.measured.sheet.turned import along_the_track
 from sim.measured.sheet.whose import are_velocities, cart_names, is_force, place_of
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
@@ -51,14 +53,13 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
             "name them x_A and x_B, or F_A and F_B",
         )
     clocks = [_clock(table, column, time) for column in wanted]
+    read, turned = along_the_track(table, wanted) if kind == "length" else (wanted, [])
     time_factors, time_note = _unit(table, clocks, "time", units)
     value_factors, value_note = _unit(table, wanted, kind, units)
     factors = zip(time_factors, value_factors, strict=True)
-    columns = zip(
-        cart_names([(c.name, c.track) for c in wanted]), clocks, wanted, factors, strict=True
-    )
+    columns = zip(cart_names([(c.name, c.track) for c in read]), clocks, read, factors, strict=True)
     tracks = [_track(table, *one) for one in columns]
-    said = [f"{table.separator} between the columns, decimal {table.decimal}"]
+    said = [f"{table.separator} between the columns, decimal {table.decimal}", *turned]
     others = [c for c in table.columns if c not in wanted and c is not time]
     if kind == "force" and any(map(_is_place, others)):
         said.append("forces were read, and positions left out")

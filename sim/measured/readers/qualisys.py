@@ -16,6 +16,7 @@ import itertools
 import math
 from collections.abc import Sequence
 
+from sim.measured.direction import Way, axis_of, told
 from sim.measured.refusal import refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
@@ -24,8 +25,6 @@ from sim.measured.units import Units
 
 KEYS = ("NO_OF_FRAMES", "NO_OF_MARKERS", "MARKER_NAMES", "FILE_VERSION", "TRAJECTORY_TYPES")
 MILLI = 1e-3
-TURNS = 60
-"""Steps of the power iteration: the ratio of two axes of a track is above 10."""
 
 Point = tuple[float, float, float]
 Marks = list[tuple[int, float, Point]]
@@ -71,9 +70,8 @@ def read(text: str, units: Units) -> Reading:
         notes.append(
             f"taken are the two markers that move most, each its own way; left out: {left}"
         )
-    way = ", ".join(f"{part:.3f}" for part in axis)
     notes.insert(0, f"motion capture, {rate:g} frames per second, mm")
-    notes.append(f"direction of the track, from the motion: ({way})")
+    notes.append(told(axis))
     return Reading("length", tuple(tracks), tuple(notes))
 
 
@@ -173,23 +171,7 @@ def _way(pair: tuple[Point, Point], last: tuple[Point, Point]) -> float:
     return math.dist(pair[0], last[0]) + math.dist(pair[1], last[1])
 
 
-def axis_of(points: Sequence[Point]) -> Point:
-    """The first principal axis of all places."""
-    n = len(points)
-    mean = [sum(p[i] for p in points) / n for i in range(3)]
-    moved = [[p[i] - mean[i] for i in range(3)] for p in points]
-    spread = [[sum(p[i] * p[k] for p in moved) for k in range(3)] for i in range(3)]
-    axis = [1.0 if spread[i][i] == max(spread[k][k] for k in range(3)) else 0.1 for i in range(3)]
-    for _ in range(TURNS):
-        axis = [sum(spread[i][k] * axis[k] for k in range(3)) for i in range(3)]
-        size = math.hypot(*axis) or 1.0
-        axis = [part / size for part in axis]
-    if max(axis, key=abs) < 0.0:
-        axis = [-part for part in axis]
-    return axis[0], axis[1], axis[2]
-
-
-def _track(name: str, marks: Marks, axis: Point) -> Track:
+def _track(name: str, marks: Marks, axis: Way) -> Track:
     return Track(
         name,
         tuple(t for _, t, _ in marks),

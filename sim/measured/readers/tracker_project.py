@@ -3,9 +3,11 @@
 A mark of frame n at (x, y) pixels, y downwards, with origin (x0, y0), angle a (anticlockwise) and
 scale s pixels per unit of length:
 
-    t = start + (n − first frame) Δt ,   X = ((x − x0) cos a − (y − y0) sin a)/s
+    t = start + (n − first frame) Δt
+    X = ((x − x0) cos a − (y − y0) sin a)/s ,   Y = −((x − x0) sin a + (y − y0) cos a)/s
 
-Frames without a mark are left out. Nothing of the file is run and no entity of it is resolved.
+X counts, or where nobody turned the axes the way along the track (sim.measured.direction). Frames
+without a mark are left out. Nothing of the file is run and no entity of it is resolved.
 """
 
 from __future__ import annotations
@@ -13,12 +15,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+from sim.measured.direction import Way, of_film
 from sim.measured.refusal import refuse, shown
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
 
 DEEPEST = 60
 LARGEST = 1e9
+
+Marks = list[tuple[float, Way, int]]
+"""Of one point mass: time in s, place (X, Y) in m, line."""
 
 
 @dataclass(slots=True)
@@ -65,20 +71,22 @@ def read(text: str, units: Units) -> Reading:
     if not 0.0 < step < 1e3:
         raise refuse(panel.line, "the time from frame to frame is not in it", "set the frame rate")
     axes, notes = _axes(panel, units)
-    tracks = []
+    seen: list[tuple[str, Marks]] = []
     for mass in masses:
-        track = _track(mass, (first, begin, step), axes)
-        if len(track.t) < FEWEST:
-            notes.append(f"{shown(track.name)}: {len(track.t)} marks, left out")
+        name, marks = _marks(mass, (first, begin, step), axes)
+        if len(marks) < FEWEST:
+            notes.append(f"{shown(name)}: {len(marks)} marks, left out")
         else:
-            tracks.append(track)
-    if not tracks:
+            seen.append((name, marks))
+    if not seen:
         raise refuse(masses[0].line, f"no point mass has {FEWEST} marks", "mark every frame")
-    if len(tracks) > 2:
-        names = ", ".join(shown(one.name) for one in tracks)
-        raise refuse(panel.line, f"{len(tracks)} point masses: {names}", "leave two in the project")
+    if len(seen) > 2:
+        names = ", ".join(shown(name) for name, _ in seen)
+        raise refuse(panel.line, f"{len(seen)} point masses: {names}", "leave two in the project")
+    axis, said = of_film([[place for _, place, _ in marks] for _, marks in seen])
     notes.insert(0, f"Tracker's project, {1.0 / step:.4g} frames per second")
-    return Reading("length", tuple(tracks), tuple(notes))
+    tracks = tuple(_track(name, marks, axis) for name, marks in seen)
+    return Reading("length", tracks, (*notes, *([said] if said else [])))
 
 
 def _parsed(text: str) -> _Node:
@@ -174,25 +182,26 @@ def _axes(panel: _Node, units: Units) -> tuple[tuple[float, float, float, float]
     return (*origin, angle, metres / scale), notes
 
 
-def _track(
+def _marks(
     mass: _Node, clock: tuple[int, float, float], axes: tuple[float, float, float, float]
-) -> Track:
+) -> tuple[str, Marks]:
     name_node, data = mass.get("name"), mass.get("framedata")
     name = (name_node.text.strip() if name_node else "") or "cart"
     x0, y0, angle, metres = axes
     first, begin, step = clock
-    marks: dict[int, tuple[float, int]] = {}
+    marks: dict[int, tuple[Way, int]] = {}
     for one in data.inside if data else ():
         index = one.name.strip("[]")
         if not (index.isascii() and index.isdigit() and len(index) < 8) or one.get("x") is None:
             continue
-        x, y = _number(one, ("x",), 0.0), _number(one, ("y",), 0.0)
-        along = (x - x0) * math.cos(angle) - (y - y0) * math.sin(angle)
-        marks[int(index)] = along * metres, one.line
-    frames = sorted(marks)
-    return Track(
-        name,
-        tuple(begin + (n - first) * step for n in frames),
-        tuple(marks[n][0] for n in frames),
-        tuple(marks[n][1] for n in frames),
-    )
+        x, y = _number(one, ("x",), 0.0) - x0, _number(one, ("y",), 0.0) - y0
+        along = x * math.cos(angle) - y * math.sin(angle)
+        across = -x * math.sin(angle) - y * math.cos(angle)
+        marks[int(index)] = (along * metres, across * metres), one.line
+    return name, [(begin + (n - first) * step, *marks[n]) for n in sorted(marks)]
+
+
+def _track(name: str, marks: Marks, axis: Way) -> Track:
+    times, places, lines = zip(*marks, strict=True)
+    along = tuple(axis[0] * x + axis[1] * y for x, y in places)
+    return Track(name, times, along, lines)

@@ -15,6 +15,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from sim.measured.refusal import Fault, refuse, shown
+from sim.measured.sheet.commas import with_decimal_commas
 from sim.scene.encoded import of_a_spreadsheet
 
 MOST_BYTES = 4_000_000
@@ -91,7 +92,9 @@ def rows_of(text: str) -> Rows:
     if not filled:
         raise refuse(1, "there is nothing in it", "choose the file with the readings")
     separator = _separator([line for _, line in filled])
-    rows = tuple(_row(k, line, separator) for k, line in filled)
+    cells = [_cells(k, line, separator) for k, line in filled]
+    cells = with_decimal_commas(cells) if separator == "," else cells
+    rows = tuple(Row(k, row) for (k, _), row in zip(filled, cells, strict=True))
     for row in rows:
         if len(row.cells) > MOST_COLUMNS:
             count = f"{len(row.cells):,} columns: at most {MOST_COLUMNS} are read"
@@ -115,7 +118,7 @@ def _separator(lines: Sequence[str]) -> str:
     return " "
 
 
-def _row(number: int, line: str, separator: str) -> Row:
+def _cells(number: int, line: str, separator: str) -> tuple[str, ...]:
     if separator == " ":
         cells = line.split()
     elif '"' in line:
@@ -128,7 +131,7 @@ def _row(number: int, line: str, separator: str) -> Row:
     kept = [cell.strip() for cell in cells]
     while kept and not kept[-1]:
         kept.pop()
-    return Row(number, tuple(kept))
+    return tuple(kept)
 
 
 def is_empty(cell: str) -> bool:
