@@ -57,7 +57,8 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
     time_factors, time_note = _unit(table, clocks, "time", units)
     value_factors, value_note = _unit(table, wanted, kind, units)
     factors = zip(time_factors, value_factors, strict=True)
-    columns = zip(cart_names([(c.name, c.track) for c in read]), clocks, read, factors, strict=True)
+    called = cart_names([(c.name, c.unit, c.track) for c in read])
+    columns = zip(called, clocks, read, factors, strict=True)
     tracks = [_track(table, *one) for one in columns]
     said = [f"{table.separator} between the columns, decimal {table.decimal}", *turned]
     others = [c for c in table.columns if c not in wanted and c is not time]

@@ -21,6 +21,7 @@ from sim.measured.sheet.heads import Quantity, has_speeds, is_time, quantity_of
 from sim.measured.sheet.prefixes import parted
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import Column, Table, read_table
+from sim.measured.sheet.turned import along_the_track
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor, plain_unit
 from sim.scene.quantity import SPEED
@@ -82,8 +83,11 @@ def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> l
     if len(places) > 2:
         names = ", ".join(shown(column.name) for _, column in places.values())
         raise refuse(table.heads_line, f"{len(places)} carts: {names}", "leave two of them")
+    columns = [column for _, column in places.values()]
+    columns, turned = (columns, []) if by_speed else along_the_track(table, columns)
+    notes += turned
     tracks = []
-    for k, (who, (clock, column)) in enumerate(places.items()):
+    for k, ((who, (clock, _)), column) in enumerate(zip(places.items(), columns, strict=True)):
         alone = "1" if "2" in places else "AB"[k]  # “Position” beside “Position 2”
         name = who or (alone if len(places) > 1 else "cart")
         tracks.append(_track(table, name, (clock, column), units, notes, below, by_speed))

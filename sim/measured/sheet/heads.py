@@ -73,6 +73,8 @@ def holds_times(name: str, unit: str) -> bool:
 
 def quantity_of(name: str, unit: str) -> tuple[Quantity | None, str]:
     """What a column holds, and whose it is: ("vel", "B") for “v_B” in m/s or “Cart B: velocity”."""
+    if name.strip().lower() in SIDEWAYS:
+        return None, ""
     kind = _by_unit(unit)
     for one, (word, letter, word_behind, letter_behind) in _NAMED.items():
         if one == "time" or kind not in (None, one):

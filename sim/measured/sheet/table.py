@@ -12,6 +12,7 @@ from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row, Rows
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import heads_of, no_heads
+from sim.measured.sheet.marks import is_remark, without_marks
 from sim.measured.sheet.no_readings import ANEW, MADE, is_made_date, of_remarks
 from sim.measured.sheet.stacked import Start, stacked, without_figures
 from sim.measured.units import kind_of_unit
@@ -47,13 +48,14 @@ class Table:
 def read_table(text: str) -> Table:
     """The table in a text; raises ReadingError."""
     found = cells.rows_of(text)
-    rows = without_figures([row for row in found.rows if not _is_remark(row)])
+    rows = without_figures([row for row in found.rows if not is_remark(row)])
     multi = any(_is_multi(row) for row in found.rows)
     first = next((k for k, row in enumerate(rows) if _is_data(row)), None)
     if first is None:
         line = rows[0].line if rows else found.rows[0].line
         raise refuse(line, "there is no row of numbers", "t and x in columns, a row for each frame")
-    heads, heads_line = heads_of(rows[:first], multi)
+    above = [without_marks(row, len(rows[first].cells)) for row in rows[:first]]
+    heads, heads_line = heads_of(above, multi)
     data, starts = stacked(rows[first:], rows[:first])
     if found.separator == "," and (fault := cells.two_readings(data[0], len(heads))):
         raise ReadingError([fault])
@@ -74,14 +76,6 @@ def read_table(text: str) -> Table:
     )
     lines = tuple(row.line for row in data)
     return Table(columns, lines, heads_line, found.separator_name, _decimal(found), tuple(starts))
-
-
-def _is_remark(row: Row) -> bool:
-    """A column of running numbers may be called “#”: its row goes on."""
-    first = row.cells[0] if row.cells else ""
-    if first.lower().startswith("sep="):
-        return True  # Excel's word for the separator
-    return first.startswith(("#", "%", "//")) and not (first == "#" and len(row.cells) > 2)
 
 
 def _is_multi(row: Row) -> bool:

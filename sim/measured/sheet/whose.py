@@ -72,16 +72,16 @@ def are_velocities(names: Sequence[str]) -> bool:
     return words or all(_VELOCITY_LETTER.fullmatch(name) for name in names)
 
 
-def cart_names(heads: Sequence[tuple[str, str]]) -> list[str]:
-    """What the carts are called: by their track, by their column, or A and B. `heads`: the name and
-    the track of each column."""
+def cart_names(heads: Sequence[tuple[str, str, str]]) -> list[str]:
+    """What the carts are called: by their track, by their column, or A and B. `heads`: name, unit
+    and track of each column."""
     found = []
-    for name, track in heads:
+    for name, unit, track in heads:
         whose = place_of(name)
         whose = force_on(name) if whose is None else whose
         if whose is None:
-            what, whose = quantity_of(name, "")
-            whose = whose if what == "pos" else name
+            what, whose = quantity_of(name, unit if kind_of_unit(unit) == "length" else "")
+            whose = whose if what == "pos" and whose else name
         found.append((track or whose).strip())
     if (
         len(found) == 2

@@ -1,0 +1,34 @@
+"""Rows that programs mark: remarks, limits of axes, and heads behind a mark.
+
+# t x1 x2                           numpy: the heads behind a sign
+MIN=0 <tab> 0                       CASSY: limits and decimals of each column,
+DEF="t / s" <tab> "s_A1 / m"        and then the heads
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from sim.measured.sheet.cells import Row
+
+_LIMITS = re.compile(r"(?:MIN|MAX|SCALE|DEC)=\S*")
+_HEADS = "DEF="
+
+
+def is_remark(row: Row) -> bool:
+    """A column of running numbers may be called “#”: its row goes on."""
+    first = row.cells[0] if row.cells else ""
+    if first.lower().startswith("sep=") or _LIMITS.fullmatch(first):  # “sep=”: Excel's
+        return True
+    return first.startswith(("#", "%", "//")) and not (first == "#" and len(row.cells) > 2)
+
+
+def without_marks(row: Row, width: int) -> Row:
+    """A row above numbers of so many columns, without what says that it holds the heads."""
+    first, *others = row.cells or ("",)
+    if first == "#" and len(others) == width:
+        return replace(row, cells=tuple(others))
+    if first.startswith(_HEADS):
+        return replace(row, cells=(first.removeprefix(_HEADS).strip('"'), *others))
+    return row
