@@ -24,8 +24,8 @@ def name(source: Source) -> str:
     return f"{source.language}-{source.path.stem}"
 
 
-def test_six_lessons_and_their_bank_are_there_in_three_languages() -> None:
-    assert len(SOURCES) == 21
+def test_seven_lessons_and_their_banks_are_there_in_three_languages() -> None:
+    assert len(SOURCES) == 27
     assert all(source.path.is_file() for source in SOURCES)
 
 
