@@ -76,6 +76,11 @@ def form_of(text: str) -> str:
     return next((form for form, words in TIMES.items() if word in words), "")
 
 
+def form_told(cell: str) -> str:
+    """The same, of what a row says of itself: “Before the lessons” too."""
+    return form_of(cell) or form_of(next(iter(cell.split()), ""))
+
+
 def split_form(name: str) -> tuple[str, str]:
     """`pre_Q1` and `Q1 (post)` are Q1 of a form; other names have none."""
     before, after = _PREFIX.fullmatch(name), _SUFFIX.fullmatch(name)

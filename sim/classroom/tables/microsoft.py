@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from sim.classroom.tables.layout import Column, Layout, norm, place_of
-from sim.classroom.tables.words import CLASS, GROUP, STUDENT
+from sim.classroom.tables.words import CLASS, GROUP, NUMBER, STUDENT
 
 TOTAL = ("total points", "gesamtpunktzahl", "punkte gesamt", "jumlah mata", "总分", "总得分")
 MAIL = ("email", "e-mail", "e-mel", "电子邮件")
@@ -30,7 +30,7 @@ def layout(heads: Sequence[str]) -> Layout | None:
         is None
     ):
         return None  # fmt: skip
-    asked = place_of(heads, STUDENT - {"id", "name", "nama", "姓名"})
+    asked = place_of(heads, STUDENT - NUMBER - {"name", "nama", "姓名"})
     # Not ID: it counts the answers to this form, so number 3 of two quizzes is no one student.
     ways = [asked, place_of(heads, MAIL), place_of(heads, NAME)]
     return Layout(

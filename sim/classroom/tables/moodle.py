@@ -41,7 +41,7 @@ def layout(heads: Sequence[str]) -> Layout | None:
     """The columns of such an export, or None."""
     grade = next((k for k, head in enumerate(heads) if _GRADE.fullmatch(head)), None)
     state, begun = place_of(heads, STATE), place_of(heads, BEGUN)
-    person = _person(heads)
+    person = person_of(heads)
     if grade is None or not person or (state is None and begun is None):
         return None
     questions = [k for k, head in enumerate(heads) if _QUESTION.fullmatch(head) and k != grade]
@@ -57,7 +57,7 @@ def layout(heads: Sequence[str]) -> Layout | None:
     )
 
 
-def _person(heads: Sequence[str]) -> tuple[tuple[int, ...], ...]:
+def person_of(heads: Sequence[str]) -> tuple[tuple[int, ...], ...]:
     """An address or number tells people apart best, then surname and first name together."""
     single = [place_of(heads, names) for names in (MAIL, NUMBER, WHOLE_NAME)]
     both = [place_of(heads, names) for names in (FIRST, SURNAME)]

@@ -27,8 +27,9 @@ from sim.classroom.tables.layout import (
     with_most,
 )
 from sim.classroom.tables.marks import NOTHING, is_mark, mark
+from sim.classroom.tables.when import time_of
 from sim.classroom.tables.who import named_by
-from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, TIME, TOTAL, WHO
+from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, TOTAL, WHO
 
 ADDS_UP = 0.9
 """Share of the rows in which the items add up to the total, for them to be its items."""
@@ -48,8 +49,10 @@ def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> La
     """The columns of the table; raises `TableError` where it holds no marks."""
     person = named_by(heads, (*rows, *keys))
     group, klass = place_of(heads, GROUP), place_of(heads, CLASS)
-    time, item = place_of(heads, TIME), place_of(heads, ITEM)
-    used = {place for place in (*person, group, klass, time, item) if place is not None}
+    item = place_of(heads, ITEM)
+    used = {place for place in (*person, group, klass, item) if place is not None}
+    time = time_of(heads, rows, used)
+    used |= {time} if time is not None else set()
     rest = [k for k, head in enumerate(heads) if k not in used and norm(head) not in OTHER_NAMES]
     if item is not None:
         called = {k: norm(with_most(heads[k])[0]) for k in rest}

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sim.classroom.files.archive import shown as safe
-from sim.classroom.tables import google, microsoft, moodle, plain
+from sim.classroom.tables import google, microsoft, moodle, moodle_grades, plain
 from sim.classroom.tables import sentences as say
 from sim.classroom.tables.above import from_the_heads
 from sim.classroom.tables.apart import Columns, Parted, parted
@@ -16,10 +16,12 @@ from sim.classroom.tables.long import Bad, pivoted
 from sim.classroom.tables.marks import NOTHING, mark
 from sim.classroom.tables.row import RowReader
 from sim.classroom.tables.taken import MarkTable, Taken, place_of
+from sim.classroom.tables.when import time_of
 from sim.scene.said import reason_of, said
 
 EXPORTS: tuple[Callable[[Sequence[str]], Layout | None], ...] = (
     moodle.layout,
+    moodle_grades.layout,
     google.layout,
     microsoft.layout,
 )
@@ -61,13 +63,22 @@ def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[
     """The columns, and which rows are students; a table with a row for each answer is wide now."""
     layout = next((made for one in EXPORTS if (made := one(heads.cells))), None)
     if layout is not None:
-        return layout, heads, Parted(list(rows)), []
+        return _with_time(layout, heads, rows), heads, Parted(list(rows)), []
     found = parted(rows, plain.columns(heads.cells, rows))
     layout = plain.layout(heads.cells, found.students, found.keys)
     if layout.item is None:
         return layout, heads, found, []
     layout, heads, wide, bad = pivoted(layout, heads, rows)
     return layout, heads, parted(wide, Columns.of(layout)), bad
+
+
+def _with_time(layout: Layout, heads: Row, rows: Sequence[Row]) -> Layout:
+    """An export in which students said themselves whether it was before or after."""
+    columns = (*layout.items, *layout.totals)
+    if layout.time is not None or any(column.form for column in columns):
+        return layout
+    taken = {k for way in layout.student for k in way} | {column.place for column in columns}
+    return replace(layout, time=time_of(heads.cells, rows, taken))
 
 
 def _named(layout: Layout, most: Sequence[Row]) -> Layout:

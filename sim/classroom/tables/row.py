@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
-from sim.classroom.tables.layout import Column, Layout, form_of, norm
+from sim.classroom.tables.layout import Column, Layout, form_told, norm
 from sim.classroom.tables.marks import NOTHING, mark, shown
 from sim.classroom.tables.taken import ALONE, Taken, place_of
 from sim.classroom.tables.words import ANONYMOUS, UNFINISHED
@@ -66,7 +66,7 @@ class RowReader:
         if self.layout.time is None:
             return ALONE
         text = _cell(row, self.layout.time)
-        form = form_of(text)
+        form = form_told(text)
         if not form:
             raise TableError(said("“{cell}” is none of pre, post, later", cell=shown(text)))
         return form

@@ -15,6 +15,7 @@ from sim.classroom.tables.words import (
     ITEM,
     MARK,
     NOTE,
+    NUMBER,
     OTHER,
     STUDENT,
     TIME,
@@ -28,8 +29,8 @@ OTHERS = CLASS | GROUP | ITEM | MARK | NOTE | OTHER | TIME
 def named_by(heads: Sequence[str], rows: Sequence[Row]) -> tuple[int, ...]:
     """The columns that name the student together; empty where none does.
 
-    A code word goes before a name, a name before an `id`: that may count the answers only, and
-    number 3 of two tests is no one student.
+    A code word goes before a name, a name before a number: that may count the answers only, and
+    number 3 of two tests, or of two classes, is no one student.
     """
     code = place_of(heads, ("student", "code word"))
     if code is not None:
@@ -37,7 +38,7 @@ def named_by(heads: Sequence[str], rows: Sequence[Row]) -> tuple[int, ...]:
     family, given = place_of(heads, FAMILY), place_of(heads, GIVEN)
     if family is not None and given is not None:
         return (family, given)
-    ways = (place_of(heads, names) for names in (STUDENT - {"id"}, WHO - {"id"}, {"id"}))
+    ways = (place_of(heads, names) for names in (STUDENT - NUMBER, WHO - NUMBER, NUMBER))
     found = next((place for place in ways if place is not None), None)
     if found is not None:
         return (found,)

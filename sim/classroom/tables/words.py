@@ -23,10 +23,18 @@ def _typed(word: str) -> Iterator[str]:
     yield unicodedata.normalize("NFC", _ACCENTS.sub("", unicodedata.normalize("NFD", word)))
 
 
-STUDENT = words("""
-    student | students | student id | studentid | id | student code | code | code word | codeword |
-    pseudonym | name | full name | student name | participant | schüler | schülerin | codewort |
-    kode | murid | pelajar | nama | élève | étudiant | étudiante | nom | nom de famille |
+NUMBER = words("""
+    id | id number | index number | index no | index no. | register number | register no |
+    register no. | roll number | roll no | roll no. | student number | candidate number |
+    matric number | matric no | matric no. | admission number | matrikelnummer | schülernummer |
+    nombor id | no. pengenalan | numéro d'identification | numéro d'étudiant | número de id |
+    número de matrícula
+""")
+"""Of a person, but it may count the answers only: who has a name goes by that."""
+STUDENT = NUMBER | words("""
+    student | students | student id | studentid | student code | code | code word | codeword |
+    username | pseudonym | name | full name | student name | participant | schüler | schülerin |
+    codewort | kode | murid | pelajar | nama | élève | étudiant | étudiante | nom | nom de famille |
     nom et prénom | nom complet | prénom | identifiant | pseudonyme | mot de code |
     participante | estudiante | alumno | alumna | alumno/a | nombre | nombre y apellidos |
     apellidos y nombre | nombre completo | apellido | apellidos | apellido(s) | código |
@@ -71,9 +79,10 @@ ITEM = words("""
     题 | 题目 | கேள்வி
 """)
 OTHER = words("""
-    age | gender | sex | year | date | school | teacher | email | e-mail | email address | no |
-    no. | nr | nr. | row | line | timestamp | comment | comments | remark | remarks | alter |
-    geschlecht | jahr | datum | schule | lehrer | umur | jantina | tarikh | âge | sexe |
+    age | gender | sex | year | date | school | institution | department | phone | teacher |
+    email | e-mail | email address | no | no. | nr | nr. | row | line | timestamp | comment |
+    comments | remark | remarks | alter | geschlecht | jahr | datum | schule | lehrer | umur |
+    jantina | tarikh | âge | sexe |
     année | école | enseignant | enseignante | professeur | courriel | adresse de courriel |
     remarque | remarques | commentaire | commentaires | n° | numéro | edad | sexo | género | año |
     fecha | escuela | profesor | profesora | correo | correo electrónico | comentario |
