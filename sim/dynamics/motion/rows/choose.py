@@ -17,7 +17,7 @@ from sim.dynamics.motion.coupled_group import CoupledGroup, group_of
 from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import integral, size
-from sim.dynamics.motion.rest import at_rest
+from sim.dynamics.motion.rest import at_rest, blocks
 from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
 from sim.dynamics.motion.step import Step
@@ -155,7 +155,8 @@ def _converged(
 ) -> Step:
     """The series, and a step in which it has converged."""
     series = _expanded(row, bodies, branches)
-    unsigned = [body for body in bodies if body.load.quadratic and not body.sliding]
+    free = _free(bodies, branches)
+    unsigned = [body for body in free if body.load.quadratic and not body.sliding]
     if unsigned:  # at rest, and nothing pushes yet: the first term of its motion tells
         for body, a in zip(bodies, series.bodies, strict=True):
             if body in unsigned:
@@ -172,6 +173,16 @@ def _converged(
         bodies, gaps, branches, length, series.over, series.force, series.pull, speed, [],
         row.steady, row.nonlinear,
     )  # fmt: skip
+
+
+def _free(bodies: list[Body], branches: list[Branch]) -> list[Body]:
+    """Those that are locked to nothing that stands fast: of others an acceleration is rounding."""
+    found: list[Body] = []
+    for block in blocks([branch.locked for branch in branches]):
+        row = [bodies[i] for i in block]
+        if not any(body.held or body.mass == math.inf for body in row):
+            found += row
+    return found
 
 
 def _expanded(row: Row, bodies: list[Body], branches: list[Branch]) -> Expansion:

@@ -1,0 +1,71 @@
+"""Carts that bumpers with e = 0 hold fast, and what presses them further: no mode changes for it.
+
+A bumper that does not spring back takes any force up to the one that pressed it in. A cart that it
+holds against a wall has no acceleration, whatever rounding leaves of the sum of its forces.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from sim.dynamics.loop.run import run
+from sim.scene import read_scene
+
+
+def dead(carts: dict[str, Any], length: float, effects: list[Any], stiffness: float) -> Any:
+    return read_scene(
+        {
+            "carts": carts,
+            "track": {"left": "wall", "right": "wall", "length": length},
+            "contact": {"law": "bumper", "restitution": 0, "stiffness": stiffness},
+            "effects": effects,
+            "until": 5,
+        }
+    )
+
+
+def pressed_in_by(m: float, v: float, k: float, air: dict[str, float]) -> float:
+    """m. How far a cart of m kg at v < 0 m/s presses in a bumper on what stands fast, on a slope of
+    −2° (it leads to the left) with friction 0.02: by steps of the classical Runge-Kutta method.
+    """
+    steady = -m * 9.81 * math.sin(math.radians(2)) + 0.02 * m * 9.81 * math.cos(math.radians(2))
+
+    def a(o: float, v: float) -> float:
+        return (k * o + steady - air.get("linear", 0.0) * v + air["quadratic"] * v * v) / m
+
+    o, h = 0.0, 1e-5
+    while v < 0.0:
+        o0, v0 = o, v
+        k1, l1 = -v, a(o, v)
+        k2, l2 = -(v + h / 2 * l1), a(o + h / 2 * k1, v + h / 2 * l1)
+        k3, l3 = -(v + h / 2 * l2), a(o + h / 2 * k2, v + h / 2 * l2)
+        k4, l4 = -(v + h * l3), a(o + h * k3, v + h * l3)
+        o += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        v += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+    return o0 + 0.5 * v0 * v0 / a(o0, v0)
+
+
+@pytest.mark.parametrize("air", [{"quadratic": 0.1}, {"linear": 0.2, "quadratic": 0.1}])
+def test_a_cart_held_against_a_wall_does_not_slide_when_another_runs_into_it(
+    air: dict[str, float],
+) -> None:
+    """The first term of its motion, by which a cart at rest in air finds its direction, was
+    rounding: it slid, halted at once, and slid again, 10¹² times a second."""
+    carts = {
+        "A": {"mass": 1, "position": 0.3, "velocity": -1},
+        "B": {"mass": 2, "position": 0.5, "velocity": 0.5},
+    }
+    effects = [{"friction": {"coefficient": 0.02}}, {"incline": {"angle": "-2 deg"}}, {"drag": air}]
+    scene = dead(carts, 0.9, effects, 10_000)
+    done = run(scene, max_steps=30)
+    assert done.stopped is None
+    told = [(event.kind, *event.bodies) for event in done.record.events]
+    assert told.count(("contact", "A", "B")) == 1
+    touch = next(e for e in done.record.events if e.bodies == ("A", "B"))
+    overlap = pressed_in_by(2.0, touch.before["B"], 10_000, air)
+    assert done.x[1] - done.x[0] == pytest.approx(0.2 - overlap, abs=1e-12)
+    assert done.v == (0.0, 0.0)
+    assert done.ledger.imbalance() < 1e-14
