@@ -12,17 +12,20 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.stepping.methods import Way, outcome
 from sim.scene import read_scene
 
 
-def dead(carts: dict[str, Any], length: float, effects: list[Any], stiffness: float) -> Any:
+def dead(
+    carts: dict[str, Any], length: float, effects: list[Any], stiffness: float, until: float = 5
+) -> Any:
     return read_scene(
         {
             "carts": carts,
             "track": {"left": "wall", "right": "wall", "length": length},
             "contact": {"law": "bumper", "restitution": 0, "stiffness": stiffness},
             "effects": effects,
-            "until": 5,
+            "until": until,
         }
     )
 
@@ -69,3 +72,52 @@ def test_a_cart_held_against_a_wall_does_not_slide_when_another_runs_into_it(
     assert done.x[1] - done.x[0] == pytest.approx(0.2 - overlap, abs=1e-12)
     assert done.v == (0.0, 0.0)
     assert done.ledger.imbalance() < 1e-14
+
+
+ROWS = {
+    "a row that is hit from above": (
+        {
+            "A": {"mass": 0.5, "position": 0.1},
+            "B": {"mass": 2, "position": 0.3},
+            "C": {"mass": 0.5, "position": 0.5},
+            "D": {"mass": 2, "position": 0.8, "velocity": 0.5},
+        },
+        1000,
+        "-5 deg",
+        0.05,
+    ),
+    "a cart between two": (
+        {
+            "A": {"mass": 0.5, "position": 0.1, "velocity": 0.5},
+            "B": {"mass": 1, "position": 0.4},
+            "C": {"mass": 0.5, "position": 0.6},
+        },
+        500,
+        "-2 deg",
+        0.2,
+    ),
+}
+
+
+@pytest.mark.parametrize("what", ROWS)
+def test_a_cart_that_begins_to_slide_goes_on_sliding_whatever_else_begins_with_it(
+    what: str,
+) -> None:
+    """B overcomes static friction, which falls to sliding friction; that very instant its bumper is
+    pressed further. It forgot that it slid, was held again, overcame friction, and so on without
+    end. The oracle: steps of RK4 with events, five times finer, come five times nearer."""
+    carts, stiffness, slope, mu = ROWS[what]
+    sticks = {"coefficient": mu, "static": 1.5 * mu, "carts": ["B"]}
+    scene = dead(carts, 1.0, [{"incline": {"angle": slope}}, {"friction": sticks}], stiffness, 1.3)
+    done = run(scene, max_steps=60)
+    assert done.stopped is None
+    assert [event.kind for event in done.record.events].count("start") == 1
+    assert done.v == (0.0,) * len(carts)
+    assert done.ledger.imbalance() < 1e-14
+    off = []
+    for h in (1e-3, 2e-4):
+        ways = outcome(scene, Way("rk4-events", h)).s
+        ends = [cart.position + way for cart, way in zip(scene.carts, ways, strict=True)]
+        off.append(max(abs(a - b) for a, b in zip(done.x, ends, strict=True)))
+    assert off[1] < 5e-6
+    assert off[1] < 0.4 * off[0]

@@ -167,7 +167,7 @@ def _halt(motion: Motion, k: int) -> None:
     while last < len(gaps) and motion.locked(last) and gaps[last].rate == 0.0:
         last += 1
     for body in motion.bodies[first : last + 1]:
-        body.v = 0.0
+        body.v, body.slips = 0.0, 0
 
 
 def is_push(gap: Gap) -> bool:

@@ -47,9 +47,10 @@ def _judge(bodies: list[Body], group: list[int], gaps: list[Gap], pushes: list[f
     resting = all(body.v == 0.0 for body in members)
     static = sum(body.load.static for body in members)
     slips = next((body.slips for body in members if body.slips), 0)
+    begins = any(body.slips and body.changed == body.time for body in members)
     held = resting and static > 0.0 and abs(total) <= _grip(members) and not slips
     for body in members:
-        body.slips = 0
+        body.slips = body.slips if begins else 0  # whatever else changes at this instant
         body.held = held and body.load.static > 0.0
         if body.held or (fixed and resting):
             body.sliding = 0
