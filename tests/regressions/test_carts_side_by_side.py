@@ -107,3 +107,35 @@ def test_two_that_touch_and_roll_uphill_in_air_come_down_together(
     assert done.v[0] == pytest.approx(done.v[1], rel=1e-13)
     assert done.x[1] - done.x[0] == pytest.approx(0.2, abs=1e-12)
     assert done.ledger.imbalance() < 1e-14
+
+
+@pytest.mark.parametrize(("law", "waits"), [("instant", True), ("bumper", False)])
+def test_only_a_contact_without_a_duration_waits_until_the_two_are_pressed_together(
+    law: str, waits: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An impact cannot hold two that part: it waits. A bumper can be touched without a force, and
+    where it does not spring back (e = 0), waiting for a push could end the contact at once, and
+    begin it anew, without end. Either way the heavy cart presses the light one on
+    its way down."""
+    waited: list[float] = []
+    pressed_from = detect.alike.pressed_from
+
+    def asked(*given: Any) -> Any:
+        waited.append(pressed_from(*given))
+        return waited[-1]
+
+    monkeypatch.setattr(detect.alike, "pressed_from", asked)
+    contact = {"law": law, "restitution": 0} | ({"stiffness": 1000} if law == "bumper" else {})
+    scene = {
+        "carts": {
+            "A": {"mass": 0.5, "position": 0.2, "velocity": 1e-7},
+            "B": {"mass": 2, "position": 0.4, "velocity": 1e-7},
+        },
+        "contact": contact,
+        "effects": [{"incline": {"angle": "-5 deg"}}, {"drag": {"linear": 0.05}}],
+        "until": 5,
+    }
+    done = run(read_scene(scene), max_steps=200)
+    assert any(late > 0.0 for late in waited) is waits
+    assert done.v[0] == pytest.approx(done.v[1], rel=1e-5)  # the bumper gives as air grows
+    assert done.ledger.imbalance() < 1e-14
