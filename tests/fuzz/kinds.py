@@ -11,6 +11,7 @@ from collections.abc import Callable
 from random import Random
 
 from tests.fuzz.acting import a_friction, a_push, a_spring, any_effect
+from tests.fuzz.classroom import classroom
 from tests.fuzz.rows import (
     FINITE,
     Plain,
@@ -195,6 +196,7 @@ KINDS: dict[str, Callable[[Random], Plain]] = {
     "instant rows": instant_rows,
     "collisions": collisions,
     "bouncing": bouncing,
+    "classroom": classroom,
 }
 
 
