@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from sim.cli.site.site_folder import findings
-from sim.pages.checks.lessons import USUAL_PLACES, check_paths
+from sim.pages.checks.lessons import USUAL_PLACES, check_paths, files_in
 from sim.pages.findings import Finding
 from sim.pages.question.by_default import CODE, TEXT
 from sim.pages.site.settings_file import SETTINGS
@@ -57,6 +57,13 @@ def command(
             f"There are no lessons here (looked for {usual}). Go to the folder of your site first, "
             "or name a file: carts check my-lesson.md"
         )
+    for path in paths:
+        if path.is_dir() and next(files_in(path.resolve()), None) is None:
+            raise click.UsageError(
+                f"Nothing in “{path}” was looked at: no lesson (.md) is in it, and scene files "
+                "(.yml) are looked for in folders called scenes. Or name a file: carts check "
+                "my-scene.yml"
+            )
     readable = [place for place in places if place != root / SETTINGS]
     found = check_paths(readable, root, hints=True)
     if not paths or root / SETTINGS in places:

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from sim.cli.check import report
+from sim.cli.named_file import GivenFile
 from sim.cli.write_out import write_out
 from sim.lesson import Question
 from sim.pages.classroom.gift import gift
@@ -44,7 +45,7 @@ class _Asked:
 
 
 @click.command("export")
-@click.argument("path", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("path", type=GivenFile("a lesson or a bank"))
 @click.option("--form", help="Only the questions of this form, in its order.")
 @click.option(
     "--to",

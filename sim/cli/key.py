@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from sim.cli.check import report
+from sim.cli.named_file import GivenFile
 from sim.cli.site import site_folder
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
@@ -23,7 +24,7 @@ from sim.pages.translate.in_languages import in_languages
 
 
 @click.command("key")
-@click.argument("paths", nargs=-1, type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("paths", nargs=-1, type=GivenFile("a lesson"))
 @click.option(
     "--out",
     default=Path("build/keys"),
@@ -47,7 +48,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     if site:
         _not_to_students(out, site)
     for path in paths:
-        if path.suffix in (".yml", ".yaml"):
+        if path.suffix != ".md":
             raise click.UsageError(_no_lesson(path))
     named = dict.fromkeys(path.resolve() for path in paths)
     lessons = [*named] or lessons_in(root / LESSONS)

@@ -69,7 +69,7 @@ def command(
     from sim.mine.judge.search import IN_A_PAGE, SEED, judge
     from sim.mine.wrong import WrongLawError
 
-    text = scene_file.text_of(law)
+    text = scene_file.text_of(law, "law")
     file = Path(law).name if is_written(Path(law).name) else MINE
     try:
         judged = judge(

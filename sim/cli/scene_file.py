@@ -64,12 +64,13 @@ def without_fence(text: str) -> str:
     return text
 
 
-def text_of(name: str) -> str:
-    """The text of a file, or of standard input."""
+def text_of(name: str, thing: str = "scene") -> str:
+    """The text of a file, or of standard input; `thing`: what stands in it."""
     shown = shown_name(name)
-    data = bytes_of(name, MOST_BYTES, "a scene file")
+    data = bytes_of(name, MOST_BYTES, f"a {thing} file")
     if len(data) == MOST_BYTES:
-        what, hint = "this is more than a scene can be", "a scene is short: is this the right file?"
+        what = f"this is more than a {thing} can be"
+        hint = f"a {thing} is short: is this the right file?"
         fail([Finding(shown, 1, 1, "too-long", what, hint)])
     try:
         return data.decode("utf-8-sig")

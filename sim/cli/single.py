@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from sim.cli.named_file import GivenFile
 from sim.cli.scene_file import fail
 from sim.cli.write_out import write_out
 from sim.pages.blocks.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
@@ -18,9 +19,11 @@ from sim.pages.text.fence_scan import scan
 from sim.pages.text.lesson_places import LESSONS, bank_folders, scene_folders
 from sim.pages.text.plain_lines import lines_of
 
+SCENES = (".yml", ".yaml")
+
 
 @click.command("single")
-@click.argument("path", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("path", type=GivenFile("a lesson or a scene file"))
 @click.option("--scene", "wanted", help="The id of the scene, where a lesson has several.")
 @click.option(
     "--out",
@@ -38,6 +41,10 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
     """
     from sim.pages.single.of_scene import single_file
 
+    if path.suffix not in (".md", *SCENES):
+        raise click.UsageError(
+            f"{path} is neither a lesson (.md) nor a scene file (.yml): its ending tells which."
+        )
     root = Path.cwd()
     try:
         block = _scene(path, wanted, root)

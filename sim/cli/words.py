@@ -10,6 +10,7 @@ from typing import NoReturn
 import click
 
 from sim.cli.check import report
+from sim.cli.named_file import GivenFile
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError
 from sim.pages.language import LANGUAGES, UnknownLanguageError, language_of
@@ -43,7 +44,7 @@ class _Spoken(click.Choice[str]):
     "paths",
     nargs=-1,
     required=True,
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    type=GivenFile("a lesson or a bank"),
 )
 @click.option(
     "--language",

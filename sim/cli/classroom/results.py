@@ -29,6 +29,7 @@ from sim.cli.classroom.out import Out
 from sim.cli.classroom.papers import Papers
 from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_whole
 from sim.cli.classroom.tables import tables_of
+from sim.cli.named_file import GivenFile
 from sim.pages.language import ENGLISH, LANGUAGES
 
 FILE = click.Path(dir_okay=False, path_type=Path)
@@ -36,7 +37,7 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
 
 
 @click.command("class")
-@click.argument("files", nargs=-1, type=click.Path(exists=True, path_type=Path))
+@click.argument("files", nargs=-1, type=GivenFile("a file of answers", folders=True))
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
 @click.option("--html", type=FILE, help="Write the report as one HTML file, to keep and to print.")
 @click.option("--slips", type=FILE, help="Write a feedback slip for each student, to be printed.")

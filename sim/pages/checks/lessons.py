@@ -158,7 +158,7 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
     ids = SiteIds()
     findings: list[Finding] = []
     for path in paths:
-        for file in _files(path):
+        for file in files_in(path):
             name = shown(file, root)
             if _nearly_lesson(file):
                 findings.append(_not_seen(name))
@@ -196,7 +196,8 @@ def _in_other_languages(
     return catalogue_findings(file, root, None if alone else check, hints=hints)
 
 
-def _files(path: Path) -> Iterator[Path]:
+def files_in(path: Path) -> Iterator[Path]:
+    """What is looked at of a file or a folder that somebody named."""
     if path.is_file():
         yield path
     elif path.is_dir():
