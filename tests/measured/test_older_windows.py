@@ -1,4 +1,5 @@
-"""A table of readings as Excel writes plain CSV: windows-1252 in the west, GBK in China."""
+"""A table of readings as Excel writes plain CSV: windows-1252 in the west, GBK in China, Big5
+in Taiwan."""
 
 from __future__ import annotations
 
@@ -29,7 +30,8 @@ def test_chinese_windows_are_read_with_their_units() -> None:
 
 
 def test_two_letters_with_accents_side_by_side_are_not_chinese() -> None:
-    for text in ("Größe A;Größe B\n", "créée;º°\n", "ÄÖÜ;Länge\n", "Größe in m²; ±5 µm\n"):
+    for text in ("Größe A;Größe B\n", "créée;º°\n", "ÄÖÜ;Länge\n", "Größe in m²; ±5 µm\n",
+                 "Ähre in °C; µm; Åse\n", "t in µs, x in µm\n"):  # fmt: skip
         assert decoded(text.encode("cp1252")) == text
 
 
@@ -38,7 +40,11 @@ def test_two_letters_with_accents_side_by_side_are_not_chinese() -> None:
     [
         ("gbk", "时间(毫秒),小车A位置(厘米)\n0,40\n"),
         ("gb18030", "姓名,㐀,時間\n时间,位置,速度\n"),
+        ("big5", "時間(毫秒),小車A位置(公分),小車B位置(公分)\n0,40,120\n"),
+        ("big5", "姓名,前測,後測\n王小明,12,20\n"),
+        ("gbk", "姓名,位置,速度,备注\n左边的小车,0,40,开始\n"),
         ("cp1252", "Größe in m²; créée; ÄÖÜ; ±5 µm\n"),
+        ("cp1252", "Ähre in °C; µm; Åse\n"),
         ("utf-8-sig", TEXT),
         ("utf-16", TEXT),
     ],

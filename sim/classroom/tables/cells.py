@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import dropwhile, islice
 
+from sim.classroom.tables.figures import COMMAS
 from sim.scene.encoded import of_a_spreadsheet
 from sim.scene.said import said, template
 
@@ -27,7 +28,7 @@ MOST_LINES = 200
 LOOKED_AT = 20
 """Rows by which the sign between cells is found."""
 
-DELIMITERS = (",", ";", "\t")
+DELIMITERS = (",", ";", "\t", *COMMAS)
 WORKBOOK = template(
     "this is a workbook or a zip, not a table of text: open it and save it as CSV "
     "(File, Save as, CSV UTF-8)"

@@ -13,7 +13,7 @@ from sim.classroom.tables.marks import whole
 from sim.classroom.tables.words import TIMES
 
 _MOST = re.compile(
-    r"(.*?)\s*(?:/\s*|[(\[]\s*(?:/|of|m[aá]x\.?|von|sur|sobre|de|daripada|满分)?\s*)"
+    r"(.*?)\s*(?:/\s*|[(\[]\s*(?:/|of|m[aá]x\.?|von|sur|sobre|de|daripada|满分|滿分)?\s*)"
     r"([0-9]{1,6}(?:[.,][0-9]{1,6})?)\s*([)\]])?"
 )
 _PREFIX = re.compile(r"([^\s._:-]+(?:-test)?)[\s._:-]+(.+)")

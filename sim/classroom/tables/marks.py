@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import TableError
+from sim.classroom.tables.figures import plain
 from sim.scene.said import said
 
 NOTHING = frozenset({"", "-", "–", "—", "n/a", "na", "nan", "#n/a", ".", "null", "none"})
@@ -26,7 +27,7 @@ def mark(text: str) -> tuple[Exact | None, Exact | None]:
     """The mark and the most that it could be, each None where it is not there."""
     if text.casefold() in NOTHING:
         return None, None
-    found = _MARK.fullmatch(text)
+    found = _MARK.fullmatch(plain(text))
     if not found or not (found[2] or found[3]):
         raise TableError(said("“{cell}” is no mark", cell=shown(text)))
     value = _number(found[1], found[2], found[3])

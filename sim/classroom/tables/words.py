@@ -1,5 +1,5 @@
 """The headings of columns as people write them: in English, French, German, Malay, Spanish, Chinese
-and Tamil.
+in both writings, and Tamil.
 """
 
 from __future__ import annotations
@@ -39,7 +39,8 @@ STUDENT = NUMBER | words("""
     participante | estudiante | alumno | alumna | alumno/a | nombre | nombre y apellidos |
     apellidos y nombre | nombre completo | apellido | apellidos | apellido(s) | código |
     seudónimo |
-    palabra clave | 学生 | 学生姓名 | 学号 | 姓名 | மாணவர் | பெயர்
+    palabra clave | 学生 | 学生姓名 | 学号 | 姓名 |
+    學生 | 學生姓名 | 學號 | மாணவர் | பெயர்
 """)
 FAMILY = words("""
     last name | lastname | surname | family name | nachname | familienname | zuname | nom |
@@ -53,21 +54,22 @@ GIVEN = words("""
 WHO = STUDENT | FAMILY | GIVEN
 GROUP = words("""
     group | condition | treatment | gruppe | kumpulan | groupe | grupo | condición | 组 | 组别 |
-    小组 | குழு
+    小组 | 組 | 組別 | 小組 | குழு
 """)
 CLASS = words("""
     class | section | classroom | klasse | kelas | classe | clase | curso | sección | 班 | 班级 |
-    வகுப்பு
+    班級 | வகுப்பு
 """)
 TIME = words("""
     time | occasion | when | wave | phase | prepost | pre/post | zeitpunkt | masa | moment |
-    momento | quand | cuándo | fase | 时间 | 测试 | நேரம்
+    momento | quand | cuándo | fase | 时间 | 测试 | 時間 | 測試 |
+    நேரம்
 """)
 TOTAL = words("""
     total | total score | total marks | score | scores | mark | marks | sum | points |
     total points | grade | punkte | gesamt | summe | jumlah | markah | skor | somme | note totale |
     note finale | total des points | suma | puntos | puntuación | puntaje | calificación |
-    nota total | nota final | 总分 | 分数 | மொத்தம் |
+    nota total | nota final | 总分 | 分数 | 總分 | 分數 | மொத்தம் |
     மதிப்பெண்
 """)
 MARK = TOTAL | words("answer | réponse | respuesta")
@@ -76,7 +78,7 @@ NOTE = words("note | nota")
 alone, such a column of numbers is read as one question."""
 ITEM = words("""
     item | question | item id | frage | aufgabe | soalan | exercice | pregunta | ítem | ejercicio |
-    题 | 题目 | கேள்வி
+    题 | 题目 | 題 | 題目 | கேள்வி
 """)
 OTHER = words("""
     age | gender | sex | year | date | school | institution | department | phone | teacher |
@@ -87,31 +89,33 @@ OTHER = words("""
     remarque | remarques | commentaire | commentaires | n° | numéro | edad | sexo | género | año |
     fecha | escuela | profesor | profesora | correo | correo electrónico | comentario |
     comentarios | observaciones | número | 年龄 | 性别 | 日期 |
+    座号 | 年齡 | 性別 | 座號 |
     வயது | பாலினம்
 """)
 TIMES = {
     "pre": words("""
         pre | pretest | pre-test | pre test | before | vor | vorher | vortest | pra | praujian |
-        sebelum | avant | pré-test | prétest | antes | pre-prueba | preprueba | 前 | 前测 |
+        sebelum | avant | pré-test | prétest | antes | pre-prueba | preprueba | 前 | 前测 | 前測 |
         முன் | முன்தேர்வு
     """),
     "post": words("""
         post | posttest | post-test | post test | after | nach | nachher | nachtest | pasca |
         pascaujian | selepas | après | después | postest | post-prueba | postprueba |
-        后 | 后测 | பின் | பின்தேர்வு
+        后 | 后测 | 後 | 後測 | பின் | பின்தேர்வு
     """),
     "delayed": words("""
         later | delayed | retention | follow-up | followup | später | kemudian | plus tard |
-        différé | más tarde | diferido | 延迟 | 延迟测 |
+        différé | más tarde | diferido | 延迟 | 延迟测 | 延遲 | 延遲測 |
         பின்னர்
     """),
 }
 KEY = words("key | answer key | schlüssel | lösung | kunci | clé | corrigé | clave | 答案 | விடை")
-MOST = words("max | maximum | out of | höchstens | maksimum | máximo | 满分")
+MOST = words("max | maximum | out of | höchstens | maksimum | máximo | 满分 | 滿分")
 NAMES_TOO = words("max | key | clave")
 """Of these what may be the name of a student: such a row is known by its capitals."""
 SUMS = words("""
     total | sum | grand total | gesamt | summe | jumlah | somme | suma | 总分 | 总计 | 合计 |
+    總分 | 總計 | 合計 |
     மொத்தம்
 """)
 """How rows below a table call themselves that add up the others, and those with other figures."""
@@ -121,7 +125,7 @@ FIGURES = words("""
     mittelwert | mittel | durchschnitt | standardabweichung | purata | sisihan piawai | moyenne |
     médiane | écart-type | écart type | media | promedio | mediana | desviación estándar |
     desviación típica | mínimo | 平均 |
-    平均分 | 平均值 | 标准差 | சராசரி
+    平均分 | 平均值 | 标准差 | 標準差 | சராசரி
 """)
 NAMES_OR_FIGURES = words("min | sd")
 """The same, where another row of figures or sums stands in the table: somebody may be called so."""

@@ -40,7 +40,9 @@ MEASURED = "newtons-carts-measured"
 WORLDS = "newtons-carts-worlds"
 OWN_LAW = "newtons-carts-law"
 PROOF = "newtons-carts-proof"
-ENCODINGS = tuple(f"encodings.{name}" for name in ("utf_8_sig", "utf_16", "cp1252", "gb18030"))
+ENCODINGS = tuple(
+    f"encodings.{name}" for name in ("utf_8_sig", "utf_16", "cp1252", "gb18030", "cp950")
+)
 """In which spreadsheets and old editors save a table."""
 LAWS = Path(__file__).parents[2] / "laws"
 APART = (

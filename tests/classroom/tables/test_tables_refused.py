@@ -29,7 +29,7 @@ from tests.classroom.given.tables import csv, reported
         ("s1,a,=1+1,3", "pre: “=1+1” is no mark"),
         ("s1,a,-2,3", "pre: “-2” is below 0"),
         ("s1,a,1e3,3", "pre: “1e3” is no mark"),
-        ("s1,a,٣,3", "pre: “٣” is no mark"),
+        ("s1,a,Ⅲ,3", "pre: “Ⅲ” is no mark"),
         ("s1,a,12 / 10,3", "pre: “12 / 10” is more than the most marks"),
         ("s1,a,1,2,3", "5 cells under 4 headings"),
         ('s1,a,"1"x,3', "a quotation mark opens"),
