@@ -7,21 +7,19 @@ a file of the person who builds it), is told and left out.
 from __future__ import annotations
 
 import html
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote
 
 from sim.pages.findings import Finding
+from sim.pages.text.elsewhere import leads_elsewhere
 from sim.pages.text.lesson_places import page_of
-
-_FAR = re.compile(r"[a-z][a-z0-9+.-]*:|//", re.IGNORECASE)
 
 
 def is_far(address: str) -> bool:
     """Whether an address leads to no file beside the page: data in it, or another server."""
-    return bool(_FAR.match(html.unescape(address).strip()))
+    return leads_elsewhere(html.unescape(address))
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from urllib.parse import unquote
 
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.site.effect_pages import EFFECTS, PLACE
+from sim.pages.text.elsewhere import leads_elsewhere
 from sim.pages.text.films import FILMS, OTHER_FILMS
 from sim.pages.text.front_matter import Found
 from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
@@ -34,7 +35,7 @@ def links(prose: str, lesson: Lesson) -> Iterator[Found]:
     written = ((link.start(), link["wrapped"] or link["bare"] or "") for link in found)
     for at, address in (*written, *own_pictures(prose)):
         target = unquote(address.split("#")[0].split("?")[0])
-        if not target or re.match(r"[a-z][a-z0-9+.-]*:|//", target):
+        if not target or leads_elsewhere(target):
             continue
         place = next((one for one in _places(folder, target, lesson) if _is_there(one)), None)
         if place is None:

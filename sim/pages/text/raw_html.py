@@ -10,13 +10,15 @@ import re
 from collections.abc import Iterator
 
 from sim.pages.text.blocked import blocked
+from sim.pages.text.elsewhere import leads_elsewhere
 from sim.pages.text.front_matter import Found
 
 _TAG = re.compile(r"<(?P<name>[a-zA-Z][\w-]*)(?:\s(?:[^<>\"']|\"[^\"]*\"|'[^']*')*)?/?>")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _SOURCE = re.compile(r"\bsrc\s*=\s*(?:\"([^\"]*)\"|'([^']*)'|([^\s>]+))", re.IGNORECASE)
-_ELSEWHERE = re.compile(r"(?:https?:)?//", re.IGNORECASE)
-_PICTURE_ELSEWHERE = re.compile(r"!\[[^\]\n]*\]\([ \t]*<?(?P<at>(?:https?:)?//[^\s)>]*)")
+_PICTURE_ELSEWHERE = re.compile(
+    r"!\[[^\]\n]*\]\([ \t]*<?(?P<at>(?:https?:)?//[^\s)>]*)", re.IGNORECASE
+)
 SHOWN = 60
 SHOWING = ("img", "video", "audio", "source")
 
@@ -54,7 +56,7 @@ def own_pictures(prose: str) -> Iterator[tuple[int, str]]:
     for tag in _TAG.finditer(without_comments(prose)):
         source = _SOURCE.search(tag[0]) if tag["name"].lower() in SHOWING else None
         address = next(filter(None, source.groups()), "") if source else ""
-        if address and not _ELSEWHERE.match(address):
+        if address and not leads_elsewhere(address):
             yield tag.start(), address
 
 

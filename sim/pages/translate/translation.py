@@ -15,6 +15,7 @@ from urllib.parse import unquote
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
 from sim.pages.text.author_text import author_text, shown_here
+from sim.pages.text.elsewhere import leads_elsewhere
 from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.plain_lines import without_code
@@ -27,7 +28,8 @@ _LINK = re.compile(
     r"(?:<(?P<wrapped>[^<>\n]+)>|(?P<bare>[^)\s\"](?:[^)\"\n]*[^)\s\"])?))",
     re.MULTILINE,
 )
-_ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|[/#?]", re.IGNORECASE)
+_FROM_THE_SITE = ("/", "#", "?")
+"""So begins an address that is not counted from the folder of the page."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +164,7 @@ def _moved_links(text: str, siblings: Collection[str]) -> str:
     for link in reversed(list(_LINK.finditer(without_code(text)))):
         own = "wrapped" if link["wrapped"] else "bare"
         target = unquote(link[own].partition("#")[0])
-        if not _ELSEWHERE.match(link[own]) and target not in siblings:
+        stays = leads_elsewhere(link[own]) or link[own].startswith(_FROM_THE_SITE)
+        if not stays and target not in siblings:
             text = f"{text[: link.start(own)]}../{text[link.start(own) :]}"
     return text
