@@ -49,7 +49,15 @@ def test_every_file_has_all_its_marks_whatever_key_comes_first(order: tuple[str,
     (form,) = report["lessons"][0]["forms"]
     assert [row["total"] for row in form["students"]] == [2, 2, 2, 2]
     assert [item["right"] for item in form["items"]] == [4, 4]
-    assert form["items"][0]["ask"] == f"{order[-1]}?"  # texts are those of the last key
+    assert form["items"][0]["ask"] == "Malay?"  # texts are those that most students read
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(BANKS)))
+def test_where_as_many_read_each_language_texts_are_those_of_the_last_key(
+    order: tuple[str, ...],
+) -> None:
+    (form,) = report_of(order, tuple(BANKS))["lessons"][0]["forms"]
+    assert form["items"][0]["ask"] == f"{order[-1]}?"
 
 
 def test_without_the_key_of_its_language_a_file_has_no_marks() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -121,11 +122,16 @@ class Keys:
         self.wordings: dict[tuple[str, str, str], list[KeyedForm]] = {}
         for key in keys:
             self.wordings.setdefault((key.site, key.lesson, key.form), []).append(key)
+        self.taken: Counter[int] = Counter()  # by the identity of a key: files that it marked
 
     @property
     def main(self) -> dict[tuple[str, str, str], KeyedForm]:
-        """The key that a report takes its texts from: the last one given."""
-        return {name: found[-1] for name, found in self.wordings.items()}
+        """The key that a report takes its texts from: that of most files so far, else the last one
+        given."""
+        return {
+            name: max(reversed(found), key=lambda key: self.taken[id(key)])
+            for name, found in self.wordings.items()
+        }
 
     def of(self, file: AnswerFile) -> KeyedForm | None:
         """The key of a file: the wording that most of its answers belong to, else the last."""
@@ -135,7 +141,9 @@ class Keys:
         found = self.wordings.get(name, [])
         if len(found) < 2:
             return found[0] if found else None
-        return max(reversed(found), key=lambda key: len(_same(key, file)))
+        key = max(reversed(found), key=lambda key: len(_same(key, file)))
+        self.taken[id(key)] += 1
+        return key
 
     def _lent(self, file: AnswerFile) -> list[KeyedForm]:
         """Keys of copies of this form: most of the questions that both know are the same."""

@@ -1031,7 +1031,7 @@
     const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
     const mark = start[0] === 255 && start[1] === 254 ? "utf-16le" : "";
     const wide = start[0] === 254 && start[1] === 255 ? "utf-16be" : mark;
-    return strictly(wide || "utf-8", bytes) ?? (isChinese(new Uint8Array(bytes)) ? strictly("gb18030", bytes) : void 0) ?? new TextDecoder("windows-1252").decode(bytes);
+    return strictly(wide || "utf-8", bytes) ?? strictly(chinese(new Uint8Array(bytes)), bytes) ?? new TextDecoder("windows-1252").decode(bytes);
   }
   function strictly(encoding, bytes) {
     try {
@@ -1040,19 +1040,23 @@
       return void 0;
     }
   }
-  function isChinese(bytes) {
-    let usual2 = 0;
-    let beyond = 0;
+  function chinese(bytes) {
+    let [beyond, inGbk, inBig5, high] = [0, 0, 0, 0];
     for (let at = 0; at < bytes.length; at += 1) {
       const first = bytes[at] ?? 0;
       if (first < 128) continue;
       const second = bytes[at + 1] ?? 0;
+      const both2 = second > 160;
       beyond += 1;
-      const known = first >= 176 && first <= 215 || first === 161 || first === 163;
-      if (known && second > 160) usual2 += 1;
+      if ((first >= 176 && first <= 215 || first === 161 || first === 163) && both2) inGbk += 1;
+      if (first >= 161 && first <= 198) {
+        if (both2 || second >= 64 && second <= 126) inBig5 += 1;
+        if (both2) high += 1;
+      }
       at += second >= 48 && second <= 57 ? 3 : 1;
     }
-    return 2 * usual2 > beyond;
+    if (inBig5 > inGbk && 5 * inBig5 >= 4 * beyond && 4 * high >= beyond) return "big5";
+    return 2 * inGbk > beyond ? "gb18030" : "windows-1252";
   }
 
   // ../view/language.js

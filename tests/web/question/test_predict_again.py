@@ -76,6 +76,14 @@ def test_after_talking_a_prediction_is_changed_once_and_explained(
     expect(scene.locator(".carts-saved")).to_have_text("Saved.")
     page.reload()
     expect(scene.locator(".carts-why textarea")).to_have_value("B pushes A to the left.")
+    scene.locator(".carts-why textarea").fill("It was pushed back by B.\n" * 9)
+    page.emulate_media(media="print")  # all nine lines, and none to be written on
+    inside = "el => el.clientHeight >= el.scrollHeight && el.scrollHeight"
+    assert scene.locator(".carts-why textarea").evaluate(inside) > 9 * 12
+    expect(scene.locator(".carts-write")).to_be_hidden()
+    scene.locator(".carts-why textarea").fill("")
+    expect(scene.locator(".carts-why textarea")).to_be_hidden()
+    expect(scene.locator(".carts-write")).to_be_visible()
 
 
 @pytest.mark.one_browser
