@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sim.classroom.files.archive import shown as safe
-from sim.classroom.tables import google, microsoft, moodle, moodle_grades, plain
+from sim.classroom.tables import google, microsoft, moodle, moodle_grades, ours, plain
 from sim.classroom.tables import sentences as say
 from sim.classroom.tables.above import from_the_heads
 from sim.classroom.tables.apart import Columns, Parted, parted
@@ -24,6 +24,7 @@ EXPORTS: tuple[Callable[[Sequence[str]], Layout | None], ...] = (
     moodle_grades.layout,
     google.layout,
     microsoft.layout,
+    ours.layout,
 )
 LETTERS = 2
 """Columns of letters, from which on a table without a row KEY is one of answers."""

@@ -154,3 +154,11 @@ def test_totals_above_the_most_marks_that_the_teacher_told_count_in_no_test() ->
         ("marks.csv, line 10", "“12” is more than the most marks"),
     ]
     assert [form["groups"][0]["n"] for form in report["lessons"][0]["forms"]] == [7, 7]
+
+
+@pytest.mark.parametrize("saved", [students_csv, items_csv])
+def test_a_table_that_the_report_saved_is_not_read_as_marks(saved) -> None:
+    """Before, a student with two tests became two students of one name, and none was counted."""
+    report = reported(csv(("student", "pre", "post"), [("Anna", 3, 8), ("Bala", 4, 9)]))
+    with pytest.raises(TableError, match="Class results saved: give the answer files"):
+        read_table("class-students.csv", saved(report).encode())
