@@ -49,9 +49,16 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
     if kind is None:
         return None
     known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
-    unknown_keys(table, known, path, problems)
+    unknown_keys(table, known, path, problems, a_list=_missing_list(kind, table))
     question = kind.read(table, common, path, problems)
     return question if len(problems) == before else None
+
+
+def _missing_list(kind: type[Question], table: Mapping[str, Any]) -> str:
+    """The only list that this type needs and has not; empty: none, or several."""
+    needed = [key.name for key in kind.KEYS if key.required and key.schema.get("type") == "array"]
+    missing = [name for name in needed if name not in table]
+    return missing[0] if len(missing) == 1 else ""
 
 
 def _kind(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> type[Question] | None:

@@ -27,9 +27,15 @@ def mapping(
 
 
 def unknown_keys(
-    table: Mapping[str, Any], known: tuple[str, ...], path: Path, problems: list[Problem]
+    table: Mapping[str, Any],
+    known: tuple[str, ...],
+    path: Path,
+    problems: list[Problem],
+    *,
+    a_list: str = "",
 ) -> None:
-    """One problem for each key of `table` that is not in `known`."""
+    """One problem for each key of `table` that is not in `known`. `a_list`: the one key whose list
+    is missing: an unknown list is meant to be that one, whatever it is called."""
     empty = ""  # the known key above that has nothing: what belongs below it may stand too far left
     for key in table:
         if key in known:
@@ -48,6 +54,8 @@ def unknown_keys(
             listed = f"known keys: {', '.join(known)}"
             further = f"what belongs to “{empty}:” begins two spaces further right"
             hint = did_you_mean(key, known, further if empty else listed)
+            if a_list and isinstance(table[key], (list, tuple)):
+                hint = f"did you mean “{a_list}”?"
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))

@@ -3794,6 +3794,20 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
   };
 
+  // src/teach/piece-title.js
+  function titleOf({ kind: kind2, text: text2, title, id }) {
+    if (kind2 === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
+    if (kind2 === "block") return short2(seen(title || id || text2.split("\n")[0] || ""));
+    const heading = /^#+ +(.+)/m.exec(text2)?.[1];
+    const lines3 = heading ? [heading] : text2.split("\n").map(unmarked);
+    return short2(lines3.map(seen).find(Boolean) ?? "(no text yet)");
+  }
+  var short2 = (words) => words.length > 70 ? `${words.slice(0, 70)}…` : words;
+  var unmarked = (line) => line.replace(/^ *(?:#+(?: |$)|(?:> ?)+|(?:[-+*]|\d+\.) )/, "");
+  function seen(line) {
+    return line.replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1").replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1").replace(/<!--.*?-->|\{:?[^}]*\}/g, "").replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1").replace(/[*_`$]/g, "").trim();
+  }
+
   // src/teach/piece.js
   var KINDS = {
     scene: "Scene",
@@ -3897,16 +3911,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
   };
   var place3 = (piece) => piece.kind === "top" ? "Facts" : "Text";
-  function titleOf({ kind: kind2, text: text2, title, id }) {
-    if (kind2 === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
-    if (kind2 === "block") return short2(seen(title || id || text2.split("\n")[0] || ""));
-    const heading = /^#+ +(.+)/m.exec(text2)?.[1];
-    return short2((heading ?? text2).split("\n").map(seen).find(Boolean) ?? "(no text yet)");
-  }
-  var short2 = (words) => words.length > 70 ? `${words.slice(0, 70)}…` : words;
-  function seen(line) {
-    return line.replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1").replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1").replace(/<!--.*?-->|\{:?[^}]*\}/g, "").replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1").replace(/[*_`#>$]|^ *(?:[-+]|\d+\.) /g, "").trim();
-  }
 
   // src/teach/saves.js
   var WITHHELD = "Notes and marking guides are not in it: before it takes the place of your own file, choose that file in the yellow box and save again.";

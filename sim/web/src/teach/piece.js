@@ -3,6 +3,7 @@
 import { html, say } from "../shared/dom.js";
 import { Fields, named } from "./fields.js";
 import { Gutter } from "./gutter.js";
+import { titleOf } from "./piece-title.js";
 
 /** @typedef {import("./types.js").Piece} Piece */
 /** @typedef {import("./types.js").Finding} Finding */
@@ -129,25 +130,3 @@ export class PieceEditor {
 
 /** @param {Piece} piece */
 const place = (piece) => (piece.kind === "top" ? "Facts" : "Text");
-
-/** What a reader sees first of a piece. @param {Piece} piece */
-function titleOf({ kind, text, title, id }) {
-  if (kind === "top") return seen(/^title: *(.*)/m.exec(text)?.[1] ?? "");
-  if (kind === "block") return short(seen(title || id || text.split("\n")[0] || ""));
-  const heading = /^#+ +(.+)/m.exec(text)?.[1];
-  return short((heading ?? text).split("\n").map(seen).find(Boolean) ?? "(no text yet)");
-}
-
-/** @param {string} words */
-const short = (words) => (words.length > 70 ? `${words.slice(0, 70)}…` : words);
-
-/** A line of Markdown as it is read. @param {string} line */
-function seen(line) {
-  return line
-    .replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1") // a box: its title
-    .replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1") // without one: its kind
-    .replace(/<!--.*?-->|\{:?[^}]*\}/g, "")
-    .replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1")
-    .replace(/[*_`#>$]|^ *(?:[-+]|\d+\.) /g, "")
-    .trim();
-}

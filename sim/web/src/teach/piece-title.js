@@ -1,0 +1,27 @@
+/** What a piece of a lesson is called in the panel: the first of it that a reader sees. */
+
+/** @param {Pick<import("./types.js").Piece, "kind" | "text" | "title" | "id">} piece */
+export function titleOf({ kind, text, title, id }) {
+  if (kind === "top") return seen(/^title: *(.*)/m.exec(text)?.[1] ?? "");
+  if (kind === "block") return short(seen(title || id || text.split("\n")[0] || ""));
+  const heading = /^#+ +(.+)/m.exec(text)?.[1];
+  const lines = heading ? [heading] : text.split("\n").map(unmarked);
+  return short(lines.map(seen).find(Boolean) ?? "(no text yet)");
+}
+
+/** @param {string} words */
+const short = (words) => (words.length > 70 ? `${words.slice(0, 70)}…` : words);
+
+/** A line without what makes it one of a list or a quotation; a # or a > within it is read. @param {string} line */
+const unmarked = (line) => line.replace(/^ *(?:#+(?: |$)|(?:> ?)+|(?:[-+*]|\d+\.) )/, "");
+
+/** A line of Markdown as it is read. @param {string} line */
+function seen(line) {
+  return line
+    .replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1") // a box: its title
+    .replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1") // without one: its kind
+    .replace(/<!--.*?-->|\{:?[^}]*\}/g, "")
+    .replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1")
+    .replace(/[*_`$]/g, "")
+    .trim();
+}
