@@ -185,6 +185,18 @@ def lesson_title(lesson: str, keys: Iterable[KeyedForm | None]) -> str:
     return next(named, lesson.replace("-", " ").capitalize())
 
 
+def told_apart(lessons: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Lessons of one title, a lesson and a copy of it, by the names of their files or sites too."""
+    told = list(lessons)
+    for name in ("lesson", "site"):
+        titles = Counter(one["title"] for one in told)
+        told = [
+            one if titles[one["title"]] == 1 else {**one, "title": f"{one['title']} ({one[name]})"}
+            for one in told
+        ]
+    return told
+
+
 def counted_items(files: Sequence[Marked]) -> tuple[str, ...]:
     """Items that are worth marks and wait for nobody, in any of these files: what totals are of.
 

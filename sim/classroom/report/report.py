@@ -26,6 +26,7 @@ from sim.classroom.report.marked import (
     counted_items,
     lesson_title,
     mark_file,
+    told_apart,
     worth,
 )
 from sim.classroom.report.notes import notes_of
@@ -67,10 +68,10 @@ def class_report(
     lessons: dict[tuple[str, str], list[Marked]] = {}
     for file in sorted_out.counted:
         lessons.setdefault((file.file.site, file.file.lesson), []).append(file)
-    tables = [
+    tables = told_apart(
         _lesson(site, lesson, found, forms, asked)
         for (site, lesson), found in sorted(lessons.items())
-    ]
+    )
     return {
         "format": FORMAT,
         "kind": KIND,
