@@ -22,6 +22,7 @@ from sim.scene.said import said
 from sim.scene.tables import mapping
 
 HINT = "laws: {mine.py: ...}"
+EXAMPLE = "def force(overlap, rate):"
 
 
 def read_written(
@@ -37,9 +38,13 @@ def read_written(
         if not is_written(name):
             message = said("{name} is no name of a law in Python", name=f"“{str(name)[:40]}”")
             problems.append(Problem(path, "bad-name", message, "law: mine.py"))
-        elif not isinstance(text, str) or not text.strip():
+        elif not isinstance(text, str):
             message = said("the law {name} is a text", name=name)
-            problems.append(Problem(path, "not-text", message, "def force(overlap, rate):"))
+            problems.append(Problem(path, "not-text", message, EXAMPLE))
+        elif not text.strip():  # an empty box of a page
+            hint = said("begin with {example}", example=EXAMPLE)
+            message = said("there is no function called force here")
+            problems.append(Problem(path, "no-force", message, hint))
         else:
             texts[name] = text
     asked = {one.law for one in contacts if one is not None and one.written}

@@ -165,3 +165,13 @@ def test_no_other_solver_takes_such_a_scene(method: str) -> None:
         run(scene)
     with pytest.raises(UnsolvedError):
         stepped(scene, Way(method, 1e-3))
+
+
+@pytest.mark.parametrize("text", ["", " \n\t"])
+def test_an_empty_law_is_told_how_it_begins(text: str) -> None:
+    """In a page this is an emptied box: before, “the law mine.py is a text” stood below it."""
+    with pytest.raises(SceneError) as found:
+        read_scene({**PAIR, "contact": {"law": "mine.py"}, "laws": {"mine.py": text}})
+    (problem,) = found.value.problems
+    assert problem.message == "there is no function called force here"
+    assert problem.hint == "begin with def force(overlap, rate):"
