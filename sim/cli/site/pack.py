@@ -29,7 +29,7 @@ KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.
 @click.option("--scorm", "kind", flag_value="scorm", help="SCORM 1.2, for a learning platform.")
 @click.option("--single", is_flag=True, help="Each lesson as one HTML file; a zip of them.")
 @click.option("--teacher", is_flag=True, help="With “Change this lesson” in every lesson.")
-@click.option("--teacher-word", default="", help="With it, behind this word of yours.")
+@click.option("--teacher-word", help="With it, behind this word of yours.")
 @click.option(
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
@@ -41,7 +41,7 @@ def command(
     kind: str | None,
     single: bool,
     teacher: bool,
-    teacher_word: str,
+    teacher_word: str | None,
     out: Path | None,
 ) -> None:
     """Build the site and pack it into one zip.
@@ -65,6 +65,10 @@ def command(
     here = site_folder.here()
     if single and kind:
         raise click.UsageError(f"--single and --{kind} do not go together.")
+    if teacher_word is not None and not teacher_word.strip():
+        raise click.UsageError("--teacher-word is empty. A word of yours: --teacher-word OWL")
+    if out and out.suffix.lower() != ".zip":  # no computer would know how to open it
+        raise click.UsageError(f"--out {out}: the name of a zip ends in .zip: {out.name}.zip")
     if single and (teacher or teacher_word):
         raise click.UsageError("--teacher and --teacher-word belong to a whole site: no --single.")
     if mistakes_told(here.root):
@@ -80,7 +84,7 @@ def command(
         place = Path(folder) / "site"
         settings: dict[str, object] = {"teacher_mode": teacher or bool(teacher_word)}
         if teacher or teacher_word:  # --teacher alone asks for no word, whatever mkdocs.yml says
-            settings["teacher_word"] = teacher_word
+            settings["teacher_word"] = teacher_word or ""
         hosted = kind != "stick"
         site = build_site(here.root, hosted=hosted, strict=True, site_dir=place, settings=settings)
         if site is None:
