@@ -54,6 +54,14 @@ def test_without_a_key_answers_are_counted_and_nothing_is_marked(school: Path) -
     assert "no key for it, so nothing is marked" in carts(school / "7a").stdout
 
 
+def test_a_file_of_answers_is_no_key(school: Path) -> None:
+    """Before, it was one more file of a student, and nothing said why no answer was marked."""
+    answers = next((school / "7b").iterdir())
+    result = carts(school / "7a", "--key", answers)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "this is a file of answers; carts key writes keys" in result.stderr
+
+
 @pytest.mark.parametrize("also", [(), ("--key", "KEY")])
 def test_a_class_with_nothing_but_typed_codes_is_read(
     also: tuple[str, ...], tmp_path: Path

@@ -111,6 +111,14 @@ def known(students: Mapping[str, str], files: Sequence[Read]) -> None:
             )
 
 
+def no_answers_as_keys(keys: Sequence[Path], files: Sequence[Read]) -> None:
+    """Refuses a file of answers in the place of a key: it would be one more student."""
+    names = {file.name for file in files}
+    for key in keys:
+        if key.as_posix() in names:
+            raise click.UsageError(f"--key {key}: this is a file of answers; carts key writes keys")
+
+
 def warn_of_empty(groups: Sequence[tuple[str, str]], names: Sequence[str]) -> None:
     """One line for each pattern that no file fits."""
     for group, pattern in groups:

@@ -17,6 +17,7 @@ from sim.cli.classroom.calls import (
     Given,
     asked,
     known,
+    no_answers_as_keys,
     only_country,
     only_one_way,
     placed,
@@ -145,7 +146,7 @@ def command(ctx: click.Context, /, files: tuple[Path, ...], **options: Any) -> N
     elif wanted.tables:
         _tables(out, wanted, given)
     else:
-        _answers(out, wanted.papers, given)
+        _answers(out, wanted.papers, given, wanted.keys)
 
 
 def _tables(out: Out, wanted: Options, given: Given) -> None:
@@ -167,11 +168,12 @@ def _merged(out: Out, files: tuple[Path, ...], summary: Path | None) -> None:
     out.report(report, left_out, anything=bool(whole.lessons))
 
 
-def _answers(out: Out, papers: Papers, given: Given) -> None:
+def _answers(out: Out, papers: Papers, given: Given, keys: Sequence[Path]) -> None:
     """The report on answer files, with every student."""
     reading = Reading.of([])
     for outcome in outcomes(sources(given.files)):
         reading.add(outcome)
+    no_answers_as_keys(keys, reading.files)
     typed, bad = read_codes(given.codes, reading.keys)
     reading.files += typed
     reading.refused += bad
