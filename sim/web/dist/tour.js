@@ -158,13 +158,14 @@
     settle(scene, card);
   }
   function settle(scene, card) {
-    delete card.dataset.low;
-    const sky = covered(scene, card);
-    if (sky === 0) return;
-    card.dataset.low = "";
     const foot = scene.querySelector(".carts-world > p.carts-acting");
     card.style.setProperty("--foot", `${foot?.getBoundingClientRect().height ?? 0}px`);
-    if (covered(scene, card) >= sky) delete card.dataset.low;
+    const under = ["", "end", "start", "low"].map((at) => {
+      card.dataset.at = at;
+      return { at, count: covered(scene, card) };
+    });
+    const least = Math.min(...under.map(({ count }) => count));
+    card.dataset.at = under.find(({ count }) => count === least)?.at;
   }
   function covered(scene, card) {
     const own = card.getBoundingClientRect();

@@ -105,3 +105,14 @@ def test_a_hint_covers_no_cart_and_no_arrow(
     scene.evaluate(end)
     expect(hint(page)).to_contain_text("Pull the time back")
     assert scene.evaluate(COVERED) == []
+
+
+def test_on_a_phone_a_hint_goes_to_a_corner_of_the_sky_before_it_lies_on_the_scale(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "physics" / "worlds.html", folder=site, viewport=SMALL)
+    expect(hint(page)).to_have_attribute("data-at", "end")
+    card, scale = hint(page).bounding_box(), page.locator(".carts-legend").first.bounding_box()
+    assert card
+    assert scale
+    assert card["y"] + card["height"] < scale["y"]

@@ -103,15 +103,16 @@ function point(scene, card, text, hint) {
   settle(scene, card);
 }
 
-/** In the sky; at the foot where it would cover less of what moves, above the line of what is in this model. @param {Scene} scene @param {HTMLElement} card */
+/** In the sky, in its middle or a corner; at the foot, on the scale, where it would cover less of what moves, above the line of what is in this model. @param {Scene} scene @param {HTMLElement} card */
 function settle(scene, card) {
-  delete card.dataset.low; // no class: a change of class asks for a look at the hints
-  const sky = covered(scene, card);
-  if (sky === 0) return;
-  card.dataset.low = "";
   const foot = scene.querySelector(".carts-world > p.carts-acting");
   card.style.setProperty("--foot", `${foot?.getBoundingClientRect().height ?? 0}px`);
-  if (covered(scene, card) >= sky) delete card.dataset.low;
+  const under = ["", "end", "start", "low"].map((at) => {
+    card.dataset.at = at; // no class: a change of class asks for a look at the hints
+    return { at, count: covered(scene, card) };
+  });
+  const least = Math.min(...under.map(({ count }) => count));
+  card.dataset.at = under.find(({ count }) => count === least)?.at;
 }
 
 /** How many carts and arrows lie under the hint. @param {Scene} scene @param {HTMLElement} card */
