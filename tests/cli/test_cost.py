@@ -98,8 +98,9 @@ def test_one_more_digit_costs_as_much_as_the_order_says(document) -> None:  # ty
     for method in ("semi-implicit", "verlet", "rk4"):
         assert 5 < digits[method] < 20, method
     assert digits["rk4-events"] < 3 and digits["adaptive"] < 2
-    told = document["digits"]
-    assert set(told) == set(digits) and "certified" not in told and "exact" not in told
+    assert "certified" not in digits and "exact" not in digits
+    told = document["digits"]  # in time: where a busy machine turned a method's rows round, without
+    assert told == digits_of(document["rows"], 1.0) and set(told) <= set(digits)
 
 
 @pytest.mark.parametrize("order", [1, 2, 4, 8])
