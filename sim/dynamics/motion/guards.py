@@ -65,6 +65,17 @@ def _comes_near(gap: Gap) -> bool:
     return -gap.rate > STILL * math.sqrt(force * gap.room / gap.mu)
 
 
+GRAZES = 2e-15
+"""Of a bumper's greatest overlap. A cart that hops or shakes on its steep line comes just as deep
+every time: what rounding adds to that is no pressing further, which would take two phases more."""
+
+
+def passed(guard: Guard) -> float:
+    """The level at which what a guard watches does not graze its level any more, but passes it."""
+    deeper = guard.cause == "climb" and guard.of == "overlap"
+    return guard.level * (1.0 + GRAZES) if deeper else guard.level
+
+
 def offs_of(gap: Gap) -> tuple[Guard, ...]:
     """A loose spring falls off where the two are as far apart as it is long."""
     return tuple(Guard("off", "overlap", level=-one.link.reach) for one in gap.loose)

@@ -17,7 +17,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from sim.dynamics.motion.guards import PUSH_ROUNDING, branch_of, guards_of
+from sim.dynamics.motion.guards import GRAZES, PUSH_ROUNDING, branch_of, guards_of
 from sim.dynamics.motion.oscillation import Oscillation, rate_of
 from sim.dynamics.motion.series import REACH, is_rounding
 from sim.dynamics.motion.step_ends import FINAL
@@ -218,11 +218,6 @@ def _first_ends(
             ends.append(End(guard.cause, 0))
             duration = t
     return ends, duration
-
-
-GRAZES = 2e-15
-"""Of a bumper's greatest overlap. A cart that hops on its steep line comes just as deep every
-time: what rounding adds to that is no pressing further, which would take two phases more."""
 
 
 def _happens(

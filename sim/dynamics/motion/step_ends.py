@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from sim.dynamics.motion.guards import guards_of, offs_of, reserves
+from sim.dynamics.motion.guards import guards_of, offs_of, passed, reserves
 from sim.dynamics.motion.polynomial import Poly, first_fall, size, value_and_slope
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, End
@@ -101,6 +101,9 @@ def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End
             continue
         for guard in guards_of(gap, branch) if not touches or sizes[k] >= noise else offs_of(gap):
             quantity = step.along(k, guard)
+            room = passed(guard) - guard.level
+            if room and first_fall([quantity[0] + room, *quantity[1:]], step.span) is None:
+                continue  # it comes just as deep as before
             if guard.cause == "turn" and gap.rate == 0.0:
                 quantity = _without_noise(quantity, step.span)
             yield End(guard.cause, k), quantity

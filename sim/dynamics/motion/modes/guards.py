@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sim.dynamics.motion.guards import guards_of
+from sim.dynamics.motion.guards import guards_of, passed
 from sim.dynamics.motion.modes.forces import others
 from sim.dynamics.motion.modes.modal_sum import ModalSum, plus
 from sim.dynamics.motion.modes.state import ModalState
@@ -43,5 +43,5 @@ def _along(gap: Gap, guard: Guard, over: ModalSum, force: ModalSum) -> ModalSum:
         return plus((-k, over), (-c, over.slope))
     quantity = {"force": force, "overlap": over, "rate": over.slope}[guard.of]
     if guard.rises:
-        return plus((1.0, ModalSum(guard.level, ())), (-1.0, quantity))
+        return plus((1.0, ModalSum(passed(guard), ())), (-1.0, quantity))
     return plus((1.0, quantity), (-1.0, ModalSum(guard.level, ()))) if guard.level else quantity

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from operator import mul
 
-from sim.dynamics.motion.guards import guards_of
+from sim.dynamics.motion.guards import guards_of, passed
 from sim.dynamics.motion.modes.begun import Begun, begun_of
 from sim.dynamics.motion.modes.falls import UndecidedError, first_fall
 from sim.dynamics.motion.modes.phase import Phase
@@ -150,8 +150,14 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
             if guard.of == "push":
                 return None
             sign = -1.0 if guard.rises else 1.0
-            here = _guarded(told, k, guard)
-            t = first_fall(here, modes, duration * (1.0 + TOGETHER), sign, guard.level)
+            here, until, beyond = (
+                _guarded(told, k, guard),
+                duration * (1.0 + TOGETHER),
+                passed(guard),
+            )
+            if beyond != guard.level and first_fall(here, modes, until, sign, beyond) is None:
+                continue  # it comes just as deep as before
+            t = first_fall(here, modes, until, sign, guard.level)
             if t is not None:
                 if t < duration * (1.0 - TOGETHER):
                     ends.clear()
