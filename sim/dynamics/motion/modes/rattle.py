@@ -150,11 +150,8 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
             if guard.of == "push":
                 return None
             sign = -1.0 if guard.rises else 1.0
-            here, until, beyond = (
-                _guarded(told, k, guard),
-                duration * (1.0 + TOGETHER),
-                passed(guard),
-            )
+            here, beyond = _guarded(told, k, guard), passed(guard)
+            until = duration * (1.0 + TOGETHER)
             if beyond != guard.level and first_fall(here, modes, until, sign, beyond) is None:
                 continue  # it comes just as deep as before
             t = first_fall(here, modes, until, sign, guard.level)
