@@ -51,6 +51,11 @@ def _principal(moved: Sequence[Way]) -> Way:
     return tuple(axis)
 
 
+def along(axis: Way, place: Way) -> float:
+    """How far a place lies along the axis."""
+    return sum(part * x for part, x in zip(axis, place, strict=True))
+
+
 def told(axis: Way) -> str:
     """The note for the reader."""
     return f"direction of the track, from the motion: ({', '.join(f'{a:.3f}' for a in axis)})"
@@ -65,9 +70,9 @@ def of_film(paths: Sequence[Sequence[Way]]) -> tuple[Way, str]:
     axis = _principal(moved)
     if axis[0] < 0.0 if abs(axis[0]) > UPRIGHT else axis[1] < 0.0:
         axis = (-axis[0], -axis[1])
-    along = math.hypot(*(axis[0] * x + axis[1] * y for x, y in moved))
-    across = math.hypot(*(axis[0] * y - axis[1] * x for x, y in moved))
-    if across > STRAIGHT * along:
-        share = across / along
+    sideways = (-axis[1], axis[0])
+    far, across = (math.hypot(*(along(way, p) for p in moved)) for way in (axis, sideways))
+    if across > STRAIGHT * far:
+        share = across / far
         return (1.0, 0.0), f"the carts do not stay on one line ({share:.0%} across it): x is read"
     return ((1.0, 0.0), "") if axis[0] > SLANT else (axis, told(axis))

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 
-from sim.measured.direction import axis_of, told
+from sim.measured.direction import along, axis_of, told
 from sim.measured.refusal import refuse
 from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.table import Column, read_table
@@ -80,7 +80,7 @@ def read(text: str, units: Units) -> Reading:
     notes = ["acceleration of a phone, m/s²", told(axis)]
     if repeated:
         notes.append(f"{repeated} rows whose time does not go on, left out")
-    a = tuple(sum(u * x for u, x in zip(axis, p, strict=True)) for _, p, _ in rows)
+    a = tuple(along(axis, p) for _, p, _ in rows)
     seconds = factor(time.unit or units.time, "time") or 1.0
     track = Track("phone", tuple(seconds * t for t, _, _ in rows), a, tuple(r[2] for r in rows))
     return Reading("acceleration", (track,), tuple(notes))

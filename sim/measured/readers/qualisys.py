@@ -16,7 +16,7 @@ import itertools
 import math
 from collections.abc import Sequence
 
-from sim.measured.direction import Way, axis_of, told
+from sim.measured.direction import Way, along, axis_of, told
 from sim.measured.refusal import refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
@@ -175,6 +175,6 @@ def _track(name: str, marks: Marks, axis: Way) -> Track:
     return Track(
         name,
         tuple(t for _, t, _ in marks),
-        tuple(MILLI * sum(a * x for a, x in zip(axis, p, strict=True)) for _, _, p in marks),
+        tuple(MILLI * along(axis, p) for _, _, p in marks),
         tuple(line for line, _, _ in marks),
     )

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from sim.measured.direction import Way, of_film
+from sim.measured.direction import Way, along, of_film
 from sim.measured.refusal import refuse, shown
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
@@ -195,13 +195,12 @@ def _marks(
         if not (index.isascii() and index.isdigit() and len(index) < 8) or one.get("x") is None:
             continue
         x, y = _number(one, ("x",), 0.0) - x0, _number(one, ("y",), 0.0) - y0
-        along = x * math.cos(angle) - y * math.sin(angle)
-        across = -x * math.sin(angle) - y * math.cos(angle)
-        marks[int(index)] = (along * metres, across * metres), one.line
+        right = x * math.cos(angle) - y * math.sin(angle)
+        up = -x * math.sin(angle) - y * math.cos(angle)
+        marks[int(index)] = (right * metres, up * metres), one.line
     return name, [(begin + (n - first) * step, *marks[n]) for n in sorted(marks)]
 
 
 def _track(name: str, marks: Marks, axis: Way) -> Track:
     times, places, lines = zip(*marks, strict=True)
-    along = tuple(axis[0] * x + axis[1] * y for x, y in places)
-    return Track(name, times, along, lines)
+    return Track(name, times, tuple(along(axis, place) for place in places), lines)

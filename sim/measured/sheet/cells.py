@@ -15,7 +15,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from sim.measured.refusal import Fault, refuse, shown
-from sim.measured.sheet.commas import with_decimal_commas
+from sim.measured.sheet.commas import MINUS, with_decimal_commas
 from sim.scene.encoded import of_a_spreadsheet
 
 MOST_BYTES = 4_000_000
@@ -29,7 +29,7 @@ LARGEST = 1e13
 """Nothing that a class measures is larger, in any of the units taken here; milliseconds since 1970
 are a tenth of it."""
 
-_MINUS = str.maketrans({"\u2212": "-", "\u2010": "-", "\u2011": "-", "\u2013": "-", "\uff0d": "-"})
+_MINUS = str.maketrans(dict.fromkeys(MINUS, "-"))
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)
 _DATED = re.compile(r"(\d[-/.]\d+[-/.]\d\d+),? +(?=\d+:\d+:)")
 _BESIDE = re.compile(r", |[,.]\S*[,.]")

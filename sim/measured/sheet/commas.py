@@ -12,9 +12,12 @@ from collections.abc import Iterator, Sequence
 
 Cells = tuple[str, ...]
 
-_MINUS = "-\u2212\u2010\u2011\u2013\uff0d"
-_WHOLE = re.compile(rf"[+{_MINUS}]?\d{{1,9}}", re.ASCII)
-_DECIMALS = re.compile(rf"\d+(?:[eE][+{_MINUS}]?\d{{1,3}})?", re.ASCII)
+MINUS = "\u2212\u2010\u2011\u2013\uff0d"
+"""Signs that programs and keyboards write for a minus, beside that of ASCII."""
+
+_SIGN = f"[+\\-{MINUS}]"
+_WHOLE = re.compile(rf"{_SIGN}?\d{{1,9}}", re.ASCII)
+_DECIMALS = re.compile(rf"\d+(?:[eE]{_SIGN}?\d{{1,3}})?", re.ASCII)
 
 
 def with_decimal_commas(rows: Sequence[Cells]) -> list[Cells]:

@@ -1,8 +1,10 @@
 """Rows that programs mark: remarks, limits of axes, and heads behind a mark.
 
-# t x1 x2                           numpy: the heads behind a sign
-MIN=0 <tab> 0                       CASSY: limits and decimals of each column,
-DEF="t / s" <tab> "s_A1 / m"        and then the heads
+    # t x1 x2                           numpy: the heads behind a sign
+    MIN=0 <tab> 0                       CASSY: limits and decimals of each column,
+    DEF="t / s" <tab> "s_A1 / m"        and then the heads
+
+What is left is a row of heads as any other (`head_rows`).
 """
 
 from __future__ import annotations

@@ -38,5 +38,5 @@ def _beside(table: Table, column: Column) -> Column | None:
 
 def _turned(x: Column, y: Column, axis: direction.Way) -> Column:
     places = zip(x.values, y.values, strict=True)
-    values = (None if a is None or b is None else axis[0] * a + axis[1] * b for a, b in places)
+    values = (None if a is None or b is None else direction.along(axis, (a, b)) for a, b in places)
     return replace(x, values=tuple(values))
