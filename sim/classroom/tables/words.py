@@ -23,12 +23,12 @@ def _typed(word: str) -> Iterator[str]:
     yield unicodedata.normalize("NFC", _ACCENTS.sub("", unicodedata.normalize("NFD", word)))
 
 
-NUMBER = words("""
-    id | id number | index number | index no | index no. | register number | register no |
-    register no. | roll number | roll no | roll no. | student number | candidate number |
-    matric number | matric no | matric no. | admission number | matrikelnummer | schülernummer |
-    nombor id | no. pengenalan | numéro d'identification | numéro d'étudiant | número de id |
-    número de matrícula
+ID_NUMBER = words("id number | id-nummer | nombor id | numéro d'identification | número de id")
+NUMBER = ID_NUMBER | words("""
+    id | index number | index no | index no. | register number | register no | register no. |
+    roll number | roll no | roll no. | student number | candidate number | matric number |
+    matric no | matric no. | admission number | matrikelnummer | schülernummer |
+    no. pengenalan | numéro d'étudiant | número de matrícula
 """)
 """Of a person, but it may count the answers only: who has a name goes by that."""
 STUDENT = NUMBER | words("""
