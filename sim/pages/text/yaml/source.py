@@ -87,6 +87,8 @@ class _Reader:
     first_line: int
     first_col: int
     found: list[YamlError] = field(default_factory=list)  # mistakes beside which one can read on
+    values: dict[KeyPath, Place] = field(default_factory=dict)
+    keys: dict[KeyPath, Place] = field(default_factory=dict)
 
     def read(self, text: str) -> Source:
         if len(text) > MAX_CHARACTERS:
@@ -98,17 +100,16 @@ class _Reader:
             )
         self.found += [self.error(*typo) for typo in typos(text)]
         self._tell()
-        values: dict[KeyPath, Place] = {(): (self.first_line, self.first_col)}
-        keys: dict[KeyPath, Place] = {}
+        self.values[()] = (self.first_line, self.first_col)
         root = self._compose(text)
         self.found += [self.error(*one) for one in lost(root, text)]
         if root is None:
-            return Source({}, values, keys)
+            return Source({}, self.values, self.keys)
         if not isinstance(root, yaml.MappingNode):
             raise self._at(root, "expected lines of “key: value”", "for example: mass: 0.5 kg")
-        plain = self._mapping(root, (), values, keys)
+        plain = self._mapping(root, ())
         self._tell()
-        return Source(plain, values, keys)
+        return Source(plain, self.values, self.keys)
 
     def _tell(self) -> None:
         """Raise what was found, the first of it with the others."""
@@ -156,23 +157,17 @@ class _Reader:
                 return self.error(line, col, message, hint)
         return self.error(line, col, problem, "look at this line and the one above it")
 
-    def _mapping(
-        self,
-        node: yaml.MappingNode,
-        path: KeyPath,
-        values: dict[KeyPath, Place],
-        keys: dict[KeyPath, Place],
-    ) -> dict[str, Plain]:
+    def _mapping(self, node: yaml.MappingNode, path: KeyPath) -> dict[str, Plain]:
         plain: dict[str, Plain] = {}
         for key_node, value_node in node.value:
             key = self._key(key_node)
             here = (*path, key)
             if key in plain:
-                message = f"“{key}” is written twice (first in line {keys[here][0]})"
+                message = f"“{key}” is written twice (first in line {self.keys[here][0]})"
                 self.found.append(self._at(key_node, message, "keep one of them"))
                 continue
-            keys[here] = self._place(key_node)
-            plain[key] = self._value(value_node, here, values, keys)
+            self.keys[here] = self._place(key_node)
+            plain[key] = self._value(value_node, here)
         return plain
 
     def _key(self, node: yaml.Node) -> str:
@@ -190,23 +185,15 @@ class _Reader:
             raise self._at(node, "a name is missing before the colon", "write name: value")
         return str(node.value)
 
-    def _value(
-        self,
-        node: yaml.Node,
-        path: KeyPath,
-        values: dict[KeyPath, Place],
-        keys: dict[KeyPath, Place],
-    ) -> Plain:
+    def _value(self, node: yaml.Node, path: KeyPath) -> Plain:
         # A table is spoken of by its name, a single value by itself.
-        named = path in keys and not isinstance(node, yaml.ScalarNode)
-        values[path] = keys[path] if named else self._place(node)
+        named = path in self.keys and not isinstance(node, yaml.ScalarNode)
+        self.values[path] = self.keys[path] if named else self._place(node)
         if isinstance(node, yaml.MappingNode):
-            return self._mapping(node, path, values, keys)
+            return self._mapping(node, path)
         if isinstance(node, yaml.SequenceNode):
             self._commas(node)
-            return [
-                self._value(item, (*path, i), values, keys) for i, item in enumerate(node.value)
-            ]
+            return [self._value(item, (*path, i)) for i, item in enumerate(node.value)]
         return self._scalar(node, str(node.value))
 
     def _commas(self, node: yaml.SequenceNode) -> None:
