@@ -12,22 +12,7 @@ from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
-
-TIMES = [0.05 * k for k in range(30)]
-A = [0.2 + 0.3 * t for t in TIMES]
-B = [0.9 - 0.1 * t for t in TIMES]
-SLOW = [0.2 + 0.1 * t for t in TIMES]
-
-
-def table(heads: str, *columns: list[float]) -> str:
-    rows = [",".join(f"{value:.6f}" for value in row) for row in zip(*columns, strict=True)]
-    return "\n".join([heads, *rows]) + "\n"
-
-
-def places(text: str, run: str = "") -> dict[str, float]:
-    """The first place of each cart, by its name."""
-    return {one.name: one.value[0] for one in read_measured([text], Units(run=run)).tracks}
-
+from tests.measured.uniform_logs import SLOW, TIMES, A, B, places, table
 
 PLACES = """\
 Time (s)|B: x (m)|A: x (m)
@@ -241,28 +226,3 @@ def test_a_remark_in_a_zip_is_not_taken_for_the_table() -> None:
         pack.writestr("README.txt", "Made in class\n")
         pack.writestr("run.csv", table("t,x_A,x_B", TIMES, A, B))
     assert places(*texts_of(content.getvalue())) == {"A": A[0], "B": B[0]}
-
-
-MARKED = {
-    "numpy's sign": "# t x_B x_A",
-    "CASSY's limits": "MIN=0 0 0\nMAX=2 1 1\nSCALE=0 0 0\nDEC=3 3 3\nDEF=t x_B x_A",
-    "CASSY's units": 'MIN=0 0 0\nMAX=2 1 1\nDEC=3 3 3\nDEF="t/s" "x_B/m" "x_A/m"',
-}
-
-
-@pytest.mark.parametrize("heads", MARKED.values(), ids=MARKED)
-def test_marks_of_programs_before_the_heads_are_no_heads(heads: str) -> None:
-    text = table(heads.replace(" ", "\t"), TIMES, B, A).replace(",", "\t")
-    assert places(text) == {"A": pytest.approx(0.2), "B": pytest.approx(0.9)}
-
-
-def test_the_height_of_a_point_is_no_place_on_the_track_with_velocities_beside_it() -> None:
-    heads = "Time (s),X (m),Y (m),X Velocity (m/s),Y Velocity (m/s),Object 2 X (m),Object 2 Y (m)"
-    height, v = [0.1] * len(TIMES), [0.3] * len(TIMES)
-    found = places(table(heads, TIMES, A, height, v, height, B, height))
-    assert list(found.values()) == [pytest.approx(0.2), pytest.approx(0.9)]
-
-
-def test_the_direction_behind_a_cart_does_not_belong_to_its_name() -> None:
-    found = places(table("Zeit (s),Wagen B x (m),Wagen A x (m)", TIMES, B, A))
-    assert set(found) == {"A", "B"}
