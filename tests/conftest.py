@@ -6,6 +6,7 @@ import fcntl
 import os
 import re
 import shutil
+from collections.abc import Generator
 from pathlib import Path
 
 import pytest
@@ -69,6 +70,20 @@ def pytest_configure(config: pytest.Config) -> None:
     settings.register_profile("ci", derandomize=True, max_examples=100, **common)
     settings.register_profile("fuzz", max_examples=2_500, print_blob=True, **common)
     settings.load_profile("fuzz" if config.getoption("--fuzz") else "ci")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """A test that fails tells what its pages say, while they are still open."""
+    report = yield
+    if report.failed and call.when == "call":
+        from tests.web.conftest import OPENED
+
+        for number, page in enumerate(item.stash.get(OPENED, []), start=1):
+            report.sections.append((f"page {number}", page.tell()))
+    return report
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

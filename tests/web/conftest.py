@@ -18,6 +18,8 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from playwright.sync_api import Browser, Page, Playwright, Request, expect, sync_playwright
 
+from tests.web.last_words import LastWords
+
 LAUNCH: dict[str, dict[str, Any]] = {
     "chromium": {
         "executable_path": "/usr/bin/chromium",
@@ -42,6 +44,8 @@ machine that others use too, the five seconds of the driver's own are not always
 expect.set_options(timeout=PATIENCE)
 
 OpenPage = Callable[..., Page]
+OPENED = pytest.StashKey[list[LastWords]]()
+"""The pages that a test has opened, to be told about where it fails."""
 
 
 # Python in a page is started some five hundred times here, and seldom computes for long: to compile
@@ -117,7 +121,9 @@ def running(driver: Playwright, name: str, *, briefly: bool) -> Browser:
 
 
 @pytest.fixture
-def open_page(browser: Browser, browser_name: str) -> Iterator[OpenPage]:
+def open_page(
+    browser: Browser, browser_name: str, request: pytest.FixtureRequest
+) -> Iterator[OpenPage]:
     """Return `open_page(where, **context)`: `where` is a file (opened by file://) or an address.
 
     `folder` is the site's folder, by default that of the file. A new profile for every page. Any
@@ -130,15 +136,16 @@ def open_page(browser: Browser, browser_name: str) -> Iterator[OpenPage]:
         made = browser.new_context(**CONTEXT[browser_name], **context)
         contexts.append(made)
         page = made.new_page()
+        request.node.stash.setdefault(OPENED, []).append(LastWords(page))
         if isinstance(where, Path):
             home = (folder or where.parent).resolve().as_posix() + "/"
             address = where.resolve().as_uri()
         else:
             home, address = "/", where
 
-        def check(request: Request) -> None:
-            if not is_inside(request.url, address, home):
-                outside.append(request.url)
+        def check(asked: Request) -> None:
+            if not is_inside(asked.url, address, home):
+                outside.append(asked.url)
 
         made.on("request", check)
         page.goto(address)
