@@ -83,8 +83,10 @@ def _time_column(table: Table) -> Column:
 def _clock(table: Table, column: Column, first: Column) -> Column:
     """The times of a sensor that has a column of its own for them, to its left."""
     left = table.columns[: table.columns.index(column)]
-    times = [c for c in left if holds_times(c.name, c.unit) and _rises(c)]
-    return times[-1] if times else first
+    times = [c for c in left if holds_times(c.name, c.unit)]
+    own = [c for c in times if column.track and c.track == column.track]
+    rising = [c for c in own or times if _rises(c)]
+    return rising[-1] if rising else next(iter(own), first)
 
 
 def _rises(column: Column) -> bool:

@@ -15,6 +15,7 @@ from sim.measured.sheet.head_rows import heads_of, no_heads
 from sim.measured.sheet.marks import is_remark, without_marks
 from sim.measured.sheet.no_readings import ANEW, MADE, is_made_date, of_remarks
 from sim.measured.sheet.stacked import Start, stacked, without_figures
+from sim.measured.sheet.tidy import spread
 from sim.measured.units import kind_of_unit
 
 MOST_FAULTS = 5
@@ -50,13 +51,15 @@ def read_table(text: str) -> Table:
     found = cells.rows_of(text)
     rows = without_figures([row for row in found.rows if not is_remark(row)])
     multi = any(_is_multi(row) for row in found.rows)
-    first = next((k for k, row in enumerate(rows) if _is_data(row)), None)
+    first = next((k for half in (1, 0) for k, row in enumerate(rows) if _is_data(row, half)), None)
     if first is None:
         line = rows[0].line if rows else found.rows[0].line
         raise refuse(line, "there is no row of numbers", "t and x in columns, a row for each frame")
     above = [without_marks(row, len(rows[first].cells)) for row in rows[:first]]
     heads, heads_line = heads_of(above, multi)
     data, starts = stacked(rows[first:], rows[:first])
+    tidy = spread(heads, data, starts)
+    heads, data, starts = tidy.heads, tidy.data, tidy.starts
     if found.separator == "," and (fault := cells.two_readings(data[0], len(heads))):
         raise ReadingError([fault])
     cells.check_decimals(data)
@@ -82,11 +85,12 @@ def _is_multi(row: Row) -> bool:
     return bool(row.cells) and row.cells[0].lower().startswith("#multi")
 
 
-def _is_data(row: Row) -> bool:
-    """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake."""
+def _is_data(row: Row, more: int) -> bool:
+    """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake. `more`:
+    0 where half of the cells may be words, as in a row of a cart with its name and its run."""
     filled = [cell for cell in row.cells if not cells.is_empty(cell)]
     told = sum(_is_reading(c) or (len(filled) > 1 and is_made_date(c)) for c in filled)
-    return 2 * told > len(filled)
+    return told > 0 and 2 * told >= len(filled) + more
 
 
 def _is_reading(cell: str) -> bool:
