@@ -44,6 +44,7 @@
   }
   // A style sheet that never comes holds back the whole page: it is asked for again, and waited for by nobody.
   // (Firefox goes on waiting for the first, until its own clock runs out: nothing but ending the page helps.)
+  // A script that has just asked for one (teacher mode, formulas) waits for the first and hears of the second.
   function free() {
     var links = document.querySelectorAll('link[rel="stylesheet"]');
     for (var k = 0; k < links.length; k += 1) if (!links[k].sheet) replace(links[k]);
@@ -52,7 +53,12 @@
     var again = link.cloneNode(false);
     again.media = "print";
     again.onload = function () {
+      again.onload = null; // another medium may load it once more
       again.media = link.media || "all";
+      link.dispatchEvent(new Event("load"));
+    };
+    again.onerror = function () {
+      link.dispatchEvent(new Event("error"));
     };
     link.parentNode.replaceChild(again, link);
   }

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,6 +10,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.web.conftest import CONTEXT
+from tests.web.held_back import holding_back
 
 pytestmark = pytest.mark.browser
 
@@ -24,23 +23,8 @@ SOONER = """const later = setTimeout;
 @pytest.fixture
 def held_back(site: Path) -> Iterator[tuple[str, threading.Event]]:
     """An address where carts.css comes only after the event."""
-    go_on = threading.Event()
-
-    class Handler(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *_: object) -> None:
-            pass
-
-        def do_GET(self) -> None:
-            if self.path.endswith("/carts.css"):
-                go_on.wait(timeout=60)
-            super().do_GET()
-
-    made = functools.partial(Handler, directory=str(site))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), made) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_address[1]}", go_on
-        go_on.set()
-        server.shutdown()
+    with holding_back(site, "/carts.css") as held:
+        yield held
 
 
 @pytest.mark.one_browser  # Firefox waits until its own clock runs out, whatever is done to the link

@@ -1,0 +1,42 @@
+"""The watchdog asks again for a sheet that has not come; who waits for the first hears of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.teach.at_work import LESSON, WAIT
+from tests.web.conftest import CONTEXT
+from tests.web.held_back import holding_back
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+# The watchdog looks three seconds after the page began: here when the test says so.
+WHEN_TOLD = """const later = setTimeout;
+  window.setTimeout = (does, ms, ...more) => {
+    if (ms !== 3000 || window.watchdogLooks) return later(does, ms, ...more);
+    window.watchdogLooks = does;
+  };"""
+
+
+def test_teacher_mode_opens_when_its_sheet_is_just_coming_as_the_watchdog_looks(
+    hosted_lessons: Path, browser: Browser, browser_name: str
+) -> None:
+    folder = hosted_lessons.parents[1]
+    at = hosted_lessons.relative_to(folder).as_posix()
+    context = browser.new_context(**CONTEXT[browser_name])
+    with holding_back(folder, "/teacher.css") as (server, go_on):
+        page = context.new_page()
+        page.add_init_script(WHEN_TOLD)
+        page.goto(f"{server}/{at}/worksheets/{LESSON}.html")
+        page.click(".carts-teach-door a")
+        sheet = page.locator('link[href*="/teacher.css"]')
+        expect(sheet).to_have_count(1)
+        page.evaluate("watchdogLooks()")
+        expect(sheet).to_have_attribute("media", "print")
+        go_on.set()
+        page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
+        expect(sheet).to_have_attribute("media", "all")
+    context.close()
