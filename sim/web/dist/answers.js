@@ -1745,12 +1745,15 @@
     if (!(link instanceof HTMLAnchorElement)) return;
     const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
     const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
+    const words3 = link.textContent;
     let loaded = null;
     const open2 = async () => {
       if (!await letIn()) return;
       loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
+      link.textContent = tr("Opening …");
       try {
         await loaded;
+        link.textContent = words3;
         document.dispatchEvent(new Event(OPEN));
       } catch {
         loaded = null;

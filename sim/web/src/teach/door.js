@@ -16,13 +16,16 @@ export function teacherDoor() {
   if (!(link instanceof HTMLAnchorElement)) return;
   const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
   const beside = (/** @type {string} */ name) => new URL(`../${name}${lesson.search}`, lesson).href;
+  const words = link.textContent;
   /** @type {Promise<unknown> | null} */
   let loaded = null;
   const open = async () => {
     if (!(await letIn())) return;
     loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
+    link.textContent = tr("Opening …"); // a slow computer takes seconds
     try {
       await loaded;
+      link.textContent = words;
       document.dispatchEvent(new Event(OPEN));
     } catch {
       loaded = null;
