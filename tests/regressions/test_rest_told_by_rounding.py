@@ -76,3 +76,25 @@ def test_what_a_spring_presses_to_both_walls_rests_also_where_drag_is_of_v_squar
     push = 64 * (0.25 - (b - a - 0.2))
     assert 783000 * (0.1 - a) == pytest.approx(push - downhill, abs=1e-9)
     assert 783000 * (b - 0.4) == pytest.approx(push + 1.7 * downhill, abs=1e-9)
+
+
+def test_two_on_a_spring_come_to_rest_between_walls_that_hold_nothing_back() -> None:
+    """e = 0 at both walls. At the last, rounding drew A from its wall and let B press it there a
+    moment later: it touched and parted without end at one instant."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.1, "velocity": 0.5},
+            "B": {"mass": 1.0, "position": 0.3, "velocity": 0.5},
+        },
+        "track": {"left": "wall", "right": "wall", "length": 0.6},
+        "contact": {"law": "bumper", "restitution": 0, "stiffness": 200},
+        "effects": [
+            {"spring": {"between": ["A", "B"], "stiffness": 5, "length": 0.2, "damping": 0.1}}
+        ],
+        "until": 60,
+    }
+    done = run(read_scene(plain), max_events=5_000)
+    assert done.stopped is None
+    assert done.x == pytest.approx((0.1, 0.5), abs=1e-12)  # each at its wall, the spring at rest
+    assert done.v == pytest.approx((0.0, 0.0), abs=1e-12)
+    assert done.ledger.imbalance() < 1e-13

@@ -15,6 +15,7 @@ from sim.dynamics.loop.rooms import SAME_SPEED, clearance, no_approach, rate_at,
 from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.motion.safe_step import SAFE_STEPS
+from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
@@ -109,14 +110,18 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
 def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     """A time at which the room of two that touch without closing is open; 0: it closes at once.
 
-    inf where its sign is not known up to the horizon.
+    inf where its sign is not known up to the horizon. Bumpers that have just touched and parted
+    more than once without motion are open as long as it is not known: else they would alternate.
     """
     noise = KNOWN * (_fastest(gap, now, horizon) * horizon + _swing(gap.left) + _swing(gap.right))
-    opened = 0.0
+    waits = gap.law is not None and flips.margin(gap, now, horizon) > 0.0
+    opened = unknown = 0.0
     for probe in PROBES:
         then = clearance(gap, now, probe * horizon, rest)
         if then < -noise:
-            return opened  # 0: it has closed from the beginning
+            return opened or unknown  # 0: it has closed from the beginning
+        if waits:
+            unknown = probe * horizon
         if then > noise:
             opened = probe * horizon
         if then > CLEARLY * noise:
