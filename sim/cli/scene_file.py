@@ -13,6 +13,7 @@ from sim.cli.named_file import bytes_of
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import read_scene_text
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.text.author_text import SAVE_AS
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml.source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
@@ -76,5 +77,5 @@ def text_of(name: str, thing: str = "scene") -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
-        what, hint = "this is not UTF-8 text", "save the file as UTF-8"
+        what, hint = "this is not UTF-8 text", SAVE_AS
         fail([Finding(shown, line, 1, "not-text", what, hint)])

@@ -10,8 +10,12 @@ import click
 def write_out(path: Path, content: str | bytes, another: str = "") -> None:
     """Makes the folder and writes the file; `another`: how to name another place, "--svg FILE".
 
-    Where that cannot be done, a sentence and the end.
+    Where that cannot be done, a sentence and the end. “-” is the screen for other programs; a file
+    of that name would be found by nobody.
     """
+    if path.name == "-":
+        name_a_file = f" Name a file: {another}" if another else " Name a file."
+        raise click.ClickException(f"“-” is not the name of a file here.{name_a_file}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)

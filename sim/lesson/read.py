@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -66,6 +67,8 @@ def _kind(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> type
     kind = KINDS.get(name) if isinstance(name, str) else None
     if kind is None:
         hint = did_you_mean(name or "", KINDS, f"type: one of {', '.join(KINDS)}")
+        if re.search(r"choice|^mc$|^mcq$", str(name), re.IGNORECASE):  # others call both so
+            hint = "type: single where one option is right, type: multiple where several are"
         given = "type" in table
         message = f"there is no type “{str(name)[:40]}”" if given else "type is missing"
         where = (*path, "type") if given else path

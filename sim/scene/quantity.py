@@ -165,7 +165,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
             raise QuantityError("not-finite", _not_usable(text.strip()), hint)
         raise QuantityError("not-a-number", _no_number(f"“{_shown(text)}”"), hint)
     number, unit = match.group(1), match.group(2).strip()
-    if unit and unit[0] in ",.'’_" and unit[1:2].isdigit():
+    if unit[:1].isdigit() or (unit[:1] in ",.'’_" and unit[1:2].isdigit()):
         raise QuantityError(
             "not-a-number",
             _no_number(f"“{_shown(text)}”"),

@@ -52,13 +52,27 @@ def unknown_keys(
             )
         else:
             listed = f"known keys: {', '.join(known)}"
-            further = f"what belongs to “{empty}:” begins two spaces further right"
-            hint = did_you_mean(key, known, further if empty else listed)
+            home = empty or _home_of(table[key], table, known)
+            further = f"what belongs to “{home}:” begins two spaces further right"
+            hint = did_you_mean(key, known, further if home else listed)
             if a_list and isinstance(table[key], (list, tuple)):
                 hint = f"did you mean “{a_list}”?"
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
+
+
+def _home_of(entry: Any, table: Mapping[str, Any], known: tuple[str, ...]) -> str:
+    """The known key above whose entries look like this one, which stands beside it; "": none."""
+    if not isinstance(entry, Mapping):
+        return ""
+    for key in known:
+        inside = table.get(key)
+        if isinstance(inside, Mapping) and any(
+            isinstance(other, Mapping) and other.keys() & entry.keys() for other in inside.values()
+        ):
+            return key
+    return ""
 
 
 def number(

@@ -29,3 +29,12 @@ def test_an_empty_word_of_teachers_is_refused(word):
     result = CliRunner().invoke(main, ["pack", "--teacher-word", word])
     assert (result.exit_code, result.stdout) == (2, "")
     assert "--teacher-word is empty" in result.stderr
+
+
+@pytest.mark.parametrize("more", [["--hosted", "--scorm"], ["--scorm", "--single", "--hosted"]])
+def test_two_kinds_of_zip_at_once_are_refused(more):
+    """Before, the last one named was packed, and nothing was said about the other."""
+    result = CliRunner().invoke(main, ["pack", *more])
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "--hosted and --scorm" in result.stderr
+    assert "do not go together" in result.stderr

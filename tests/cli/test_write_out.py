@@ -72,3 +72,13 @@ def test_a_folder_that_is_missing_is_made(name, call, tmp_path):
     out = tmp_path / "new" / "folder" / "out"
     assert call(CALLS[name], out).exit_code == 0
     assert out.exists()
+
+
+@pytest.mark.parametrize("name", [name for name in CALLS if name != "key --out"])  # a folder
+def test_a_dash_is_no_name_of_a_file(name, call, tmp_path, monkeypatch):
+    """Other programs take it for the screen; a file of this name nobody finds or deletes."""
+    monkeypatch.chdir(tmp_path)
+    result = call(CALLS[name], Path("-"))
+    assert result.exit_code != 0
+    assert f"“-” is not the name of a file here. Name a file: {name.split()[1]} " in result.stderr
+    assert not Path("-").exists()

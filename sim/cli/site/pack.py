@@ -25,8 +25,8 @@ KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.
 
 
 @click.command("pack")
-@click.option("--hosted", "kind", flag_value="hosted", help="For a web server.")
-@click.option("--scorm", "kind", flag_value="scorm", help="SCORM 1.2, for a learning platform.")
+@click.option("--hosted", is_flag=True, help="For a web server.")
+@click.option("--scorm", is_flag=True, help="SCORM 1.2, for a learning platform.")
 @click.option("--single", is_flag=True, help="Each lesson as one HTML file; a zip of them.")
 @click.option("--teacher", is_flag=True, help="With “Change this lesson” in every lesson.")
 @click.option("--teacher-word", help="With it, behind this word of yours.")
@@ -38,7 +38,8 @@ KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.
 @click.pass_context
 def command(
     ctx: click.Context,
-    kind: str | None,
+    hosted: bool,
+    scorm: bool,
     single: bool,
     teacher: bool,
     teacher_word: str | None,
@@ -63,8 +64,11 @@ def command(
     carts pack --teacher-word OWL
     """
     here = site_folder.here()
-    if single and kind:
-        raise click.UsageError(f"--single and --{kind} do not go together.")
+    forms = {"hosted": hosted, "scorm": scorm, "single": single}
+    asked = [name for name, wanted in forms.items() if wanted]
+    if len(asked) > 1:
+        told = " and ".join(f"--{name}" for name in asked)
+        raise click.UsageError(f"{told} do not go together: each is a zip of its own.")
     if teacher_word is not None and not teacher_word.strip():
         raise click.UsageError("--teacher-word is empty. A word of yours: --teacher-word OWL")
     if out and out.suffix.lower() != ".zip":  # no computer would know how to open it
@@ -78,15 +82,15 @@ def command(
 
         pack_lessons(ctx, here, out or here.root / "build" / "lessons.single.zip")
         return
-    kind = kind or "stick"
+    kind = asked[0] if asked else "stick"
     out = out or here.root / "build" / KINDS[kind]
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "site"
         settings: dict[str, object] = {"teacher_mode": teacher or bool(teacher_word)}
         if teacher or teacher_word:  # --teacher alone asks for no word, whatever mkdocs.yml says
             settings["teacher_word"] = teacher_word or ""
-        hosted = kind != "stick"
-        site = build_site(here.root, hosted=hosted, strict=True, site_dir=place, settings=settings)
+        on_web = kind != "stick"
+        site = build_site(here.root, hosted=on_web, strict=True, site_dir=place, settings=settings)
         if site is None:
             click.echo("The site was not built, so there is no zip.", err=True)
             ctx.exit(1)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from sim.pages.findings import AuthorError, Finding
 
+SAVE_AS = "save the file as UTF-8 (Notepad: Save as, Encoding: UTF-8)"
 RICH_TEXT = "{\\rtf"  # how TextEdit and WordPad save, whatever the name
 
 
@@ -17,7 +18,7 @@ def author_text(path: Path, shown: str) -> str:
         text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        message, hint = "this is not UTF-8 text", "save the file as UTF-8"
+        message, hint = "this is not UTF-8 text", SAVE_AS
         finding = Finding(shown, line, 1, "not-text", message, hint)
     else:
         if not text.startswith(RICH_TEXT):

@@ -29,6 +29,10 @@ _LONG = re.compile(AT_THE_TOP + r"minutes:[ \t]*([^\n#]*)")
 _PLACE = re.compile(r"\d{1,4}")
 _LANGUAGE = re.compile(AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
 _KEY = re.compile(r"([^\W\d][\w-]*)[ \t]*:(?:\s|$)")
+_NEARLY_BEGUN = re.compile(
+    r"\ufeff?(?P<blank>[ \t]*\n)*(?P<dashes>[ \t]*[-–—―_]+)[ \t]*\n"
+    rf"(?:{'|'.join(KEYS)})[ \t]*:"
+)
 LAST = 1000  # lessons without a place of their own come behind those with one
 Found = tuple[int, str, str, str]  # place in the text, code, message, hint
 
@@ -45,6 +49,12 @@ def stated_language(text: str) -> str:
     """What a lesson says at its top that it speaks; "" where it says nothing."""
     stated = _LANGUAGE.match(text)
     return stated[1].strip().strip("\"'") if stated else ""
+
+
+def stated_minutes(text: str) -> tuple[int, str] | None:
+    """Where a lesson says at its top how long it takes, and what stands there, without quotes."""
+    stated = _LONG.match(text)
+    return (stated.start(1), stated[1].strip().strip("\"'")) if stated else None
 
 
 def language(text: str) -> Iterator[Found]:
@@ -69,6 +79,10 @@ def front_matter(text: str) -> Iterator[Found]:
     ):
         hint = "write --- in a line of its own below them"
         yield 0, "yaml", "the lines at the top are not closed: the page would print them", hint
+    if not inside and (found := _NEARLY_BEGUN.match(text)) and _is_no_beginning(found):
+        hint = "the very first line of the file is --- (three hyphens), as is the line below them"
+        message = "the lines at the top do not begin with ---: the page would print them"
+        yield found.start("dashes"), "yaml", message, hint
     facts = "".join(inside)
     try:
         safe_load(facts)
@@ -82,11 +96,16 @@ def front_matter(text: str) -> Iterator[Found]:
     if stated and not _PLACE.fullmatch(stated[1].strip()):
         message = f"order: “{stated[1].strip()}” is not a whole number"
         yield stated.start(1), "not-a-number", message, "for example order: 30"
-    long = _LONG.match(text) if inside else None
-    if long and not _PLACE.fullmatch(long[1].strip().strip("\"'")):
-        message = f"minutes: “{long[1].strip()[:20]}” is not a whole number"
-        yield long.start(1), "not-a-number", message, "for example minutes: 45"
+    long = stated_minutes(text) if inside else None
+    if long and not _PLACE.fullmatch(long[1]):
+        message = f"minutes: “{long[1][:20]}” is not a whole number"
+        yield long[0], "not-a-number", message, "for example minutes: 45"
     yield from _misspelt(inside, len(lines[0]) if lines else 0)
+
+
+def _is_no_beginning(found: re.Match[str]) -> bool:
+    """Blank lines above the hyphens, or a dash in their place, as word processors make of them."""
+    return found["blank"] is not None or found["dashes"] != "---"
 
 
 def _misspelt(lines: Sequence[str], at: int) -> Iterator[Found]:

@@ -13,7 +13,7 @@ from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.films import is_film
-from sim.pages.text.front_matter import AT_THE_TOP, Found, front_matter, language
+from sim.pages.text.front_matter import Found, front_matter, language, stated_minutes
 from sim.pages.text.held_back import empty_boxes, misspelt, without_scene, without_text
 from sim.pages.text.links import PICTURE, links
 from sim.pages.text.plain_lines import lines_of, without_code
@@ -24,7 +24,10 @@ _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _MORE = re.compile(r"\{.*\.more\b")  # a part for who has time: the lesson is whole without it
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
-_FEW = re.compile(rf"^[ \t]*(?<!`)`{{1,2}}({'|'.join(KINDS)})[ \t]*$", re.MULTILINE)
+_FEW = re.compile(  # accents and quotes are what some keyboards and word processors put there
+    rf"^[ \t]*(?<!`)(?:`{{1,2}}|(?!`{{3}})[`´ˋ'‘’‛]{{2,4}})[ \t]*({'|'.join(KINDS)})[ \t]*$",
+    re.MULTILINE,
+)
 _OPEN_LIST = re.compile(r"^#{1,6} [^\n]*(\{:[^}\n]*)$", re.MULTILINE)
 _NO_MINUTES = re.compile(
     r"^#{1,6} [^\n]*\bdata-minutes=(?!\"?\d+\"?(?:[ }]|$))([^}\s]*)", re.MULTILINE
@@ -34,7 +37,6 @@ _NEARLY_MINUTES = re.compile(
 )
 _ROW = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)
 _ROW_FORMULA = re.compile(r"\\\((?:(?!\\\)).)*?(?<!\\)\|")
-_STATED = re.compile(AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
 
@@ -65,7 +67,7 @@ def _located(found: Iterable[Found], text: str, lesson: Lesson) -> list[Finding]
 
 
 def _few_backticks(prose: str) -> Iterator[Found]:
-    """A block that begins with one or two backticks would be text, and swallow what follows."""
+    """A block that begins with too few backticks, or with other marks, would be printed as text."""
     hint = "write ``` here and at the end of the block"
     for opening in _FEW.finditer(prose):
         message = f"a block begins with three backticks: ```{opening[1]}"
@@ -163,13 +165,13 @@ def _braces_match(formula: str) -> bool:
 
 def _minutes(text: str, prose: str) -> Iterator[Found]:
     closed = after_front_matter(lines_of(text))
-    stated = _STATED.match(text) if closed else None
+    stated = stated_minutes(text) if closed else None
     core = (m for m in _MINUTES.finditer(prose) if _MORE.search(m[0]) is None)
     parts = [int(m[1]) for m in core]
-    if stated and parts and sum(parts) != int(stated[1]):
+    if stated and parts and stated[1].isdecimal() and sum(parts) != int(stated[1]):
         message = f"the parts of this lesson take {sum(parts)} minutes, not {stated[1]}"
         hint = "change data-minutes of the headings, or minutes: above"
-        yield stated.start(1), "minutes", message, hint
+        yield stated[0], "minutes", message, hint
 
 
 def _minutes_of_questions(prose: str) -> Iterator[Found]:

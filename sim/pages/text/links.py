@@ -26,6 +26,7 @@ _TARGET = (
 )
 PICTURE = re.compile(rf"!\[([^\]\n]*)\]{_TARGET}")
 _LINK = re.compile(rf"(?<!!)\[[^\]\n]+\]{_TARGET}")
+_ON_THIS_COMPUTER = re.compile(r"[a-z]:[\\/]|file:|\\\\", re.IGNORECASE)  # C:\, C:/, \\server
 
 
 def links(prose: str, lesson: Lesson) -> Iterator[Found]:
@@ -35,11 +36,17 @@ def links(prose: str, lesson: Lesson) -> Iterator[Found]:
     written = ((link.start(), link["wrapped"] or link["bare"] or "") for link in found)
     for at, address in (*written, *own_pictures(prose)):
         target = unquote(address.split("#")[0].split("?")[0])
+        if _ON_THIS_COMPUTER.match(target):
+            hint = "put the file beside the lesson, and write its name alone: carts.png"
+            yield at, "broken-link", f"“{target[:60]}” is on this computer alone", hint
+            continue
         if not target or leads_elsewhere(target):
             continue
         place = next((one for one in _places(folder, target, lesson) if _is_there(one)), None)
         if place is None:
             hint = "look at the name, and from which folder it is counted"
+            if "\\" in target:
+                hint = f"write / between folders: {target[:60].replace(chr(92), '/')}"
             yield at, "broken-link", f"there is no file “{target[:60]}”", hint
         elif place.is_file() and not _joins(place, folder, lesson):
             message = f"“{target[:60]}” does not join the site: it stays in the folder of lessons"

@@ -28,8 +28,11 @@ _WIDE_COMMA = re.compile(r"[^\"'#]*\{[^\"'#]*?(，)\s*[\w.-]+:\s")
 _CURLY = re.compile(
     r"\s*(?:- +)*[\w.-]+:\s+([“„])[^”“]*(?::\s|\s#)"
     r"|[^\"'#]*[{,]\s*[\w.-]+:\s+([“„])[^”“]*,"
+    r"|\s*(?:- +)*[\w.-]+:\s+([«»「『])[^»«」』]*(?::\s|\s#)"
+    r"|[^\"'#]*[{,]\s*[\w.-]+:\s+([«»「『])[^»«」』]*,"
 )
 """Typographic quotes around what straight ones alone hold together: a colon; a comma in braces."""
+PAIR = {"“": "“ ”", "„": "“ ”", "«": "« »", "»": "« »", "「": "「 」", "『": "『 』"}
 _TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
 _CUT = re.compile(rf"\s*(?:- +)*({'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
@@ -72,7 +75,7 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
         yield (
             number,
             found.start(found.lastindex or 1),
-            "typographic quotes (“ ”) hold no text together",
+            f"typographic quotes ({PAIR[found[found.lastindex or 1]]}) hold no text together",
             hint,
         )
     elif found := _TIGHT.match(line):
