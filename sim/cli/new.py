@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -38,6 +39,8 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
     carts new forces --bank                     in a site: worksheets/banks/forces.yml
     """
     here = Path.cwd()
+    if kind != "site" and here.name == WORKSHEETS and (here.parent / "mkdocs.yml").is_file():
+        here = here.parent  # in the folder of lessons: a lesson of that site, no site in a site
     in_a_site = (here / "mkdocs.yml").is_file() or (here / WORKSHEETS).is_dir()
     kind = kind or ("lesson" if in_a_site else "site")
     if reason := why_not_on_windows(Path(name).name):
@@ -65,7 +68,10 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
         files = _lesson(here, name, title, like)
         what = "Edit it, then: carts check, carts serve"
     _write(here, files)
-    click.echo(f"{next(iter(files))} is written. {what}")
+    shown = next(iter(files))
+    if here != Path.cwd():
+        shown, what = os.path.relpath(here / shown), what.replace("then: ", "then: cd .., ")
+    click.echo(f"{shown} is written. {what}")
 
 
 def _site(typed: str, title: str | None, like: str | None) -> None:

@@ -75,3 +75,21 @@ def test_a_folder_that_ends_in_a_dot_or_a_space_is_refused(folder: Path, name: s
 @pytest.mark.parametrize("name", ["console", "com10", "auxiliary", "v1.2", "null"])
 def test_a_name_that_only_begins_like_a_device_is_taken(folder: Path, name: str) -> None:
     assert CliRunner().invoke(main, ["new", name, "--site"]).exit_code == 0
+
+
+def test_in_the_folder_of_lessons_a_lesson_of_that_site_is_written(
+    folder: Path, monkeypatch
+) -> None:
+    """Before, a whole site was made among the lessons, and its lesson joined no menu."""
+    (folder / "mkdocs.yml").write_text("site_name: Mine\n", encoding="utf-8")
+    monkeypatch.chdir(folder / "worksheets")
+    result = CliRunner().invoke(main, ["new", "two-trains"])
+    assert (result.exit_code, result.output) == (
+        0,
+        "two-trains.md is written. Edit it, then: cd .., carts check, carts serve\n",
+    )
+    assert "order: 8" in (folder / "worksheets" / "two-trains.md").read_text(encoding="utf-8")
+    assert sorted(path.name for path in (folder / "worksheets").iterdir()) == [
+        "old.md",
+        "two-trains.md",
+    ]

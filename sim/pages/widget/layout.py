@@ -26,6 +26,7 @@ ROW = 21.0  # of the force of an effect, under the track
 BASELINE = 15.0  # of the letters in a row, from its top
 RULER = 34.0
 LEGEND = 21.0
+WORD = 8.0  # more of it on phones, where “scale:” stands above its arrows and not beside them
 TAPE = 26.0
 HEAD = 14.0  # above the highest velocity arrow
 FEW = 3  # carts; with more, all forces of one kind share a row
@@ -96,15 +97,16 @@ def lay_out(
     contacts = header["contacts"]
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
-    row_count = (2 if crowded else 1) if forces and scales.force else 0
-    acting = slots(header, top + BEAM_ROW * row_count) if forces and scales.force else {}
+    said = forces and scales.force > 0  # the scale of forces
+    row_count = (2 if crowded else 1) if said else 0
+    acting = slots(header, top + BEAM_ROW * row_count) if said else {}
     beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
     foot = top + beam + RULER + (TAPE if tape else 0.0)
     tilted = sum(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
         kind=kind,
         width=width,
-        height=foot + LEGEND + TILT * tilted,
+        height=foot + LEGEND + (0.0 if wide or not said else WORD) + TILT * tilted,
         origin=left - low * scale,
         scale=scale,
         low=low,

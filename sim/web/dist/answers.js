@@ -186,7 +186,7 @@
       this.who.setAttribute("type", "button");
       this.who.addEventListener("click", openPanel);
       this.meter = document.createElement("progress");
-      this.meter.setAttribute("aria-label", tr("questions answered on this page"));
+      this.meter.setAttribute("aria-label", tr("answered on this page, predictions too"));
       this.count = html("span", "carts-bar-count");
       const button2 = html("button", "carts-button carts-bar-open");
       button2.append(sheet(), html("span", "carts-bar-name", tr("My answers")));
@@ -1226,7 +1226,7 @@
     const { done, of } = book2.progress();
     if (form2 !== "worksheet" || page !== book2.page || !of)
       return counted("1 answer", "{n} answers", all);
-    const asked2 = tr("{part} of {all} questions", { part: done, all: of });
+    const asked2 = tr("{part} of {all} answered", { part: done, all: of });
     const more = all - done;
     return more > 0 ? `${asked2} + ${counted("1 more answer", "{n} more answers", more)}` : asked2;
   }

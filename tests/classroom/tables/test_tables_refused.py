@@ -11,6 +11,8 @@ from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.report_page import report_html
 from sim.classroom.tables.cells import TableError
 from sim.classroom.tables.read import read_table
+from sim.pages.language import words
+from sim.pages.translate.catalogues import OTHERS
 from tests.classroom.given.exported_tables import (
     GOOGLE,
     GOOGLE_ITEMS,
@@ -162,3 +164,12 @@ def test_a_table_that_the_report_saved_is_not_read_as_marks(saved) -> None:
     report = reported(csv(("student", "pre", "post"), [("Anna", 3, 8), ("Bala", 4, 9)]))
     with pytest.raises(TableError, match="Class results saved: give the answer files"):
         read_table("class-students.csv", saved(report).encode())
+
+
+@pytest.mark.parametrize("saved", [students_csv, items_csv])
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_table_saved_by_a_page_in_another_language_is_known_too(saved, language) -> None:
+    """Before, only English headings were known; the others were read as marks, or for no reason."""
+    report = reported(csv(("student", "pre", "post"), [("Anna", 3, 8), ("Bala", 4, 9)]))
+    with pytest.raises(TableError, match="Class results saved: give the answer files"):
+        read_table("class-students.csv", saved(report, words(language)).encode())

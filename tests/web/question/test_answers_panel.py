@@ -62,7 +62,7 @@ def test_a_file_counts_as_the_line_at_the_foot_does_and_says_what_is_more(
     expect(page.locator(".carts-bar-count")).to_have_text("7 of 7")
     page.locator(".carts-bar-open").click()
     held = page.locator(".carts-answers-name")
-    expect(held).to_contain_text("7 of 7 questions + 1 more answer ·")
+    expect(held).to_contain_text("7 of 7 answered + 1 more answer ·")
     expect(held).not_to_contain_text("8 answers")
 
 

@@ -47,3 +47,19 @@ def test_the_arrows_of_the_key_are_called_a_scale(
     first = page.locator(f"#{fence['id']} .carts-legend:visible text").first
     assert first.text_content() == "scale:"
     assert on_scene(page, SPOILT, name=fence["id"]) == []
+
+
+CLEAR = """
+  const stage = [...el.querySelectorAll(".carts-stage")].find((s) => s.clientWidth);
+  const word = stage.querySelector(".carts-legend text").getBBox();
+  const numbers = [...stage.querySelectorAll(".carts-number")].map((one) => one.getBBox());
+  return word.y - Math.max(...numbers.map((one) => one.y + one.height));"""
+
+
+def test_on_a_phone_the_word_stands_clear_of_the_numbers_of_the_ruler(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    """Before, both stood line on line, as if the first number were a scale."""
+    file = write_page(widget_site, "key-clear", {**MEETING, "id": "clear"})
+    page = live(open_page(file, viewport={"width": 360, "height": 700}), "clear")
+    assert on_scene(page, CLEAR, name="clear") >= 4  # units, about pixels

@@ -37,7 +37,7 @@ export class Bar {
     this.who.setAttribute("type", "button");
     this.who.addEventListener("click", openPanel);
     this.meter = document.createElement("progress");
-    this.meter.setAttribute("aria-label", tr("questions answered on this page"));
+    this.meter.setAttribute("aria-label", tr("answered on this page, predictions too"));
     this.count = html("span", "carts-bar-count");
     const button = html("button", "carts-button carts-bar-open");
     button.append(sheet(), html("span", "carts-bar-name", tr("My answers")));

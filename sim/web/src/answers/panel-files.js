@@ -90,7 +90,7 @@ function held(book, { form, page, content }) {
   const { done, of } = book.progress();
   if (form !== "worksheet" || page !== book.page || !of)
     return counted("1 answer", "{n} answers", all);
-  const asked = tr("{part} of {all} questions", { part: done, all: of });
+  const asked = tr("{part} of {all} answered", { part: done, all: of });
   const more = all - done;
   return more > 0 ? `${asked} + ${counted("1 more answer", "{n} more answers", more)}` : asked;
 }
