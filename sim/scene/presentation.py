@@ -14,7 +14,7 @@ from sim.scene.fields import SKINS
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, kind_of, read_predict
 from sim.scene.presets import read_presets
-from sim.scene.problem import Problem, SceneError, did_you_mean, nearest
+from sim.scene.problem import Problem, SceneError, did_you_mean, meant, nearest
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.read_effects import listed_effects
@@ -212,7 +212,7 @@ def _meant(key: str, strange: list[object], allowed: tuple[str, ...]) -> str:
     close = nearest(str(strange[0]), (*allowed, *written_out)) if strange else None
     if close is None:
         return f"{key}: [{', '.join(allowed[:2])}]"
-    return f"did you mean “{written_out.get(close, close)}”?"
+    return meant(written_out.get(close, close))
 
 
 def _is_list(value: object) -> bool:

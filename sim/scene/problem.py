@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from sim.scene.said import said
+
 Path = tuple[str | int, ...]
 
 
@@ -42,11 +44,11 @@ class SceneError(ValueError):
 def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
     """The problems without those that follow from another: a misspelt key is not missing too."""
     found = tuple(problems)
-    meant = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
+    hints = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
 
     def follows(p: Problem) -> bool:
         name = p.message.removesuffix(" is missing")
-        return p.code == "missing" and (p.path, f"did you mean “{name}”?") in meant
+        return p.code == "missing" and (p.path, meant(name)) in hints
 
     return tuple(p for p in found if not follows(p))
 
@@ -67,4 +69,9 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
 def did_you_mean(word: object, known: Iterable[str], otherwise: str) -> str:
     """A hint: the nearest known word, or what stands there `otherwise`."""
     close = nearest(str(word), known)
-    return f"did you mean “{close}”?" if close else otherwise
+    return meant(close) if close else otherwise
+
+
+def meant(word: str) -> str:
+    """The hint that names one known word, in the language of who reads it."""
+    return said("did you mean {name}?", name=f"“{word}”")

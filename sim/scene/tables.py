@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from sim.scene.fields import Field
-from sim.scene.problem import Path, Problem, did_you_mean
+from sim.scene.problem import Path, Problem, did_you_mean, meant
 from sim.scene.quantity import exact
 
 _AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
@@ -56,7 +56,7 @@ def unknown_keys(
             further = f"what belongs to “{home}:” begins two spaces further right"
             hint = did_you_mean(key, known, further if home else listed)
             if a_list and isinstance(table[key], (list, tuple)):
-                hint = f"did you mean “{a_list}”?"
+                hint = meant(a_list)
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))

@@ -8,6 +8,7 @@ import pytest
 
 from sim.scene import SceneError, read_fence
 from sim.scene.problem import Problem
+from sim.scene.said import in_words
 
 TWO = {"A": {"mass": 1, "position": 0.5}, "B": {"mass": 1, "position": 1.5}}
 
@@ -88,3 +89,14 @@ def test_arrows_of_no_pair_are_answered_with_the_pairs_of_this_scene(
 def test_arrows_where_nothing_can_touch_are_told_so() -> None:
     (problem,) = problems(carts={"A": TWO["A"]}, predict={"arrows": ["A-B"]})
     assert problem.message.startswith("nothing can touch anything here")
+
+
+@pytest.mark.parametrize(
+    "more", [{"contact": {"law": "bumpr"}}, {"show": ["velocty"]}, {"forces": "hiden"}]
+)
+def test_the_hint_is_told_in_the_language_of_the_page(more: dict[str, Any]) -> None:
+    """Before, it was English text that no catalogue knew, below a sentence that was translated."""
+    (problem,) = problems(**more)
+    assert in_words(problem.hint, {"did you mean {name}?": "maksudnya {name}?"}).startswith(
+        "maksudnya “"
+    )
