@@ -26,7 +26,7 @@ ROW = 21.0  # of the force of an effect, under the track
 BASELINE = 15.0  # of the letters in a row, from its top
 RULER = 34.0
 LEGEND = 21.0
-WORD = 8.0  # more of it on phones, where “scale:” stands above its arrows and not beside them
+WORD = 8.0  # more of it where “scale:” stands above its arrows, for want of room beside them
 TAPE = 26.0
 HEAD = 14.0  # above the highest velocity arrow
 FEW = 3  # carts; with more, all forces of one kind share a row
@@ -98,6 +98,7 @@ def lay_out(
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
     said = forces and scales.force > 0  # the scale of forces
+    above = scales.may_tear if wide else said  # the word of the legend
     row_count = (2 if crowded else 1) if said else 0
     acting = slots(header, top + BEAM_ROW * row_count) if said else {}
     beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
@@ -106,7 +107,7 @@ def lay_out(
     return Layout(
         kind=kind,
         width=width,
-        height=foot + LEGEND + (0.0 if wide or not said else WORD) + TILT * tilted,
+        height=foot + LEGEND + (WORD if above else 0.0) + TILT * tilted,
         origin=left - low * scale,
         scale=scale,
         low=low,
