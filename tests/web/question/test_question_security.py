@@ -124,7 +124,8 @@ def test_nothing_that_a_student_writes_or_a_file_holds_is_run(
             "page": "worksheets/poison"}  # fmt: skip
     give(page, {**head, "items": items}, "<img src=x onerror=pwned()>.json")
     expect(page.locator(".carts-answers-files [role=status]")).to_contain_text(
-        "taken from the file", timeout=20_000
+        "taken from the file",
+        timeout=60_000,  # two answers to each of some 200 questions
     )
     page.keyboard.press("Escape")
     page.locator(".carts-bar-open").click()
