@@ -54,8 +54,8 @@ def _named(words: str) -> tuple[re.Pattern[str], ...]:
 
 _NAMED = {kind: _named(words) for kind, words in WORDS.items()}
 _ANY = re.compile("|".join(WORDS.values()) + "|force|kraft", re.I)
-_GENERIC = re.compile(r"\b(?:smart|cart|wagen|glider|trolley|troli|kereta|chariot|carro|sensor)\b",
-                      re.I)  # fmt: skip
+CART_WORDS = "cart|wagen|glider|trolley|troli|kereta|chariot|carro|sensor"
+_GENERIC = re.compile(rf"\b(?:smart|{CART_WORDS})\b", re.I)
 SIDEWAYS = ("y", "z", "vertical")
 _TIME = re.compile(rf"\W*(?:{WORDS['time']})(?:[\s_.-]+[A-Za-z0-9]{{1,8}}|\d{{0,2}})\W*", re.I)
 _WHO = re.compile(r".+?(?:[\s_.,-]+(?P<after>[A-Za-z0-9]{1,12})|(?P<digits>\d{1,2}))\W*")

@@ -16,9 +16,13 @@ from sim.measured.sheet.whose import force_on, is_force
 from sim.measured.units import head, narrow
 
 _NUMBER = r"[\W_]{0,3}(?:(?:nr|no|n°|nº)\.?\s*)?(?P<number>\d{1,4})"
+RUN_WORDS = (
+    "run|trial|lauf|durchgang|messung|versuch|essai|mesure|ensayo|prueba|larian|cubaan|运行|实验"
+)
+"""What a run is called, before its number or over a column of numbers."""
 _WORDS = (
-    "run|data\\s?set|trial|lauf|durchlauf|durchgang|datensatz|messreihe|messung|versuch|essai|mesure|"
-    "jeu de données|ensayo|prueba|medición|conjunto de datos|larian|cubaan|数据集|运行|实验|测量"
+    f"{RUN_WORDS}|data\\s?set|durchlauf|datensatz|messreihe|jeu de données|medición|"
+    "conjunto de datos|数据集|测量"
 )
 _RUN = rf"(?:(?:{_WORDS}){_NUMBER}|(?P<latest>latest))"
 _ALONE = re.compile(rf"[\W_]*{_RUN}[\W_]*", re.I)

@@ -58,8 +58,7 @@ def read_table(text: str) -> Table:
     above = [without_marks(row, len(rows[first].cells)) for row in rows[:first]]
     heads, heads_line = heads_of(above, multi)
     data, starts = stacked(rows[first:], rows[:first])
-    tidy = spread(heads, data, starts)
-    heads, data, starts = tidy.heads, tidy.data, tidy.starts
+    heads, data, starts = spread(heads, data, starts)
     if found.separator == "," and (fault := cells.two_readings(data[0], len(heads))):
         raise ReadingError([fault])
     cells.check_decimals(data)

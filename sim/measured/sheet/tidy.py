@@ -14,34 +14,30 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import Head
-from sim.measured.sheet.heads import holds_times
-from sim.measured.sheet.prefixes import run_alone
+from sim.measured.sheet.heads import CART_WORDS, holds_times
+from sim.measured.sheet.prefixes import RUN_WORDS, run_alone
 from sim.measured.sheet.stacked import Start
 from sim.measured.track import FEWEST
 
 _CART = re.compile(
-    r"(?:cart|glider|trolley|car|puck|body|object|track|particle|marker|sensor|device|wagen|gleiter|"
-    r"körper|objekt|chariot|mobile|objet|carro|carrito|objeto|troli|kereta|objek|小车|物体|滑块|"
-    r"வண்டி)(?:[\s_.-]*(?:id|no|nr|name|number|label))?|id|name|label|who|which",
+    rf"(?:{CART_WORDS}|car|puck|body|object|track|particle|marker|device|gleiter|körper|objekt|"
+    r"mobile|objet|carrito|objeto|objek|小车|物体|滑块|வண்டி)(?:[\s_.-]*(?:id|no|nr|name|number|label))?"
+    r"|id|name|label|who|which",
     re.I,
 )
-_RUN = re.compile(
-    r"(?:run|trial|take|repeat|lauf|durchgang|messung|versuch|essai|mesure|ensayo|prueba|larian|cubaan|"
-    r"次数|运行|实验)(?:[\s_.-]*(?:id|no|nr|number))?",
-    re.I,
-)
+_RUN = re.compile(rf"(?:{RUN_WORDS}|take|repeat|次数)(?:[\s_.-]*(?:id|no|nr|number))?", re.I)
 MOST_CARTS = 8
 """Different words in a column without a head that says so: more are remarks."""
 
 
-@dataclass(frozen=True, slots=True)
-class Spread:
+class Spread(NamedTuple):
     """The table with a set of columns for each cart. `starts`: where each run begins."""
 
     heads: list[Head]

@@ -26,13 +26,14 @@ _VALUE = re.compile(rf"\s*(?:- +)*([\w.-]+):\s[^\"'\[{{]*?([{_NEVER}])[^\"'\[{{]
 _WIDE = re.compile(r"\s*(?:- +)*[\w.-]+(：)|[^\"'#]*[{,]\s*[\w.-]+(：)")
 _WIDE_COMMA = re.compile(r"[^\"'#]*\{[^\"'#]*?(，)\s*[\w.-]+:\s")
 _CURLY = re.compile(
-    r"\s*(?:- +)*[\w.-]+:\s+([“„])[^”“]*(?::\s|\s#)"
-    r"|[^\"'#]*[{,]\s*[\w.-]+:\s+([“„])[^”“]*,"
-    r"|\s*(?:- +)*[\w.-]+:\s+([«»「『])[^»«」』]*(?::\s|\s#)"
-    r"|[^\"'#]*[{,]\s*[\w.-]+:\s+([«»「『])[^»«」』]*,"
+    "|".join(
+        rf"\s*(?:- +)*[\w.-]+:\s+([{begins}])[^{ends}]*(?::\s|\s#)"
+        rf"|[^\"'#]*[{{,]\s*[\w.-]+:\s+([{begins}])[^{ends}]*,"
+        for begins, ends in (("“„", "”“"), ("«»「『", "»«」』"))
+    )
 )
 """Typographic quotes around what straight ones alone hold together: a colon; a comma in braces."""
-PAIR = {"“": "“ ”", "„": "“ ”", "«": "« »", "»": "« »", "「": "「 」", "『": "『 』"}
+_PAIR = {"“": "“ ”", "„": "“ ”", "«": "« »", "»": "« »", "「": "「 」", "『": "『 』"}
 _TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
 _CUT = re.compile(rf"\s*(?:- +)*({'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
@@ -71,13 +72,9 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
     elif found := _WIDE_COMMA.match(line):
         yield number, found.start(1), "a wide comma (，) stands here", "write an ordinary comma: ,"
     elif found := _CURLY.match(line):
-        hint = 'write straight quotes: "…"'
-        yield (
-            number,
-            found.start(found.lastindex or 1),
-            f"typographic quotes ({PAIR[found[found.lastindex or 1]]}) hold no text together",
-            hint,
-        )
+        quote = found.lastindex or 1
+        message = f"typographic quotes ({_PAIR[found[quote]]}) hold no text together"
+        yield number, found.start(quote), message, 'write straight quotes: "…"'
     elif found := _TIGHT.match(line):
         hint = "write a space after the hyphen: - {…}"
         yield number, found.end() - 1, "a list entry begins with a hyphen and a space", hint
