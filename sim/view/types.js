@@ -32,7 +32,7 @@
  * The scales and layouts that the generator fixed:
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
  *   ranks: number, stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number,
- *   slots: Record<string, number>, tape: number, tilt: number}} Layout
+ *   slots: Record<string, number>, tape: number, tilt: number, above: boolean}} Layout
  * @typedef {{perHeight: number, alike: boolean, tallest: number, mayTear: boolean, force: number, velocity: number,
  *   decimals: Record<string, number>, reach: Record<string, [number, number, number, number]>, layouts: Layout[]}} View
  *

@@ -26,7 +26,7 @@ ROW = 21.0  # of the force of an effect, under the track
 BASELINE = 15.0  # of the letters in a row, from its top
 RULER = 34.0
 LEGEND = 21.0
-WORD = 8.0  # more of it where “scale:” stands above its arrows, for want of room beside them
+WORD = 8.0  # more of it where “scale:” stands above its arrows
 TAPE = 26.0
 HEAD = 14.0  # above the highest velocity arrow
 FEW = 3  # carts; with more, all forces of one kind share a row
@@ -59,6 +59,7 @@ class Layout:
     slots: Mapping[str, float]  # y of the forces of effects, by “kind cart”
     tape: float  # y of the tape of a reader's ruler; 0: none
     tilt: float  # y of the foot of the wedge that shows a slope
+    above: bool  # whether “scale:” stands above its arrows, for want of room beside them
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values for the page."""
@@ -98,7 +99,7 @@ def lay_out(
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
     said = forces and scales.force > 0  # the scale of forces
-    above = scales.may_tear if wide else said  # the word of the legend
+    above = scales.may_tear if wide else said
     row_count = (2 if crowded else 1) if said else 0
     acting = slots(header, top + BEAM_ROW * row_count) if said else {}
     beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
@@ -126,6 +127,7 @@ def lay_out(
         slots=acting,
         tape=foot - TAPE / 2 if tape else 0.0,
         tilt=foot + TILT - 10.0,
+        above=above,
     )
 
 

@@ -1121,14 +1121,13 @@ ${ticks(numbers).map(
     const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
     const word = tr("scale:");
-    const before = wide ? !view.mayTear : !force;
-    const start = before ? 12 + roomOf(word) + 4 : 12;
+    const start = layout.above ? 12 : 12 + roomOf(word) + 4;
     const x = force ? start + layout.force + 58 : start;
     const next = x + layout.velocity + 6;
     const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
-<text x="12" y=${px(before ? y + 5 : y - 9)}>${word}</text>
+<text x="12" y=${px(layout.above ? y - 9 : y + 5)}>${word}</text>
 ${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
