@@ -98,3 +98,29 @@ def test_two_on_a_spring_come_to_rest_between_walls_that_hold_nothing_back() -> 
     assert done.x == pytest.approx((0.1, 0.5), abs=1e-12)  # each at its wall, the spring at rest
     assert done.v == pytest.approx((0.0, 0.0), abs=1e-12)
     assert done.ledger.imbalance() < 1e-13
+
+
+@pytest.mark.parametrize("until", [20, 60])
+def test_two_that_a_damped_spring_leaves_just_touching_their_walls_come_to_the_end(
+    until: int,
+) -> None:
+    """At its natural length the two touch both walls without a force. What is left of the motion
+    goes below the rounding of the places, and wall and cart touched and parted a dozen times every
+    billionth of a second."""
+    plain = {
+        "carts": {
+            "A": {"mass": 0.5, "position": 0.1, "velocity": -0.5},
+            "B": {"mass": 0.25, "position": 0.4, "velocity": 0.5},
+        },
+        "contact": {"law": "push-only", "restitution": 0.3, "stiffness": 1000},
+        "track": {"length": 0.7, "left": "wall", "right": "wall"},
+        "effects": [
+            {"spring": {"between": ["A", "B"], "stiffness": 10, "length": 0.3, "damping": 0.1}}
+        ],
+        "until": until,
+    }
+    done = run(read_scene(plain), max_events=5_000)
+    assert done.stopped is None
+    assert done.x == pytest.approx((0.1, 0.6), abs=1e-14)
+    assert done.v == pytest.approx((0.0, 0.0), abs=1e-14)
+    assert done.ledger.imbalance() < 1e-12

@@ -10,7 +10,10 @@ ever at one instant.
 So a mode that was just left and is taken again, twice without motion, stays until its quantity has
 passed through nought by more than rounding. Should that be too little, the margin grows fourfold
 with every further alternation: after a dozen of them it is a ten-millionth of the quantity's own
-size, and the run has moved on. No other event is touched. Theory: Filippov, Differential Equations
+size, and the run has moved on. Where all that is left of a motion is rounding, as for two that a
+damped spring leaves just touching their walls, it moves on by no more than the margin and goes
+back: what the margin lets pass is no motion yet, and the time that counts as one instant grows with
+it. No other event is touched. Theory: Filippov, Differential Equations
 with Discontinuous Righthand Sides (1988); Acary & Brogliato, Numerical Methods for Nonsmooth
 Dynamical Systems (2008), on hysteresis at a switching surface.
 """
@@ -31,9 +34,15 @@ MARGIN = 1e-14
 """Of a quantity's size over a step: what rounding leaves of nought, with room to spare."""
 
 GROWS = 4.0
-MOST = 12
-"""The margin is MARGIN × GROWS^n after n alternations: at most 1.7e-7 of the quantity. Two or three
-are enough but where dozens of contacts change at once."""
+MOST = 22
+"""The margin is MARGIN × GROWS^n after n alternations: at most 0.2 of the quantity. Two or three
+are enough but where dozens of contacts change at once; more than a dozen are needed only where
+the quantity is itself a rounding of the places."""
+
+SEVERAL = 5
+"""Changes at one instant from which on that instant grows with the margin: AT_ONE_INSTANT ×
+GROWS^(n − SEVERAL). So it stays longer than the way through the margin takes, which is some
+MARGIN × GROWS^n of a swing, and a swing is shorter than a run."""
 
 NO_MOTION = 1e-8
 """Of a step of the series. A change longer ago than that has been followed by motion."""
@@ -47,8 +56,10 @@ class Changing(Protocol):
 
 
 def note(one: Changing, now: Time, instant: float) -> None:
-    """Its mode changes. `instant` [s]: what is closer together happens at one instant."""
-    one.flips = one.flips + 1 if elapsed(one.changed, now) <= instant else 0
+    """Its mode changes. `instant` [s]: what is closer together happens at one instant, and after
+    several changes also what is no further apart than their margin leaves it."""
+    passing = instant * GROWS ** max(0, min(one.flips, MOST) - SEVERAL)
+    one.flips = one.flips + 1 if elapsed(one.changed, now) <= passing else 0
     one.changed = now
 
 
