@@ -69,6 +69,16 @@ def test_rounds_of_impacts_that_shrink_for_ever_end_at_once_in_rest_at_the_wall(
     assert done.ledger.imbalance() < 1e-14
 
 
+def test_rounds_in_which_lighter_ones_collapse_end_at_once_too() -> None:
+    """D presses three light ones to the wall. They collapse among themselves between two of its
+    blows, of which each takes it 0.7 % of its speed: 300,000 impacts, followed one by one."""
+    plain = row([1.0, 0.0967, 2.12, 149.0], [-0.289, -0.2894, -0.2895, -0.295], 0.05)
+    done = run(read_scene(plain), max_events=2_000)
+    assert done.stopped is None
+    assert done.v == pytest.approx((0.0,) * 4, abs=1e-14)
+    assert done.ledger.imbalance() < 1e-14
+
+
 def test_rounds_count_only_when_every_speed_shrinks_by_the_same_factor() -> None:
     def hits(factors: list[float]) -> Hits:
         found = Hits()
@@ -81,7 +91,8 @@ def test_rounds_count_only_when_every_speed_shrinks_by_the_same_factor() -> None
         return found
 
     assert hits([0.5]).rounds() == (1, 2)
-    assert hits([0.5, 0.51]).rounds() is None
+    assert hits([0.5, 0.51]).rounds() == (1, 2)  # two of these are a round
+    assert hits([0.5 + 0.001 * k for k in range(16)]).rounds() is None
     assert hits([1.0]).rounds() is None
 
 

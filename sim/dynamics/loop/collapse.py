@@ -128,7 +128,7 @@ def run_of(chain: Chain, block: list[Gap], now: Time, instant: float, hits: Hits
         inside = [one for one in chain.gaps[found[0] : found[1] + 1] if one is not None]
         alike = all((one.law is None and not one.contact.joins) or one.joined for one in inside)
         if alike and any((one.contact.restitution or 0.0) < 1.0 for one in inside):
-            hits.forget()
+            hits.collapse()
             return [one for one in inside if not one.joined]
     other = third(chain, block[0], now, instant) if len(block) == 1 else None
     if other is None and not all(is_over(chain, gap, now, instant) for gap in block):

@@ -16,6 +16,12 @@ from sim.dynamics.state.clock import NEVER, Time, elapsed
 LONGEST_ROUND = 60
 """Impacts. Of six bodies that collapse most rounds have a dozen."""
 
+LONGEST_OF_COLLAPSES = 500
+"""The same of a round in which some collapse: a heavy one presses light ones to a wall."""
+
+COLLAPSE = 0x10FFFF
+"""Stands among the gaps that were hit for a collapse of some of them: no gap has this number."""
+
 ROUNDS = 4
 """That are compared: the same gaps in the same order."""
 
@@ -27,7 +33,8 @@ REST_COMES = 1.2 * math.log(1e-12)
 and a fifth more. Whatever still hops then does so by rounding."""
 
 SELDOM = 16
-"""Impacts at one instant between two looks for rounds."""
+"""Impacts at one instant between two looks for rounds. For rounds with collapses it is also the
+part of those so far that must have come since: a look costs as much as the round is long."""
 
 ENDLESS = 1000
 """Impacts at one instant. Rounds that then come again with the same speeds to the last bit, as of a
@@ -41,7 +48,9 @@ class Hits:
     time: Time = NEVER
     gaps: list[int] = field(default_factory=list)
     speeds: list[float] = field(default_factory=list)
+    begun: int = 0  # of them, before those that came since the last collapse
     looked: int = 0  # of them, when rounds were looked for
+    looked_far: int = 0  # of them, when rounds with collapses were looked for
     blows: defaultdict[int, int] = field(default_factory=lambda: defaultdict(int))
     """In the whole run, by gap."""
     endless: bool = False  # the same round for ever
@@ -64,7 +73,13 @@ class Hits:
         """What comes next is no round of these."""
         self.gaps.clear()
         self.speeds.clear()
-        self.looked = 0
+        self.begun = self.looked = self.looked_far = 0
+
+    def collapse(self) -> None:
+        """The rounds that were found end here. They may themselves be a part of longer ones."""
+        self.gaps.append(COLLAPSE)
+        self.speeds.append(self.speeds[-1])
+        self.begun = self.looked = len(self.gaps)
 
     def rounds(self) -> tuple[int, int] | None:
         """First and last gap of those that are hit in rounds for ever; None where none are."""
@@ -72,14 +87,25 @@ class Hits:
         if count < self.looked + SELDOM:
             return None
         self.looked = count
-        for p in range(2, min(LONGEST_ROUND, count // ROUNDS) + 1):
-            last = self.gaps[-p:]
-            if all(self.gaps[count - (k + 1) * p : count - k * p] == last for k in range(ROUNDS)):
-                if self._shrink(p):
-                    return min(last), max(last)
-                own = self.speeds[-ROUNDS * p :]
-                self.endless = count > ENDLESS and own == own[-p:] * ROUNDS
+        if (p := self._round(count - self.begun, LONGEST_ROUND)) is None:
+            if not self.begun or count < self.looked_far * (1 + 1 / SELDOM):
                 return None
+            self.looked_far = count
+            if (p := self._round(count, LONGEST_OF_COLLAPSES)) is None:
+                return None
+        hit = [one for one in self.gaps[-p:] if one != COLLAPSE]
+        return min(hit), max(hit)
+
+    def _round(self, count: int, longest: int) -> int | None:
+        """Impacts of the shortest round that the last `count` ones end with, and that shrinks."""
+        count = min(count, ROUNDS * longest)
+        tail = "".join(map(chr, self.gaps[-count:]))
+        for p in range(2, count // ROUNDS + 1):
+            if tail[-ROUNDS * p : -p] == tail[-(ROUNDS - 1) * p :]:
+                if self._shrink(p):
+                    return p
+                own = self.speeds[-ROUNDS * p :]
+                self.endless = len(self.gaps) > ENDLESS and own == own[-p:] * ROUNDS
         return None
 
     def _shrink(self, p: int) -> bool:
