@@ -55,6 +55,11 @@ REFUSED = {
                  len(T) + 1, "readings of 1 cart:"),
     "no such columns": ("t\ta\tb\tc\n1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no column holds positions"),
     "frames in the place of time": ("frame\tx_A\tx_B\n" + rows("\t"), 1, "counts frames"),
+    "frames of each cart in the place of time": (
+        "y,x,frame,particle\n" + "".join(f"5,{a},{k},0\n5,{b},{k},1\n"
+                                         for k, a in enumerate(A) for b in [a + 0.3]),
+        1, "“frame” counts frames"
+    ),
     "four numbers, no heads": ("1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no line that names them"),
     "decimal commas between commas, one number whole": (
         "t,x_A,x_B\n" + "".join(f"0,{k},1,0,{k}\n" for k in range(100, 120)), 2, "comma"

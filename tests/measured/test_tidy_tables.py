@@ -47,6 +47,11 @@ TABLES = {
         "12",
     ),
     "quotes": ('"cart","t","x"\n' + rows('"A",{t:.4f},{x:.5f}', '"B",{t:.4f},{x:.5f}'), "AB"),
+    "ImageJ, with a column of times": (
+        " ,Track n°,Slice n°,X,Y,t (s)\n"
+        + one_after_the_other("0,1,0,{x:.5f},50,{t:.4f}", "0,2,0,{x:.5f},50,{t:.4f}"),
+        "12",
+    ),
     "a small letter once": (
         "cart,t,x\n" + rows("A,{t:.4f},{x:.5f}", "B,{t:.4f},{x:.5f}").replace("\nB,", "\nb,", 1),
         "Ab",

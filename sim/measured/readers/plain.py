@@ -23,7 +23,10 @@ from sim.measured.sheet.whose import are_velocities, cart_names, is_force, place
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 
-_COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
+_COUNTS = re.compile(r"step|n|nr|no|#", re.I)
+_FRAMES = re.compile(
+    r"(?:frames?|slice|image|bild|帧|bingkai)(?:[\s_.-]*(?:no|nr|n°|number|id|#))?", re.I
+)
 
 
 def claims(text: str) -> bool:
@@ -73,10 +76,14 @@ def _time_column(table: Table) -> Column:
     times = [c for c in table.columns if holds_times(c.name, c.unit)]
     if times:  # a clock of whole seconds stands still between readings
         return next((column for column in times if _rises(column)), times[0])
-    first = table.columns[0]
-    if _COUNTS.fullmatch(first.name):
-        reason = f"no column holds the time (“{shown(first.name)}” counts frames)"
-        raise refuse(table.heads_line, reason, "export t as well")
+    first, *others = table.columns
+    counts = _FRAMES.fullmatch(first.name) or _COUNTS.fullmatch(first.name)
+    if not counts and not _rises(first):
+        counts = next(filter(None, (_FRAMES.fullmatch(one.name) for one in others)), None)
+    if counts:
+        reason = f"no column holds the time (“{shown(counts[0])}” counts frames)"
+        hint = "export t as well, or add a column t (s): frame over frames a second"
+        raise refuse(table.heads_line, reason, hint)
     return first
 
 

@@ -28,8 +28,8 @@ from sim.measured.track import FEWEST
 
 _CART = re.compile(
     rf"(?:{CART_WORDS}|car|puck|body|object|track|particle|marker|device|gleiter|körper|objekt|"
-    r"mobile|objet|carrito|objeto|objek|小车|物体|滑块|வண்டி)(?:[\s_.-]*(?:id|no|nr|name|number|label))?"
-    r"|id|name|label|who|which",
+    r"mobile|objet|carrito|objeto|objek|小车|物体|滑块|வண்டி)"
+    r"(?:[\s_.-]*(?:id|no|nr|n°|name|number|label))?|id|name|label|who|which",
     re.I,
 )
 _RUN = re.compile(rf"(?:{RUN_WORDS}|take|repeat|次数)(?:[\s_.-]*(?:id|no|nr|number))?", re.I)
