@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from sim.cli.site.site_folder import findings
+from sim.cli.site.site_folder import findings, site_around
 from sim.pages.checks.lessons import USUAL_PLACES, check_paths, files_in
 from sim.pages.findings import Finding
 from sim.pages.question.by_default import CODE, TEXT
@@ -32,12 +32,12 @@ def command(
     """Look for mistakes in lessons (.md) and scene files (.yml).
 
     PATH is a file or a folder. Without one, mkdocs.yml and the folders worksheets, docs and
-    tests/scenes are checked. Exit code 1 means that a mistake was found, 2 that there is nothing to
-    check.
-    A warning stops nothing: a lesson in a folder that is not built, a catalogue whose lesson is
-    not there, hidden forces that no reader can find. A hint is no finding: an effect that a scene
-    lists in vain, or one that it misses much, a form whose last day is over. Nor is what is so by
-    default: it is counted, and listed with --defaults.
+    tests/scenes are checked, of the site in or above the current folder. Exit code 1 means that a
+    mistake was found, 2 that there is nothing to check.
+    A warning stops nothing: an empty lesson, or one in a folder that is not built, a catalogue
+    whose lesson is not there, hidden forces that no reader can find. A hint is no finding: an
+    effect that a scene lists in vain, or one that it misses much, a form whose last day is over.
+    Nor is what is so by default: it is counted, and listed with --defaults.
 
     \b
     carts check
@@ -46,7 +46,7 @@ def command(
     """
     if as_json and form == "github":
         raise click.UsageError("--json and --format github exclude each other.")
-    root = Path.cwd()
+    root = Path.cwd() if paths else site_around()
     for path in paths:
         if not path.exists():
             raise click.UsageError(f"There is no file or folder “{path}”.")

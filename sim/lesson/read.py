@@ -18,7 +18,7 @@ from sim.lesson.kinds.table import Table
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.problems import LessonError
 from sim.lesson.question import COMMON_KEYS, Question, read_common
-from sim.scene.problem import Path, Problem, did_you_mean
+from sim.scene.problem import Path, Problem, did_you_mean, meant
 from sim.scene.tables import mapping, unknown_keys
 
 KINDS: dict[str, type[Question]] = {
@@ -48,11 +48,23 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
     before = len(problems)
     common = read_common(table, path, problems)
     if kind is None:
+        problems += _misspelt(table, path)
         return None
     known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
     unknown_keys(table, known, path, problems, a_list=_missing_list(kind, table))
     question = kind.read(table, common, path, problems)
     return question if len(problems) == before else None
+
+
+def _misspelt(table: Mapping[str, Any], path: Path) -> list[Problem]:
+    """Keys that are nearly those of every question, where the type of this one is not known."""
+    common = keys.names(COMMON_KEYS)
+    of_any = {name for kind in KINDS.values() for name in keys.names(kind.KEYS)}
+    strange = {name: table[name] for name in table if name not in of_any}
+    found: list[Problem] = []
+    unknown_keys(strange, common, path, found)
+    missing = {meant(name) for name in common if name not in table}
+    return [problem for problem in found if problem.hint in missing]
 
 
 def _missing_list(kind: type[Question], table: Mapping[str, Any]) -> str:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from sim.scene.model import Track
 from sim.scene.problem import Problem
 from sim.scene.said import said
-from sim.scene.track import thing_at
+from sim.scene.track import body_name
 
 
 def gaps_of(
@@ -55,23 +55,14 @@ def refuse_overlap(
         return
     cart = right if k < len(names) else left
     length = f"{float(-gap):.3g} m"
-    hint = said("move it away from the wall: a position is that of the cart's centre")
-    if thing := thing_at({0: "left", len(names): "right"}.get(k, ""), track):
+    if k in (0, len(names)):
         what = said(
             "{cart} reaches into {thing} by {length} at the start",
             cart=cart,
-            thing=thing,
+            thing=body_name("left" if k == 0 else "right", track),
             length=length,
         )
         hint = said("move it away: a position is that of the cart's centre")
-    elif k == 0:
-        what = said(
-            "{cart} reaches into the left wall by {length} at the start", cart=cart, length=length
-        )
-    elif k == len(names):
-        what = said(
-            "{cart} reaches into the right wall by {length} at the start", cart=cart, length=length
-        )
     else:
         what = said(
             "{one} and {other} overlap by {length} at the start",

@@ -62,6 +62,15 @@ def unknown_keys(
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
 
 
+def _cut_by_comma(key: str, table: Mapping[str, Any]) -> bool:
+    """Whether the value of `key` is only what stood before a decimal comma: {mass: 0,5 kg}."""
+    if key not in table:
+        return False
+    names = list(table)
+    left_over = names[names.index(key) + 1 :][:1]
+    return any(table[one] is None and _AFTER_COMMA.fullmatch(str(one)) for one in left_over)
+
+
 def _home_of(entry: Any, table: Mapping[str, Any], known: tuple[str, ...]) -> str:
     """The known key above whose entries look like this one, which stands beside it; "": none."""
     if not isinstance(entry, Mapping):
@@ -80,6 +89,8 @@ def number(
 ) -> Fraction | None:
     """The field's exact value in `table`, its default, or None and a problem (optional: None)."""
     value = table.get(field.key)
+    if _cut_by_comma(field.key, table):
+        return None  # what was left over is told as an unknown key
     if value is None:
         if field.key in table:
             problems.append(

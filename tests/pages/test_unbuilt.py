@@ -160,3 +160,23 @@ def test_a_film_that_not_every_browser_plays_is_told_with_what_to_save_it_as(
     assert [line for line, _, _ in found] == [3, 5]
     assert "save the film as .mp4 or .webm" in str(found[0][2])
     assert found[1][1] == "this film has no words beside it"
+
+
+@pytest.mark.parametrize("text", ["", "\n \n", "---\ntitle: Soon\n---\n"])
+def test_a_lesson_without_a_word_is_told_and_stops_nothing(make_site: MakeSite, text: str) -> None:
+    root = make_site(first=lesson())
+    (root / "worksheets" / "soon.md").write_text(text, encoding="utf-8")
+    (found,) = check_paths([root / "worksheets"], root)
+    assert (found.file, found.code, found.severity) == ("worksheets/soon.md", "empty", "warning")
+
+
+def test_carts_check_in_the_folder_of_lessons_looks_at_the_site_around_it(
+    make_site: MakeSite, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = make_site(first=lesson())
+    (root / "worksheets" / "soon.md").write_text("", encoding="utf-8")
+    at_home = CliRunner().invoke(main, ["check"])
+    monkeypatch.chdir(root / "worksheets")
+    inside = CliRunner().invoke(main, ["check"])
+    assert (inside.exit_code, inside.output) == (0, at_home.output)
+    assert "worksheets/soon.md:1:1: warning: " in inside.output

@@ -52,6 +52,12 @@ def here() -> SiteFolder:
     return site
 
 
+def site_around() -> Path:
+    """The current folder, or the nearest above it that is a site; the current one if none is."""
+    here = Path.cwd()
+    return next((one for one in (here, *here.parents) if (one / SETTINGS).is_file()), here)
+
+
 def read(root: Path) -> SiteFolder:
     """What mkdocs.yml says; a sentence with its line and the end where it is not readable."""
     try:

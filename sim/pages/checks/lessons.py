@@ -14,7 +14,7 @@ from sim.pages.checks.never_touch import forces_that_never_act
 from sim.pages.checks.preset_reach import presets_beyond_sliders
 from sim.pages.checks.relevance import relevance_hints
 from sim.pages.checks.steep import steep_slopes
-from sim.pages.checks.unbuilt import no_lesson, no_page
+from sim.pages.checks.unbuilt import no_lesson, no_page, no_text
 from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
 from sim.pages.findings import AuthorError, Finding
@@ -173,7 +173,7 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 own = check_lesson(text, lesson, ids, hints=hints)
                 own += withheld_findings(text, lesson.file)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
-                findings += no_page(file, root)
+                findings += [*no_page(file, root), *no_text(text, lesson.file)]
             elif file.parent.name == BANK_FOLDER:
                 own = check_bank(text, name)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)

@@ -1,4 +1,4 @@
-"""Files in a folder of lessons that no page is made of, though somebody meant one.
+"""Files in a folder of lessons that no page is made of, though somebody meant one; empty pages.
 
 They do no harm to the pages that are built: it is said, and the build goes on.
 """
@@ -10,7 +10,9 @@ from pathlib import Path
 
 from sim.pages.findings import Finding
 from sim.pages.language import LANGUAGES
+from sim.pages.text.fence_scan import after_front_matter
 from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, is_built, shown
+from sim.pages.text.plain_lines import lines_of
 from sim.pages.translate.catalogues import FOLDER, catalogues_in
 
 
@@ -22,6 +24,16 @@ def no_page(path: Path, root: Path) -> list[Finding]:
     message = "no page is made of this lesson: it lies in a folder that is not built"
     hint = f"put it into {LESSONS}/, or into the folder of its language, such as {LESSONS}/ms/"
     return [Finding(shown(path, root), 1, 1, "not-built", message, hint, "warning")]
+
+
+def no_text(text: str, file: str) -> list[Finding]:
+    """That the lesson with this text has none, but for the facts at its top."""
+    lines = lines_of(text)
+    if any(line.strip() for line in lines[after_front_matter(lines) :]):
+        return []
+    message = "nothing is in this lesson yet: its page would be empty"
+    hint = "write a heading, # First lesson, and below it the text; or delete the file"
+    return [Finding(file, 1, 1, "empty", message, hint, "warning")]
 
 
 def _tells_of_its_folder(path: Path) -> bool:

@@ -10,7 +10,7 @@ from urllib.parse import unquote
 
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.site.effect_pages import EFFECTS, PLACE
-from sim.pages.text.elsewhere import leads_elsewhere
+from sim.pages.text.elsewhere import ON_THIS_COMPUTER, leads_elsewhere
 from sim.pages.text.films import FILMS, OTHER_FILMS
 from sim.pages.text.front_matter import Found
 from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
@@ -26,7 +26,6 @@ _TARGET = (
 )
 PICTURE = re.compile(rf"!\[([^\]\n]*)\]{_TARGET}")
 _LINK = re.compile(rf"(?<!!)\[[^\]\n]+\]{_TARGET}")
-_ON_THIS_COMPUTER = re.compile(r"[a-z]:[\\/]|file:|\\\\", re.IGNORECASE)  # C:\, C:/, \\server
 
 
 def links(prose: str, lesson: Lesson) -> Iterator[Found]:
@@ -36,7 +35,7 @@ def links(prose: str, lesson: Lesson) -> Iterator[Found]:
     written = ((link.start(), link["wrapped"] or link["bare"] or "") for link in found)
     for at, address in (*written, *own_pictures(prose)):
         target = unquote(address.split("#")[0].split("?")[0])
-        if _ON_THIS_COMPUTER.match(target):
+        if ON_THIS_COMPUTER.match(target):
             hint = "put the file beside the lesson, and write its name alone: carts.png"
             yield at, "broken-link", f"“{target[:60]}” is on this computer alone", hint
             continue

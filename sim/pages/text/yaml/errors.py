@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from sim.pages.text.yaml.colons import no_colon
 from sim.pages.text.yaml.dash import no_dash
 
 
@@ -71,6 +72,8 @@ def of_first_sign(line: str, problem: str) -> tuple[int, str, str] | None:
         return at, "the text goes on after a single quote", hint
     closing = "]" if first == "[" else first
     hint = f"put the whole text in single quotes: '{text[:40]}'"
+    if first == '"' and "'" in text:
+        hint = 'write “ ” inside the text, and " only around it'
     return at, f"the text goes on after the closing {closing}", hint
 
 
@@ -78,23 +81,7 @@ def of_neighbours(
     lines: Sequence[str], line: int, problem: str
 ) -> tuple[int, int, str, str] | None:
     """Line and column (from 0), message and hint, where another line is the one to mend."""
-    return glued(lines, line, problem) or no_dash(lines, line)
-
-
-_GLUED = re.compile(r"(\s*(?:- +)?)([\w.-]+):(?![\s/])\S")
-"""`key:text`, which is one word; but no address, as in https://."""
-
-
-def glued(lines: Sequence[str], line: int, problem: str) -> tuple[int, int, str, str] | None:
-    """Line and column (from 0), message and hint, where the line above has no space behind its
-    colon: then it is a text, and the colon of this line is one too many."""
-    if "mapping values are not allowed" not in problem or line < 1:
-        return None
-    above = lines[line - 1]
-    if not (found := _GLUED.match(above)):
-        return None
-    told = f"{found[2]}: {above[found.end(2) + 1 :].strip()[:40]}"
-    return line - 1, found.end(2), "a space is missing behind this colon", f"write {told}"
+    return no_colon(lines, line, problem) or no_dash(lines, line)
 
 
 def _braces(line: str) -> tuple[int, str, str] | None:
