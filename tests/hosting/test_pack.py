@@ -51,6 +51,22 @@ def test_equal_sites_give_equal_zips(tmp_path: Path) -> None:
         assert archive.namelist() == ["ü.html"]
 
 
+def test_what_pages_ask_for_is_unpacked_before_them_and_the_list_of_all_files_last(
+    tmp_path: Path,
+) -> None:
+    """Over an older site: a new page never meets an old script, nor the list what is not there."""
+    for name in ("sw.js", "index.html", "404.html", "worksheets/first.html", "assets/carts.js"):
+        path = tmp_path / "site" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("x", encoding="utf-8")
+    (tmp_path / "site" / "worksheets" / "picture.png").write_bytes(b"x")
+    pack_site(tmp_path / "site", tmp_path / "site.zip", scorm=None)
+    with zipfile.ZipFile(tmp_path / "site.zip") as archive:
+        names = archive.namelist()
+    assert names[:2] == ["assets/carts.js", "worksheets/picture.png"]
+    assert names[2:] == ["404.html", "index.html", "worksheets/first.html", "sw.js"]
+
+
 @pytest.mark.browser
 def test_the_start_page_knows_whether_it_is_alone(open_page: OpenPage, tmp_path: Path) -> None:
     alone, folder = tmp_path / "Temp1_site.zip", tmp_path / "unpacked"

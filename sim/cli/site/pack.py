@@ -14,6 +14,7 @@ from sim.cli.site.build import build_site, mistakes_told
 from sim.cli.write_out import unwritten
 from sim.pages.classroom.scorm import scorm_files
 from sim.pages.language import of_page
+from sim.pages.offline.files import WORKER
 from sim.pages.offline.open_me import NAME as OPEN_ME
 from sim.pages.offline.open_me import open_me
 
@@ -111,12 +112,13 @@ def size_of(path: Path) -> str:
 
 
 def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:
-    """Write the zip of a built site; `scorm`: title and identifier of the package."""
-    files = {
-        path.relative_to(site).as_posix(): path.read_bytes()
-        for path in sorted(site.rglob("*"))
-        if path.is_file()
-    }
+    """Write the zip of a built site; `scorm`: title and identifier of the package.
+
+    What pages ask for comes before them, and the list of all files last: unpacked over an older
+    site, in this order, no page that is new meets a script that is not there yet."""
+    names = [path.relative_to(site).as_posix() for path in site.rglob("*") if path.is_file()]
+    names.sort(key=lambda name: (name == WORKER, name.endswith(".html"), name))
+    files = {name: (site / name).read_bytes() for name in names}
     if scorm:
         files |= scorm_files(*scorm, files)
     write_zip(files, out)
