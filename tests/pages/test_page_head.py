@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from sim.pages.head.page_head import Needs, finish
 from sim.pages.head.policy import trusted_scripts
@@ -15,7 +16,7 @@ PAGE = (
 )
 
 
-def finished(page: str = PAGE, *, site_id: str = "a-site", **needs: bool) -> str:
+def finished(page: str = PAGE, *, site_id: str = "a-site", **needs: Any) -> str:
     return finish(
         page,
         audience="offline",
@@ -52,3 +53,10 @@ def test_no_page_is_prefetched() -> None:
 def test_the_site_has_a_name_that_cannot_break_out() -> None:
     page = finished(site_id='x"><script>')
     assert 'content="x&quot;&gt;&lt;script&gt;"' in page
+
+
+def test_what_a_page_asks_stands_before_every_script_that_asks_for_it() -> None:
+    """A scene looks there whether what was predicted answers its question; it does not wait."""
+    outline = {"lesson": "first", "hash": "", "items": []}
+    page = finished(scenes=True, outline=outline)
+    assert page.index('id="carts-lesson"') < page.index("carts.js") < page.index("answers.js")

@@ -136,8 +136,13 @@ def kinds_of(needs: Needs) -> list[str]:
 
 
 def _scripts(assets: str, needs: Needs) -> Iterator[str]:
-    """The scripts of ours that a page needs: the words of its language before those that say them,
-    and on every page the one that keeps answers and has the panel “My answers”."""
+    """The scripts of ours that a page needs: first what is asked on it, by which a prediction knows
+    whether what was kept answers that; the words of its language before those that say them; and on
+    every page the one that keeps answers and has the panel “My answers”."""
+    if needs.outline is not None:
+        text = json.dumps(needs.outline, ensure_ascii=False, separators=(",", ":"))
+        text = text.replace("<", "\\u003c")
+        yield f'<script type="application/json" id="carts-lesson">{text}</script>'
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
     names += ["carts.js", "tour.js"] if needs.scenes else []
     names += ["tools.js"] if needs.tools else []
@@ -148,8 +153,4 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     names += ["measured.js"] if needs.measured else []
     names += ["class-keys.js", "class.js"] if needs.classroom else []
     yield from (f'<script src="{assets}{name}"></script>' for name in names)
-    if needs.outline is not None:
-        text = json.dumps(needs.outline, ensure_ascii=False, separators=(",", ":"))
-        text = text.replace("<", "\\u003c")
-        yield f'<script type="application/json" id="carts-lesson">{text}</script>'
     yield f'<script src="{assets}answers.js"></script>'

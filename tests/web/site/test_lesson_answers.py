@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Route, expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as, find, saved, saved_file
@@ -68,3 +71,33 @@ def test_a_lesson_over_two_days_gives_one_file(
     assert set(items) == {*asked, f"{name}-forces"}
     # One of the four stands in an optional part, which is not counted.
     assert page.locator(".carts-bar-count").inner_text().startswith("3 of ")
+
+
+@pytest.mark.one_browser
+def test_a_page_whose_scripts_come_slowly_shows_no_prediction_of_another_question(
+    site: Path,
+    open_page: OpenPage,
+    site_server: Callable[[Path], str],
+) -> None:
+    """A server answers files one by one: the store is read before the page is."""
+    lesson = site / "worksheets" / "momentum-and-restitution.html"
+    page = ready(open_page(f"{site_server(site)}/worksheets/{lesson.name}"))
+    choice = page.locator("#momentum-stays .carts-predict [type=radio]").first
+    choice.check()
+    page.locator("#momentum-stays .carts-lock").click()
+    expect(page.locator("#momentum-stays .carts-saved")).to_have_text("Saved.")
+    text = lesson.read_text(encoding="utf-8")
+    changed = re.sub(r'("momentum-stays","hash":")\w{12}', r"\g<1>000000000000", text)
+    assert changed != text  # as the page will be when the teacher has changed the question
+
+    def late(route: Route) -> None:
+        time.sleep(2)
+        route.continue_()
+
+    page.route("**/tour.js*", late)
+    as_html = {"body": changed, "content_type": "text/html; charset=utf-8"}
+    page.route(f"**/{lesson.name}", lambda route: route.fulfill(**as_html))
+    page.reload()
+    ready(page)
+    expect(choice).to_be_enabled()
+    expect(choice).not_to_be_checked()
