@@ -3072,6 +3072,11 @@
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
   var isFetching = () => isOnWeb() && !/** @type {any} */
   globalThis.__cartsInside;
+  async function areKept(addresses) {
+    if (!globalThis.navigator?.serviceWorker?.controller) return false;
+    const asked4 = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
+    return (await Promise.all(asked4).catch(() => [null])).every(Boolean);
+  }
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -3375,6 +3380,10 @@
   var WASM = "pyodide.asm.wasm";
   var STDLIB = "python.zip";
   var MORE = "python-more.zip";
+  async function slowStage(files, folder) {
+    const kept = !isFetching() || await areKept(files.map((file) => new URL(file, folder)));
+    return kept ? SLOW2 : SLOW_LINE;
+  }
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
     constructor({ folder, index, packages: packages2, onProgress, patience = LOST }, snapshot) {
@@ -3453,8 +3462,14 @@
     guard() {
       this.slow?.stop();
       const loading = isFetching() && this.done < this.total;
-      const stage = loading ? SLOW_LINE : SLOW2;
-      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
+      this.slow = watch(SLOW_AFTER, async () => {
+        const parts2 = this.names.flatMap((name) => this.index.files[name].parts);
+        const stage = loading ? await slowStage(
+          parts2.map((part) => part.src),
+          this.folder
+        ) : SLOW2;
+        if (!this.over) this.onProgress({ fraction: this.fraction, stage });
+      });
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
     }
     progress(stage) {
@@ -3527,9 +3542,13 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage = isFetching() ? SLOW_LINE : SLOW2;
-    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
+    let read = false;
+    const late = watch(SLOW_AFTER, async () => {
+      const stage = await slowStage(["index.js"], folder);
+      if (!read) onProgress({ fraction: 0, stage });
+    });
     const index = await loadIndex(folder).finally(late.stop);
+    read = true;
     const options = { folder, index, packages: order(packages2), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));

@@ -173,6 +173,11 @@
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
   var isFetching = () => isOnWeb() && !/** @type {any} */
   globalThis.__cartsInside;
+  async function areKept(addresses) {
+    if (!globalThis.navigator?.serviceWorker?.controller) return false;
+    const asked = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
+    return (await Promise.all(asked).catch(() => [null])).every(Boolean);
+  }
   async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
     for (const pause of pauses) {
       try {
@@ -476,6 +481,10 @@
   var WASM = "pyodide.asm.wasm";
   var STDLIB = "python.zip";
   var MORE = "python-more.zip";
+  async function slowStage(files, folder) {
+    const kept = !isFetching() || await areKept(files.map((file) => new URL(file, folder)));
+    return kept ? SLOW : SLOW_LINE;
+  }
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
     constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
@@ -554,8 +563,14 @@
     guard() {
       this.slow?.stop();
       const loading = isFetching() && this.done < this.total;
-      const stage2 = loading ? SLOW_LINE : SLOW;
-      this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage: stage2 }));
+      this.slow = watch(SLOW_AFTER, async () => {
+        const parts = this.names.flatMap((name) => this.index.files[name].parts);
+        const stage2 = loading ? await slowStage(
+          parts.map((part) => part.src),
+          this.folder
+        ) : SLOW;
+        if (!this.over) this.onProgress({ fraction: this.fraction, stage: stage2 });
+      });
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
     }
     progress(stage2) {
@@ -628,9 +643,13 @@
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
-    const stage2 = isFetching() ? SLOW_LINE : SLOW;
-    const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage: stage2 }));
+    let read = false;
+    const late = watch(SLOW_AFTER, async () => {
+      const stage2 = await slowStage(["index.js"], folder);
+      if (!read) onProgress({ fraction: 0, stage: stage2 });
+    });
     const index = await loadIndex(folder).finally(late.stop);
+    read = true;
     const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));

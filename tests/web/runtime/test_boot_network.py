@@ -159,6 +159,26 @@ def test_a_slow_network_is_told_and_waited_for(
     assert "slow-line" in stages
 
 
+STORE = """window.bootPatience = 60;
+Object.defineProperty(navigator.serviceWorker, "controller", { value: {} });
+caches.match = async (address) => (String(address).includes("%s") ? undefined : new Response());
+"""
+"""A service worker controls the page, and its store has all files but those with these letters."""
+
+
+@pytest.mark.parametrize(("absent", "told"), [("nothing", "slow"), ("python.zip", "slow-line")])
+def test_what_lies_in_the_browser_itself_is_no_matter_of_the_network(
+    open_page: OpenPage, network: Network, boot_site: Path, absent: str, told: str
+) -> None:
+    (boot_site / "patience.js").write_text(STORE % absent, encoding="utf-8")
+    write_page(boot_site, name="kept.html", before=PATIENCE)
+    network.held = "pyodide.asm.wasm"
+    page = open_page(f"{network.address}/kept.html")
+    assert booted(page).get("start") == "snapshot"
+    stages = page.evaluate("window.progress.map(({ stage }) => stage)")
+    assert [stage for stage in stages if stage.startswith("slow")] == [told]
+
+
 def test_a_scene_says_that_the_network_is_slow_until_python_is_there(
     open_page: OpenPage, widget_site: Path
 ) -> None:

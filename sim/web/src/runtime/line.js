@@ -14,6 +14,16 @@ export const isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "
 export const isFetching = () => isOnWeb() && !(/** @type {any} */ (globalThis).__cartsInside);
 
 /**
+ * Whether a service worker has all these files in this browser: then it is no network that is slow.
+ * @param {URL[]} addresses
+ */
+export async function areKept(addresses) {
+  if (!globalThis.navigator?.serviceWorker?.controller) return false;
+  const asked = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
+  return (await Promise.all(asked).catch(() => [null])).every(Boolean);
+}
+
+/**
  * What `ask` brings; over a network it is asked up to three times again.
  * @template T
  * @param {() => Promise<T>} ask

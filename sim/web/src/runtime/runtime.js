@@ -1,8 +1,7 @@
 // Starts Python in a worker and talks to it: one worker, one request under way, answers in order.
 import { RuntimeFailure } from "./failure.js";
-import { isFetching } from "./line.js";
 import { loadIndex } from "./payload.js";
-import { SLOW, SLOW_LINE, SNAPSHOT, Start } from "./start.js";
+import { SLOW, SLOW_LINE, SNAPSHOT, Start, slowStage } from "./start.js";
 import { requireWasm } from "./wasm.js";
 import { AT_WORK, PATIENCE, SLOW_AFTER, watch } from "./watch.js";
 
@@ -28,9 +27,13 @@ export async function startRuntime({ base, packages = [], patience, onProgress =
   if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
   const folder = new URL(base, document.baseURI).href;
-  const stage = isFetching() ? SLOW_LINE : SLOW;
-  const late = watch(SLOW_AFTER, () => onProgress({ fraction: 0, stage }));
+  let read = false;
+  const late = watch(SLOW_AFTER, async () => {
+    const stage = await slowStage(["index.js"], folder);
+    if (!read) onProgress({ fraction: 0, stage });
+  });
   const index = await loadIndex(folder).finally(late.stop);
+  read = true;
   const options = { folder, index, packages: order(packages), onProgress, patience };
   const start = (/** @type {boolean} */ snapshot) => new Start(options, snapshot).run();
   if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));

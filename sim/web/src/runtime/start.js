@@ -1,6 +1,6 @@
 // One attempt at starting Python: loads the files, starts the worker, gives it all it needs.
 import { RuntimeFailure } from "./failure.js";
-import { isFetching, Line } from "./line.js";
+import { areKept, isFetching, Line } from "./line.js";
 import { gunzip, loadPart } from "./payload.js";
 import { Unpacker, workerOf } from "./unpack.js";
 import { compile, compileFailure } from "./wasm.js";
@@ -19,6 +19,12 @@ const LOADER = "pyodide.js";
 const WASM = "pyodide.asm.wasm";
 const STDLIB = "python.zip";
 const MORE = "python-more.zip";
+
+/** What is slow where files of the folder are waited for. @param {string[]} files @param {string} folder */
+export async function slowStage(files, folder) {
+  const kept = !isFetching() || (await areKept(files.map((file) => new URL(file, folder))));
+  return kept ? SLOW : SLOW_LINE;
+}
 
 /** Compiled before, by folder. @type {Map<string, WebAssembly.Module>} */
 const modules = new Map();
@@ -126,8 +132,16 @@ export class Start {
   guard() {
     this.slow?.stop();
     const loading = isFetching() && this.done < this.total;
-    const stage = loading ? SLOW_LINE : SLOW;
-    this.slow = watch(SLOW_AFTER, () => this.onProgress({ fraction: this.fraction, stage }));
+    this.slow = watch(SLOW_AFTER, async () => {
+      const parts = this.names.flatMap((name) => this.index.files[name].parts);
+      const stage = loading
+        ? await slowStage(
+            parts.map((part) => part.src),
+            this.folder,
+          )
+        : SLOW;
+      if (!this.over) this.onProgress({ fraction: this.fraction, stage });
+    });
     if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
   }
 
