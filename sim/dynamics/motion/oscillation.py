@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.motion.threshold import first_fall_to
-from sim.laws.damped_oscillation import Rate, first_turn, greatest_bend, solve
+from sim.laws.damped_oscillation import Rate, first_turn, first_zero, greatest_bend, solve
 
 FADED = 1e-4
 """Of the first swing. Fainter ones are not drawn one by one."""
@@ -70,7 +70,8 @@ class Oscillation:
         """m. Greatest overlap up to t."""
         turn = first_turn(self.rate, self.o0 - self.centre, self.u)
         best = max(self.o0, self.over(t)[0])
-        return max(best, self.at(turn)[0]) if self.u > 0.0 and turn < t else best
+        turns = (turn,) if self.u > 0.0 else (turn, turn + self.half)
+        return max([best, *(self.at(one)[0] for one in turns if one < t)])
 
     def falls(self, over: float, rate: float, level: float) -> float:
         """First t at which over (o − centre) + rate o' falls to a level; it swings as o does."""
@@ -86,10 +87,16 @@ class Oscillation:
         bend = -2.0 * beta * self.u - w0 * w0 * y0
         growth = kappa * self.u + gamma * bend
         third = -2.0 * beta * bend - w0 * w0 * self.u
-        if growth <= 0.0:
-            return [0.0, t]
+        if growth <= 0.0:  # it falls first, or lies still: its lowest place may come, and a crest
+            low = first_zero(self.rate, growth, kappa * bend + gamma * third)
+            return [0.0, *(one for one in (low, low + self.half) if one < t), t]
         turn = first_fall_to(self.rate, growth, kappa * bend + gamma * third, 0.0)
         return [0.0, turn, t] if turn < t else [0.0, t]
+
+    @property
+    def half(self) -> float:
+        """s. From one turn to the next; inf where it does not swing."""
+        return math.pi / self.rate.w if self.rate.regime == "under" else math.inf
 
     def fastest(self) -> float:
         """m/s. Bound on |o'|: that energy never grows."""

@@ -124,9 +124,7 @@ class PairContact:
         best = self.d0
         for swing in self.stretches:
             d, _ = swing.end()
-            best = max(best, d)
-            if swing.rate.beta > 0.0:
-                best = max(best, swing.at(swing.start + _turn(swing))[0])
+            best = max(best, d, swing.at(swing.start + _turn(swing))[0])
         return best
 
     def side(self, body: Body) -> float:

@@ -21,7 +21,7 @@ ENOUGH = ((1e-4, 4), (1e-3, 5), (1e-2, 7), (SLOW, len(SLOW_TERMS)))
 """So many terms up to that |z| h: what is left out is |z h|^n 2/(n + 2)! of the first, 4e-19."""
 
 
-def _slow(
+def slow(
     q: Started, swings: Swinging, h: float, sign: float, level: float
 ) -> tuple[list[float], list[tuple[complex, complex]]]:
     """sign (q − level) as a polynomial of its slow modes up to h s, the last coefficient first.
@@ -51,7 +51,7 @@ def _slow(
     return poly, fast
 
 
-def _look(poly: list[float], fast: list[tuple[complex, complex]], t: float) -> tuple[float, float]:
+def look(poly: list[float], fast: list[tuple[complex, complex]], t: float) -> tuple[float, float]:
     """q and q' at t: what the search for a zero asks for, again and again."""
     value = rate = 0.0
     for c in poly:
@@ -100,14 +100,14 @@ def first_fall(
         t = safe_step(here, rate, bound)
     if t > h or _stays_clear(here, rate, shape, swings, sign, h):
         return None
-    return _searched(q, swings, h, sign, level, t, bound)
+    return searched(q, swings, h, sign, level, t, bound)
 
 
-def _searched(
+def searched(
     q: Started, swings: Swinging, h: float, sign: float, level: float, t: float, bound: float
 ) -> float | None:
     """The same from t on, before which there is no zero."""
-    poly, fast = _slow(q, swings, h, sign, level)
+    poly, fast = slow(q, swings, h, sign, level)
     fading = [
         (size * own, z.real)
         for size, own, z in zip(swings.sizes, q.shape.size, swings.rates, strict=True)
@@ -117,7 +117,7 @@ def _searched(
     for _ in range(SAFE_STEPS):
         if t > h:
             return None
-        here, rate = _look(poly, fast, t)
+        here, rate = look(poly, fast, t)
         if here <= 0.0:
             return t
         if fading:

@@ -10,11 +10,15 @@ import math
 from dataclasses import dataclass, field
 from operator import mul
 
+from sim.dynamics.motion.modes.crests import greatest
 from sim.dynamics.motion.modes.falls import first_fall
 from sim.dynamics.motion.modes.modal_sum import ModalSum
 from sim.dynamics.motion.modes.shares import Swings
 from sim.dynamics.motion.modes.started import Grown, Started, Swinging
 from sim.dynamics.motion.step import Step
+
+ONE_CREST = 2.0
+"""Radians of the fastest mode. A shorter phase is no longer than one step of the series."""
 
 KEPT = 4
 """Times: the end of the phase, and where its forces are greatest."""
@@ -136,25 +140,27 @@ class Phase(Step):
         """m. Greatest overlap up to t; `over` and `rate` are those at t."""
         q = self.overlaps[k]
         best = max(q.first, over)
-        if q.slope > 0.0 and rate < 0.0:
-            turn = first_fall(self.closing(k), self.modes, t)
-            if turn is not None:
-                best = max(best, q.value(turn, self.at(turn)))
+        if (top := self._crest(q, self.closing(k), t, rate)) is not None:
+            best = max(best, q.value(top, self.at(top)))
         return best
 
     def strongest(self, k: int, t: float) -> float:
         """N. A bound on the contact's force up to t."""
-        q = self.pushes[k]
-        bent: float = sum(map(mul, self.modes.sizes, q.shape.size))
-        return abs(q.first) + (abs(q.slope) + 0.5 * bent * t) * t
+        return self.pushes[k].size(self.modes, t)
 
     def greatest(self, k: int, t: float) -> list[float]:
-        """When a contact's force is greatest: at an end, or where it turns."""
-        q, at = self.pushes[k], self.at(t)
-        if q.slope > 0.0 and q.rate(at) < 0.0:
-            growth = self.found.growth[k]
-            bend = sum(map(mul, self.modes.amplitudes, growth.of)).real
-            turn = first_fall(Started(q.slope, q.bend, bend, growth), self.modes, t)
-            if turn is not None:
-                return [turn]
-        return [t] if q.value(t, at) > q.first else [0.0]
+        """When a contact's force is greatest: at an end, or at a crest."""
+        q, growth = self.pushes[k], self.found.growth[k]
+        bend = sum(map(mul, self.modes.amplitudes, growth.of)).real
+        top = self._crest(q, Started(q.slope, q.bend, bend, growth), t, q.rate(self.at(t)))
+        if top is not None:
+            return [top]
+        return [t] if q.value(t, self.at(t)) > q.first else [0.0]
+
+    def _crest(self, q: Started, growth: Started, t: float, rate: float) -> float | None:
+        """s. When q is greatest up to t, if not at an end; `rate` is its growth at t."""
+        if t * self.found.pace > ONE_CREST:
+            return greatest(q, growth, self.modes, t, self.found.pace)
+        if q.slope > 0.0 and rate < 0.0:
+            return first_fall(growth, self.modes, t)
+        return None
