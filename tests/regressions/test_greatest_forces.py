@@ -9,8 +9,10 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.motion.crest import crest
 from sim.dynamics.motion.modes.crests import greatest
 from sim.dynamics.motion.modes.started import Started, shape_of, swinging
+from sim.dynamics.motion.polynomial import value
 from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 
@@ -130,3 +132,41 @@ def test_no_sample_of_a_sum_of_modes_lies_above_its_highest_crest(seed: int) -> 
     size = max(abs(q.value(t, swings.at(t))) for t in samples)
     assert 0.0 <= when <= h
     assert all(q.value(t, swings.at(t)) <= told + 1e-12 * size for t in samples)
+
+
+def test_a_force_that_falls_and_rises_again_within_one_step_is_told_at_its_crest() -> None:
+    """Three on springs, each pressed twice in one touch: 0.2 % more the second time."""
+    carts = [
+        {"mass": 0.5, "position": 0.1, "velocity": 0.2},
+        {"mass": 0.25, "position": 0.299, "velocity": 0.1},
+        {"mass": 2.0, "position": 0.498, "velocity": 0.1},
+    ]
+    springs = [
+        {"spring": {"between": ["A", "B"], "stiffness": 500, "length": 0}},
+        {"spring": {"between": ["B", "C"], "stiffness": 500, "length": 0, "damping": 0.1}},
+    ]
+    contact = {"law": "push-only", "restitution": 1, "stiffness": 200}
+    track = {"left": "wall", "right": "open", "length": 1.0}
+    more = {"track": track, "effects": springs, "start": {"overlap": True}}
+    done = solved(carts, contact, until=4.2, **more)
+    peak = next(
+        e for e in done.record.events if e.kind == "peak" and e.t > 4.08 and "C" in e.bodies
+    )
+    assert peak.t == pytest.approx(4.1042, abs=2e-4)
+    assert peak.force == pytest.approx(0.303371, rel=1e-5)
+    ways = trajectory(done).columns
+    near = [k for k, t in enumerate(ways[("t",)]) if 4.05 < t < 4.14]
+    pushed = [200.0 * (0.2 - ways[("x", "C")][k] + ways[("x", "B")][k]) for k in near]
+    assert max(pushed) <= peak.force * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_polynomial_lies_nowhere_above_its_crest_and_its_ends(seed: int) -> None:
+    dice = Random(seed)
+    low, high = sorted((dice.uniform(-0.5, 1.5), dice.uniform(-0.5, 1.5)))
+    sign = dice.choice([1.0, -1.0])
+    growth = [sign * low * high, -sign * (low + high), sign]  # sign (t − low)(t − high)
+    top = crest(growth, 1.0, sign * (1.0 - low) * (1.0 - high))
+    whole = [0.0, growth[0], growth[1] / 2.0, growth[2] / 3.0]
+    told = max(value(whole, t) for t in (0.0, 1.0, *([] if top is None else [top])))
+    assert all(value(whole, k / 500) <= told + 1e-15 for k in range(501))

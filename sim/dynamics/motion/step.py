@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from sim.dynamics.motion.crest import crest
 from sim.dynamics.motion.guards import along
 from sim.dynamics.motion.polynomial import (
     Poly,
-    first_fall,
     integral_value,
     size,
     slope,
@@ -163,10 +163,8 @@ class Step:
         """m. Greatest overlap up to t; `over` and `rate` are those at t."""
         series = self.over[k]
         best = max(series[0], over)
-        # A step that the end of the run leaves no time has no series beyond its start.
-        rising = len(series) > 1 and series[1] > 0.0
-        if rising and rate < 0.0 and (turn := first_fall(slope(series), t)) is not None:
-            best = max(best, value(series, turn))
+        if (top := crest(slope(series), t, rate)) is not None:
+            best = max(best, value(series, top))
         return best
 
     def strongest(self, k: int, t: float) -> float:
@@ -182,8 +180,8 @@ class Step:
     def greatest(self, k: int, t: float) -> list[float]:
         """Times at which a contact's force may be greatest: ends, and where it turns."""
         growth = slope(self.contact[k])
-        turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
-        return [0.0, t] if turn is None else [0.0, turn, t]
+        top = crest(growth, t, value(growth, t))
+        return [0.0, t] if top is None else [0.0, top, t]
 
 
 def _moves(over: Poly) -> bool:

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from sim.dynamics.motion.crest import crest
 from sim.dynamics.motion.curved.own_time import OwnTime
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.guards import along
-from sim.dynamics.motion.polynomial import Poly, first_fall, size, slope, value
+from sim.dynamics.motion.polynomial import Poly, size, slope, value
 from sim.dynamics.motion.step import Step
 from sim.laws.branch import Guard
 
@@ -163,8 +164,8 @@ class CurvedStep(Step):
         """m. Greatest overlap up to t."""
         s, rates = self.own.of(t), self.rates[k]
         best = max(self._over(k, 0.0), over)
-        if rates[0] > 0.0 and rate < 0.0 and (turn := first_fall(rates, s)) is not None:
-            best = max(best, self._over(k, turn))
+        if (top := crest(rates, s, rate)) is not None:
+            best = max(best, self._over(k, top))
         return best
 
     def strongest(self, k: int, t: float) -> float:
@@ -174,8 +175,8 @@ class CurvedStep(Step):
     def greatest(self, k: int, t: float) -> list[float]:
         """Times at which a contact's force may be greatest."""
         growth, s = slope(self.contact[k]), self.own.of(t)
-        turn = first_fall(growth, s) if value(growth, s) < 0.0 else None
-        return [0.0, t] if turn is None else [0.0, self.own.time(turn), t]
+        top = crest(growth, s, value(growth, s))
+        return [0.0, t] if top is None else [0.0, self.own.time(top), t]
 
     def marks(self, end: float) -> list[float]:
         """Closer together near a touch and a separation."""
