@@ -1,7 +1,8 @@
 """Tier 3: what has neither a closed form nor a power series is integrated, with located events.
 
     y = overlaps, their rates, velocities, ways, impulses and losses of the contacts,
-        integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag
+        integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag;
+        impulses of springs and magnets where there are any
     y' = f(y) by an embedded Runge-Kutta method of order 8 (Dormand & Prince, scipy's DOP853)
 
 One accepted step at a time; its dense output (degree 7) serves for events and drawing as a power
@@ -18,7 +19,7 @@ from dataclasses import dataclass
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.coupled_group import CoupledGroup
-from sim.dynamics.motion.curved_field import curved, dragged, field_of
+from sim.dynamics.motion.curved_field import curved, dragged, field_of, linked
 from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
@@ -51,6 +52,7 @@ class IntegratedStep(Step):
     laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
     rates: list[Poly]  # m²/s, integrals of o'²
     drags: list[list[Poly]]  # of v², v|v|, |v|³ of each body, where there is drag
+    pulls: list[Poly]  # N s, of springs and magnets; empty where there are none
     row: Row
 
     def cut(self, t: float) -> IntegratedStep:
@@ -67,6 +69,10 @@ class IntegratedStep(Step):
         """N s."""
         return value(self.impulses[k], t)
 
+    def across_impulse(self, k: int, t: float) -> float:
+        """N s. As it was integrated."""
+        return value(self.pulls[k], t)
+
     def contact_force(self, k: int, t: float) -> float:
         """N."""
         gap, over = self.gaps[k], self.over[k]
@@ -77,9 +83,9 @@ class IntegratedStep(Step):
     def force(self, k: int, t: float) -> tuple[float, float]:
         """N by the law, dN/dt by the dense output."""
         _, growth = Step.force(self, k, t)
-        room = -value(self.over[k], t)
-        linked = math.fsum(link.force(room, 0.0) for link in self.row.links[k])
-        return self.contact_force(k, t) + linked, growth
+        room, rate = -value(self.over[k], t), -value(slope_of(self.over[k]), t)
+        pull = math.fsum(link.force(room, rate) for link in self.row.links[k])
+        return self.contact_force(k, t) + pull, growth
 
     def squares(self, i: int, t: float) -> tuple[float, float, float]:
         """As they were integrated."""
@@ -126,7 +132,8 @@ def _integrated(
 ) -> IntegratedStep:
     """One accepted step, at most `limit` s, with its dense output; `first` [s] is tried first."""
     start = [*row.overlaps, *row.rates, *row.speeds]
-    start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(dragged(bodies)))
+    integrals = len(bodies) + 3 * len(gaps) + 3 * len(dragged(bodies)) + len(linked(gaps))
+    start += [0.0] * integrals
     if limit <= 0.0:
         return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
     numpy, dop853 = scipy_method()
@@ -188,6 +195,7 @@ def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
         + [SMALL * way * speed] * count
         + [SMALL * way * speed, SMALL * way * speed, SMALL * way * speed * speed]
         * len(dragged(bodies))
+        + [SMALL * lightest * speed] * len(linked(gaps))
     )
 
 
@@ -205,9 +213,11 @@ def _kept(
         drags[i] = rest[3 * j : 3 * j + 3]
     force = [slope_of(p) or [0.0] for p in impulses]
     branches: list[Branch] = row.branches
-    nothing = [0.0] * max(len(p) for p in force) if force else [0.0]
-    across = [list(nothing) for _ in over]
+    pulls: list[Poly] = [[] for _ in gaps]
+    for k, p in zip(linked(gaps), rest[3 * len(dragged(bodies)) :], strict=True):
+        pulls[k] = p
+    across = [slope_of(p) or [0.0] if p else [] for p in pulls]
     return IntegratedStep(
         bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
-        impulses, losses, [curved(gap) for gap in gaps], rates, drags, row,
+        impulses, losses, [curved(gap) for gap in gaps], rates, drags, pulls, row,
     )  # fmt: skip

@@ -1,7 +1,8 @@
 """The equations of a row in which some contact has a curved law: f(y) for an adaptive method.
 
     y = overlaps, their rates, velocities, ways, impulses and losses of the contacts,
-        integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag
+        integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag;
+        impulses of springs and magnets where there are any
 
 All that does not change within a step is looked up once.
 """
@@ -30,12 +31,16 @@ def dragged(bodies: list[Body]) -> list[int]:
     return [i for i, body in enumerate(bodies) if body.load.linear or body.load.quadratic]
 
 
+def linked(gaps: list[Gap]) -> list[int]:
+    """Places of the gaps that springs or magnets act across."""
+    return [k for k, gap in enumerate(gaps) if gap.links]
+
+
 def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
     """f(y)."""
     count, last = len(gaps), 2 * len(gaps) + len(bodies)
     between = [_push(gap, row, k) for k, gap in enumerate(gaps)]
-    links = [[link.force for link in gap.links] for gap in gaps]
-    linked = any(links)
+    links = [(k, [link.force for link in gaps[k].links]) for k in linked(gaps)]
     locked = [branch.locked for branch in row.branches]
     held = any(locked)
     slowed = dragged(bodies)
@@ -51,11 +56,12 @@ def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
         outside = list(row.steady)
         for i, linear, quadratic in drags:
             outside[i] -= (linear + quadratic * abs(v[i])) * v[i]
-        if linked:
-            for k, forces in enumerate(links):
-                pull = math.fsum([force(-over[k], -rate[k]) for force in forces])
-                outside[k] -= pull
-                outside[k + 1] += pull
+        pulls = []
+        for k, forces in links:
+            pull = math.fsum([force(-over[k], -rate[k]) for force in forces])
+            outside[k] -= pull
+            outside[k + 1] += pull
+            pulls.append(pull)
         if held:
             hold_now(row.branches, push, row.inverse, outside)
         a = []
@@ -68,7 +74,7 @@ def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
         squares = [r * r for r in rate]
         for i in slowed:
             squares += [v[i] * v[i], v[i] * abs(v[i]), abs(v[i]) ** 3]
-        return [*rate, *relative, *a, *v, *push, *loss, *squares]
+        return [*rate, *relative, *a, *v, *push, *loss, *squares, *pulls]
 
     return f
 
