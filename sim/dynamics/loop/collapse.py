@@ -126,7 +126,7 @@ def run_of(chain: Chain, block: list[Gap], now: Time, instant: float, hits: Hits
         hits.note(gap, now, instant)
     if (found := hits.rounds()) is not None:
         inside = [one for one in chain.gaps[found[0] : found[1] + 1] if one is not None]
-        alike = all((one.law is None and not one.contact.joins) or one.joined for one in inside)
+        alike = all(one.joined or _is_plain_hit(one, now, instant) for one in inside)
         if alike and any((one.contact.restitution or 0.0) < 1.0 for one in inside):
             hits.collapse()
             return [one for one in inside if not one.joined]
@@ -135,6 +135,11 @@ def run_of(chain: Chain, block: list[Gap], now: Time, instant: float, hits: Hits
         return []
     run = block if other is None else sorted([block[0], other], key=lambda one: one.index)
     return _with_collapsed(chain, run, now, instant)
+
+
+def _is_plain_hit(gap: Gap, now: Time, instant: float) -> bool:
+    """Was it hit at this instant? A gap between two groups that collapse at once was not."""
+    return gap.law is None and not gap.contact.joins and elapsed(gap.changed, now) <= instant
 
 
 def _with_collapsed(chain: Chain, run: list[Gap], now: Time, instant: float) -> list[Gap]:
