@@ -14,7 +14,7 @@ from typing import Any
 from unittest import mock
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.motion import series
+from sim.dynamics.motion.power_series import series
 from sim.scene import effects, read_scene
 from tests.benchmarks.physics import row
 from tests.dynamics.given.pi_billiard import pi_billiard

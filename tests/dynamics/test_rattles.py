@@ -12,8 +12,8 @@ from sim.dynamics.loop.run import run
 from sim.dynamics.motion.modes.falls import first_fall
 from sim.dynamics.motion.modes.rattle import phase
 from sim.dynamics.motion.modes.started import Started, grown, shape_of, swinging
+from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.motion.rows import choose
-from sim.dynamics.motion.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.touching import Touching
 from sim.laws.branch import LOCKED, Branch

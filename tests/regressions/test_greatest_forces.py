@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.motion.crest import crest
 from sim.dynamics.motion.modes.crests import greatest
 from sim.dynamics.motion.modes.started import Started, shape_of, swinging
-from sim.dynamics.motion.polynomial import value
+from sim.dynamics.motion.power_series.crest import crest
+from sim.dynamics.motion.power_series.polynomial import value
 from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 

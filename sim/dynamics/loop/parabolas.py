@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.motion.coupled_group import CoupledGroup
-from sim.dynamics.motion.series import is_rounding
+from sim.dynamics.motion.power_series.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, later
 

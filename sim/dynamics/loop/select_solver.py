@@ -14,8 +14,8 @@ from sim.dynamics.motion import courses
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.guards import branch_of
 from sim.dynamics.motion.linear_pair import linear_pair
+from sim.dynamics.motion.power_series.series import ORDER
 from sim.dynamics.motion.rows.choose import coupled_group
-from sim.dynamics.motion.series import ORDER
 from sim.dynamics.motion.stick_slip import decide
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap, Motion

@@ -22,11 +22,11 @@ from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.motion.curved_field import curved, dragged, field_of, linked
 from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
-from sim.dynamics.motion.polynomial import Poly, value
+from sim.dynamics.motion.power_series.polynomial import Poly, value
+from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.step import Step, slope_of
+from sim.dynamics.motion.power_series.step_ends import first_ends, found_again
 from sim.dynamics.motion.rows.now import row_of
-from sim.dynamics.motion.series import Row
-from sim.dynamics.motion.step import Step, slope_of
-from sim.dynamics.motion.step_ends import first_ends, found_again
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap, kinds_of
 from sim.dynamics.state.clock import ZERO, Time

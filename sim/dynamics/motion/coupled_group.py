@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.work_accounting import book_step
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed

@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable
 
 from sim.dynamics.motion.locked import hold_now
-from sim.dynamics.motion.series import Row
+from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.contact_law import ContactLaw
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
-from sim.dynamics.motion.polynomial import Poly
+from sim.dynamics.motion.power_series.polynomial import Poly
 from sim.dynamics.result.outcome import UnsolvedError
 
 

@@ -10,7 +10,7 @@ Without it nothing would press a locked pair: it would come apart, and be presse
 
 from __future__ import annotations
 
-from sim.dynamics.motion.series import Expansion
+from sim.dynamics.motion.power_series.series import Expansion
 from sim.dynamics.state.body import Body
 from sim.laws.branch import Branch
 

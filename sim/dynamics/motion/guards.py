@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.motion.polynomial import Poly, slope
+from sim.dynamics.motion.power_series.polynomial import Poly, slope
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time

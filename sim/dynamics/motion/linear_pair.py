@@ -19,8 +19,8 @@ from typing import ClassVar
 
 from sim.dynamics.motion.guards import GRAZES, PUSH_ROUNDING, branch_of, guards_of
 from sim.dynamics.motion.oscillation import Oscillation, rate_of
-from sim.dynamics.motion.series import REACH, is_rounding
-from sim.dynamics.motion.step_ends import FINAL
+from sim.dynamics.motion.power_series.series import REACH, is_rounding
+from sim.dynamics.motion.power_series.step_ends import FINAL
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sim.dynamics.motion.polynomial import Poly
+from sim.dynamics.motion.power_series.polynomial import Poly
 from sim.laws.branch import Branch
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from functools import cache
 
-from sim.dynamics.motion.polynomial import Poly, value
+from sim.dynamics.motion.power_series.polynomial import Poly, value
 
 NODES = 14
 

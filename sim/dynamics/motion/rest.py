@@ -20,7 +20,7 @@ import math
 from dataclasses import dataclass
 
 from sim.dynamics.motion.friction_shares import pushes
-from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
 

@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable
 from functools import partial
 
-from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.state.body import Accounts, Gap
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import FRICTION

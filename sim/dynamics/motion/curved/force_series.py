@@ -12,7 +12,7 @@ from __future__ import annotations
 import sys
 from operator import mul
 
-from sim.dynamics.motion.polynomial import Poly
+from sim.dynamics.motion.power_series.polynomial import Poly
 from sim.effects.forces import PairForce
 from sim.laws.branch import Branch
 

@@ -19,10 +19,10 @@ from sim.dynamics.motion.curved.resting import resting_step
 from sim.dynamics.motion.curved.series import OfRoot, RowSeries
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
-from sim.dynamics.motion.polynomial import size, value
+from sim.dynamics.motion.power_series.polynomial import size, value
+from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.step_ends import first_ends
 from sim.dynamics.motion.rows.now import row_of
-from sim.dynamics.motion.series import Row
-from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.laws.contact_law import ContactLaw

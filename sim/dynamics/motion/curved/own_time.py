@@ -20,7 +20,7 @@ import math
 from dataclasses import dataclass
 
 from sim.dynamics.motion.curved_field import curved
-from sim.dynamics.motion.polynomial import Poly, slope, value, value_and_slope
+from sim.dynamics.motion.power_series.polynomial import Poly, slope, value, value_and_slope
 from sim.dynamics.state.body import Gap
 
 NEWTON = 80

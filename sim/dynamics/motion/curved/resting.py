@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.motion.curved_field import curved
+from sim.dynamics.motion.power_series.series import REACH, step_length
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.rest import at_rest
 from sim.dynamics.motion.rows.now import row_of
-from sim.dynamics.motion.series import REACH, step_length
-from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
 

@@ -25,8 +25,8 @@ from sim.dynamics.motion.curved.own_time import OwnTime
 from sim.dynamics.motion.curved.step import CurvedStep
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.locked import hold, locked_runs
-from sim.dynamics.motion.polynomial import Poly, value
-from sim.dynamics.motion.series import (
+from sim.dynamics.motion.power_series.polynomial import Poly, value
+from sim.dynamics.motion.power_series.series import (
     CONVERGED,
     ORDER,
     Row,

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from sim.dynamics.motion.crest import crest
 from sim.dynamics.motion.curved.own_time import OwnTime
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.guards import along
-from sim.dynamics.motion.polynomial import Poly, size, slope, value
-from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.power_series.crest import crest
+from sim.dynamics.motion.power_series.polynomial import Poly, size, slope, value
+from sim.dynamics.motion.power_series.step import Step
 from sim.laws.branch import Guard
 
 TOUCHES = 1e-8

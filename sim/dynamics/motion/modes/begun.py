@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from sim.dynamics.motion.modes.shares import Swings
-from sim.dynamics.motion.series import Row, is_rounding
+from sim.dynamics.motion.power_series.series import Row, is_rounding
 
 
 @dataclass(slots=True)

@@ -11,7 +11,7 @@ import math
 
 from sim.dynamics.motion.modes.modal_sum import ModalSum, plus
 from sim.dynamics.motion.modes.state import ModalState
-from sim.dynamics.motion.series import Row
+from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.loads import Load
 

@@ -18,8 +18,8 @@ from sim.dynamics.motion.modes.forces import contact_sums, others
 from sim.dynamics.motion.modes.guards import guarded
 from sim.dynamics.motion.modes.modal_sum import ModalSum, clear_until, maximum, plus
 from sim.dynamics.motion.modes.state import ModalState, modal_state
+from sim.dynamics.motion.power_series.series import Row, step_length
 from sim.dynamics.motion.rest import QUIET
-from sim.dynamics.motion.series import Row, step_length
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
 from sim.dynamics.state.clock import Time, elapsed

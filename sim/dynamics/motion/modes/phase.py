@@ -15,7 +15,7 @@ from sim.dynamics.motion.modes.falls import first_fall
 from sim.dynamics.motion.modes.modal_sum import ModalSum
 from sim.dynamics.motion.modes.shares import Swings
 from sim.dynamics.motion.modes.started import Grown, Started, Swinging
-from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.power_series.step import Step
 
 ONE_CREST = 2.0
 """Radians of the fastest mode. A shorter phase is no longer than one step of the series."""

@@ -18,8 +18,8 @@ from sim.dynamics.motion.modes.falls import UndecidedError, first_fall
 from sim.dynamics.motion.modes.phase import Phase
 from sim.dynamics.motion.modes.shares import Block, Swings, swings
 from sim.dynamics.motion.modes.started import Started, Swinging, swinging
-from sim.dynamics.motion.series import Row
-from sim.dynamics.motion.step_ends import NEGLIGIBLE, ONSET
+from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.step_ends import NEGLIGIBLE, ONSET
 from sim.dynamics.state.body import Body, End, Gap
 from sim.dynamics.state.flips import NO_MOTION
 from sim.laws.branch import Guard

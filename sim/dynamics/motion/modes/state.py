@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 from sim.dynamics.motion.modes.modal_sum import ModalSum, Term
 from sim.dynamics.motion.modes.normal_modes import Mode, Segment, modes
+from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.motion.rest import Balance, segments, strains
-from sim.dynamics.motion.series import Row
 from sim.dynamics.state.body import Body, Gap
 
 WHOLE = 1e-13

@@ -16,12 +16,19 @@ from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.coupled_group import CoupledGroup, group_of
 from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
-from sim.dynamics.motion.polynomial import integral, size
+from sim.dynamics.motion.power_series.polynomial import integral, size
+from sim.dynamics.motion.power_series.series import (
+    REACH,
+    Expansion,
+    Row,
+    converged_step,
+    expand,
+    step_length,
+)
+from sim.dynamics.motion.power_series.step import Step
+from sim.dynamics.motion.power_series.step_ends import first_ends
 from sim.dynamics.motion.rest import at_rest, blocks
 from sim.dynamics.motion.rows.now import row_of
-from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
-from sim.dynamics.motion.step import Step
-from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Branch

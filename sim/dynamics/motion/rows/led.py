@@ -20,10 +20,16 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from sim.dynamics.motion.polynomial import Poly, integral, size
+from sim.dynamics.motion.power_series.polynomial import Poly, integral, size
+from sim.dynamics.motion.power_series.series import (
+    Expansion,
+    Row,
+    converged_step,
+    expand,
+    step_length,
+)
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.rest import QUIET
-from sim.dynamics.motion.series import Expansion, Row, converged_step, expand, step_length
-from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import LOCKED, Branch
 

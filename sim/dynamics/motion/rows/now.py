@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.guards import push_now
-from sim.dynamics.motion.series import Row
+from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
 

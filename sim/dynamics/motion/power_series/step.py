@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sim.dynamics.motion.crest import crest
 from sim.dynamics.motion.guards import along
-from sim.dynamics.motion.polynomial import (
+from sim.dynamics.motion.power_series.crest import crest
+from sim.dynamics.motion.power_series.polynomial import (
     Poly,
     integral_value,
     size,

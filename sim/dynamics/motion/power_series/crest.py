@@ -7,7 +7,7 @@ exceeds what the bound on its own slope can make of it, nothing more is looked a
 
 from __future__ import annotations
 
-from sim.dynamics.motion.polynomial import Poly, first_fall, shifted, size, slope
+from sim.dynamics.motion.power_series.polynomial import Poly, first_fall, shifted, size, slope
 
 
 def crest(growth: Poly, h: float, last: float) -> float | None:

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 from sim.dynamics.motion.guards import guards_of, offs_of, passed, reserves
-from sim.dynamics.motion.polynomial import Poly, first_fall, size, value_and_slope
-from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.power_series.polynomial import Poly, first_fall, size, value_and_slope
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.state.body import Body, End
 from sim.dynamics.state.flips import NO_MOTION, margin
 

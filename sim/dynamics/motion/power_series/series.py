@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from operator import mul
 
 from sim.dynamics.motion.locked import hold, locked_runs
-from sim.dynamics.motion.polynomial import Poly
+from sim.dynamics.motion.power_series.polynomial import Poly
 from sim.effects.forces import PairForce
 from sim.laws.branch import Branch
 
