@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from sim.cli.site.site_folder import findings, site_around
+from sim.cli.site.site_folder import findings, nearest_site
 from sim.pages.checks.lessons import USUAL_PLACES, check_paths, files_in
 from sim.pages.findings import Finding
 from sim.pages.question.by_default import CODE, TEXT
@@ -46,7 +46,9 @@ def command(
     """
     if as_json and form == "github":
         raise click.UsageError("--json and --format github exclude each other.")
-    root = Path.cwd() if paths else site_around()
+    root = Path.cwd()
+    if not paths:
+        root = nearest_site(root) or root
     for path in paths:
         if not path.exists():
             raise click.UsageError(f"There is no file or folder “{path}”.")

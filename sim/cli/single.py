@@ -10,10 +10,10 @@ import click
 
 from sim.cli.named_file import GivenFile
 from sim.cli.scene_file import fail
+from sim.cli.site.site_folder import nearest_site
 from sim.cli.write_out import write_out
 from sim.pages.blocks.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.findings import AuthorError, SiteError
-from sim.pages.site.settings_file import SETTINGS
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import scan
 from sim.pages.text.lesson_places import LESSONS, bank_folders, scene_folders
@@ -60,7 +60,7 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
 
 def _among_lessons(path: Path, root: Path) -> bool:
     """Whether a file lies in the folder of lessons of its site; `root`: where none is found."""
-    site = next((one for one in path.parents if (one / SETTINGS).is_file()), root)
+    site = nearest_site(path.parent) or root
     return path.is_relative_to(site / LESSONS)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from sim.scene.fields import Field
@@ -41,7 +42,7 @@ def unknown_keys(
         if key in known:
             empty = key if table[key] is None else ""
             continue
-        if table[key] is None and _AFTER_COMMA.fullmatch(str(key)):
+        if _is_after_comma(key, table):
             problems.append(
                 Problem(
                     (*path, key),
@@ -64,11 +65,11 @@ def unknown_keys(
 
 def _cut_by_comma(key: str, table: Mapping[str, Any]) -> bool:
     """Whether the value of `key` is only what stood before a decimal comma: {mass: 0,5 kg}."""
-    if key not in table:
-        return False
-    names = list(table)
-    left_over = names[names.index(key) + 1 :][:1]
-    return any(table[one] is None and _AFTER_COMMA.fullmatch(str(one)) for one in left_over)
+    return any(one == key and _is_after_comma(then, table) for one, then in pairwise(table))
+
+
+def _is_after_comma(key: str, table: Mapping[str, Any]) -> bool:
+    return table[key] is None and _AFTER_COMMA.fullmatch(str(key)) is not None
 
 
 def _home_of(entry: Any, table: Mapping[str, Any], known: tuple[str, ...]) -> str:

@@ -96,6 +96,15 @@ def test_rounds_count_only_when_every_speed_shrinks_by_the_same_factor() -> None
     assert hits([1.0]).rounds() is None
 
 
+def test_a_round_with_the_same_speeds_has_no_end_whatever_came_before_it() -> None:
+    found = Hits()
+    for k in range(600):
+        found.gaps += [1, 2]
+        found.speeds += [1.0 + max(0, 596 - k), 0.5]
+    assert found.rounds() is None
+    assert found.endless
+
+
 PRESSED = {
     "carts": {
         "A": {"mass": 0.408, "position": 0.1, "velocity": -1.0},

@@ -36,7 +36,7 @@ def here() -> SiteFolder:
     """The site of the current folder; a sentence and the end where there is none."""
     root = Path.cwd()
     if not (root / SETTINGS).is_file():
-        above = next((p for p in root.parents if (p / SETTINGS).is_file()), None)
+        above = nearest_site(root)
         help_ = (
             f"Go to {above} first."
             if above
@@ -52,10 +52,9 @@ def here() -> SiteFolder:
     return site
 
 
-def site_around() -> Path:
-    """The current folder, or the nearest above it that is a site; the current one if none is."""
-    here = Path.cwd()
-    return next((one for one in (here, *here.parents) if (one / SETTINGS).is_file()), here)
+def nearest_site(folder: Path) -> Path | None:
+    """The folder itself if it is a site, else the nearest above it that is one; None if none is."""
+    return next((one for one in (folder, *folder.parents) if (one / SETTINGS).is_file()), None)
 
 
 def read(root: Path) -> SiteFolder:

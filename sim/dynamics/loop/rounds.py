@@ -105,7 +105,8 @@ class Hits:
                 if self._shrink(p):
                     return p
                 own = self.speeds[-ROUNDS * p :]
-                self.endless = len(self.gaps) > ENDLESS and own == own[-p:] * ROUNDS
+                if len(self.gaps) > ENDLESS and own == own[-p:] * ROUNDS:
+                    self.endless = True  # whatever longer rounds were before these
         return None
 
     def _shrink(self, p: int) -> bool:

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 
 from sim.measured.readers.idle import are_idle
 from sim.measured.refusal import Fault, ReadingError, refuse, shown
-from sim.measured.sheet.heads import holds_times, quantity_of
+from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import MOST_FAULTS, Column, Table, read_table
 from sim.measured.sheet.turned import along_the_track
@@ -25,7 +25,7 @@ from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 
 _COUNTS = re.compile(r"step|n|nr|no|#", re.I)
 _FRAMES = re.compile(
-    r"(?:frames?|slice|image|bild|帧|bingkai)(?:[\s_.-]*(?:no|nr|n°|number|id|#))?", re.I
+    rf"(?:frames?|slice|image|bild|帧|bingkai)(?:[\s_.-]*(?:{NUMBERED}|n°|#))?", re.I
 )
 
 

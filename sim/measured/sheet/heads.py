@@ -56,6 +56,7 @@ _NAMED = {kind: _named(words) for kind, words in WORDS.items()}
 _ANY = re.compile("|".join(WORDS.values()) + "|force|kraft", re.I)
 CART_WORDS = "cart|wagen|glider|trolley|troli|kereta|chariot|carro|sensor"
 _GENERIC = re.compile(rf"\b(?:smart|{CART_WORDS})\b", re.I)
+NUMBERED = "id|no|nr|number"  # behind what is counted: “cart no”, “Run nr”
 SIDEWAYS = ("y", "z", "vertical")
 _TIME = re.compile(rf"\W*(?:{WORDS['time']})(?:[\s_.-]+[A-Za-z0-9]{{1,8}}|\d{{0,2}})\W*", re.I)
 _WHO = re.compile(r".+?(?:[\s_.,-]+(?P<after>[A-Za-z0-9]{1,12})|(?P<digits>\d{1,2}))\W*")

@@ -21,7 +21,7 @@ from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import Head
-from sim.measured.sheet.heads import CART_WORDS, holds_times
+from sim.measured.sheet.heads import CART_WORDS, NUMBERED, holds_times
 from sim.measured.sheet.prefixes import RUN_WORDS, run_alone
 from sim.measured.sheet.stacked import Start
 from sim.measured.track import FEWEST
@@ -29,10 +29,10 @@ from sim.measured.track import FEWEST
 _CART = re.compile(
     rf"(?:{CART_WORDS}|car|puck|body|object|track|particle|marker|device|gleiter|körper|objekt|"
     r"mobile|objet|carrito|objeto|objek|小车|物体|滑块|வண்டி)"
-    r"(?:[\s_.-]*(?:id|no|nr|n°|name|number|label))?|id|name|label|who|which",
+    rf"(?:[\s_.-]*(?:{NUMBERED}|n°|name|label))?|id|name|label|who|which",
     re.I,
 )
-_RUN = re.compile(rf"(?:{RUN_WORDS}|take|repeat|次数)(?:[\s_.-]*(?:id|no|nr|number))?", re.I)
+_RUN = re.compile(rf"(?:{RUN_WORDS}|take|repeat|次数)(?:[\s_.-]*(?:{NUMBERED}))?", re.I)
 MOST_CARTS = 8
 """Different words in a column without a head that says so: more are remarks."""
 

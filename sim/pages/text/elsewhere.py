@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 
-ON_THIS_COMPUTER = re.compile(r"[a-z]:[\\/]|file:|\\\\", re.IGNORECASE)  # C:\, C:/, \\server
 _ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|//", re.IGNORECASE)
 
 

@@ -10,11 +10,11 @@ from urllib.parse import unquote
 
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.site.effect_pages import EFFECTS, PLACE
-from sim.pages.text.elsewhere import ON_THIS_COMPUTER, leads_elsewhere
+from sim.pages.text.elsewhere import leads_elsewhere
 from sim.pages.text.films import FILMS, OTHER_FILMS
 from sim.pages.text.front_matter import Found
 from sim.pages.text.lesson_places import JOINING, LESSONS, is_built
-from sim.pages.text.raw_html import own_pictures
+from sim.pages.text.raw_html import pictures_in_html
 
 # As Markdown reads it: in <…>, or with brackets in pairs; a title in quotes may follow, up to the
 # last of them. A bare one begins with no blank, so that each blank belongs to one part only: of a
@@ -26,6 +26,7 @@ _TARGET = (
 )
 PICTURE = re.compile(rf"!\[([^\]\n]*)\]{_TARGET}")
 _LINK = re.compile(rf"(?<!!)\[[^\]\n]+\]{_TARGET}")
+_ON_THIS_COMPUTER = re.compile(r"[a-z]:[\\/]|file:|\\\\", re.IGNORECASE)  # C:\, C:/, \\server
 
 
 def links(prose: str, lesson: Lesson) -> Iterator[Found]:
@@ -33,9 +34,9 @@ def links(prose: str, lesson: Lesson) -> Iterator[Found]:
     folder = lesson.scene_folders[0]
     found = (*_LINK.finditer(prose), *PICTURE.finditer(prose))
     written = ((link.start(), link["wrapped"] or link["bare"] or "") for link in found)
-    for at, address in (*written, *own_pictures(prose)):
+    for at, address in (*written, *pictures_in_html(prose)):
         target = unquote(address.split("#")[0].split("?")[0])
-        if ON_THIS_COMPUTER.match(target):
+        if _ON_THIS_COMPUTER.match(target):
             hint = "put the file beside the lesson, and write its name alone: carts.png"
             yield at, "broken-link", f"“{target[:60]}” is on this computer alone", hint
             continue

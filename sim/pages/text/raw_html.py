@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator
 
 from sim.pages.text.blocked import blocked
-from sim.pages.text.elsewhere import ON_THIS_COMPUTER, leads_elsewhere
 from sim.pages.text.front_matter import Found
 
 _TAG = re.compile(r"<(?P<name>[a-zA-Z][\w-]*)(?:\s(?:[^<>\"']|\"[^\"]*\"|'[^']*')*)?/?>")
@@ -51,13 +50,12 @@ def never_shown(prose: str) -> Iterator[Found]:
             )
 
 
-def own_pictures(prose: str) -> Iterator[tuple[int, str]]:
-    """Where a picture or a film in HTML names a file of the site or of this computer, and its
-    address."""
+def pictures_in_html(prose: str) -> Iterator[tuple[int, str]]:
+    """Where a picture or a film in HTML stands, and its address."""
     for tag in _TAG.finditer(without_comments(prose)):
         source = _SOURCE.search(tag[0]) if tag["name"].lower() in SHOWING else None
         address = next(filter(None, source.groups()), "") if source else ""
-        if address and (ON_THIS_COMPUTER.match(address) or not leads_elsewhere(address)):
+        if address:
             yield tag.start(), address
 
 
