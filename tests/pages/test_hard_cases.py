@@ -139,3 +139,11 @@ def test_an_author_is_told_what_is_wrong(text: str, said: str) -> None:
     (block,) = scan(f"```hard-cases\n{text}\n```".splitlines())
     with pytest.raises(AuthorError, match=said):
         read_hard_cases_block(block, Lesson("page.md"), SiteIds(), first_line=1)
+
+
+A_PROGRAMS_SIGNS = re.compile(r"\de[+-]?\d|\^-?\d|\b(sqrt|pi|mu|beta|zeta)\b|(?<![.\d])\d{5}")
+
+
+@pytest.mark.parametrize("case", ALL, ids=lambda case: case.name)
+def test_what_is_hard_is_told_in_a_readers_signs(case: HardCase) -> None:
+    assert not A_PROGRAMS_SIGNS.findall(f"{case.sentence} {case.why}")

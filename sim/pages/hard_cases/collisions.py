@@ -5,7 +5,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from sim.pages.hard_cases.row import ULP, Expected, HardCase, at, row, scene, speeds
+from sim.pages.hard_cases.row import (
+    ULP,
+    Expected,
+    HardCase,
+    at,
+    row,
+    scene,
+    speeds,
+    ten_to,
+)
 
 
 def pi_billiard(digits: int, **contact: Any) -> dict[str, Any]:
@@ -23,33 +32,33 @@ def pi_digits(digits: int) -> int:
 PI = [
     HardCase(
         f"pi-hard-{n}",
-        f"Impacts of a cart of {100**n} kg with one of 1 kg before a wall count digits of pi.",
+        f"A cart of {ten_to(2 * n)} kg, one of 1 kg and a wall: their impacts count digits of π.",
         pi_billiard(n, law="instant"),
         (Expected("count.contact", pi_digits(n), 0),),
-        "Galperin, Regular and Chaotic Dynamics 8 (2003) 375: ceil(pi / atan 10^-n) − 1; a count.",
+        "Galperin, Regular and Chaotic Dynamics 8 (2003) 375: ceil(π / atan 10⁻ⁿ) − 1; a count.",
         events=n < 3,
     )
     for n in range(5)
 ] + [
     HardCase(
         f"pi-soft-{n}",
-        f"Bumpers of {k:g} N/m count the same digits: no two contacts overlap in time.",
-        pi_billiard(n, stiffness=k),
+        f"Bumpers of {ten_to(log_k)} N/m count the same digits: no two contacts overlap in time.",
+        pi_billiard(n, stiffness=10.0**log_k),
         (Expected("count.contact", pi_digits(n), 0),),
-        "k > pi² (M/m)² m V²/x0² keeps every contact before the wall alone; a count.",
+        "k > π² (M/m)² m V²/x₀² keeps every contact before the wall alone; a count.",
         events=n < 3,
     )
-    for n, k in ((1, 1e5), (2, 1e10), (3, 1e14), (4, 1e18))
+    for n, log_k in ((1, 5), (2, 10), (3, 14), (4, 18))
 ]  # fmt: skip
 
 
-def ratio(big: float) -> HardCase:
+def ratio(digits: int) -> HardCase:
     """Very unequal masses."""
-    e, u = 0.8, 1.0
+    e, u, big = 0.8, 1.0, 10.0**digits
     centre = big * u / (big + 1)
     return HardCase(
         f"mass-ratio-{big:.0e}",
-        f"A cart of {big:.0e} kg hits one of 1 kg at rest.",
+        f"A cart of {ten_to(digits)} kg hits one of 1 kg at rest.",
         scene(
             {"A": at(0, 1, big), "B": at("0.5", 0, 1)}, 1,
             contact={"restitution": "0.8", "stiffness": 5000},
@@ -60,59 +69,59 @@ def ratio(big: float) -> HardCase:
 
 
 IMPACTS = [
-    ratio(1e9),
-    ratio(1e18),
+    ratio(9),
+    ratio(18),
     HardCase(
         "microsecond-in-a-slow-flight",
-        "Two carts at 1e-9 m/s touch for a microsecond within a flight of 100 s.",
+        "Two carts at 10⁻⁹ m/s touch for a microsecond within a flight of 100 s.",
         scene(
             {"A": at(0, "1e-9"), "B": at("0.200000001", "-0.5e-9", 2)}, 100,
             contact={"restitution": "0.8", "stiffness": 1e13},
         ),
         speeds(-0.8e-9, 0.4e-9, within=1e-24),
-        "V = 0, so every velocity turns and keeps 0.8 of itself; two ulp of 1e-9.",
+        "V = 0, so every velocity turns and keeps 0.8 of itself; two ulp of 10⁻⁹.",
     ),
     HardCase(
         "grazing",
-        "One cart is faster by 1e-12 m/s than the next, touching one.",
+        "One cart is faster by 10⁻¹² m/s than the next, touching one.",
         row(["1.000000000001", 1], 1, contact={"restitution": "0.5", "stiffness": 1e6}),
         speeds(1 + 0.25e-12, 1 + 0.75e-12, within=2 * ULP),
-        "V = 1 + 0.5e-12, e = 0.5; velocities are stored to one ulp of 1.",
+        "V = 1 + 0.5 × 10⁻¹², e = 0.5; velocities are stored to one ulp of 1.",
     ),
     HardCase(
         "restitution-1e-12",
         "Hardly any restitution is still delivered.",
         row([1, -1], 5, gap="0.6", contact={"law": "paper", "restitution": "1e-12"}),
         (Expected("v.B-A", 2e-12, 4 * ULP),),
-        "Separation speed e u = 2e-12 m/s, from velocities stored to an ulp of 1.",
+        "Separation speed e u = 2 × 10⁻¹² m/s, from velocities stored to an ulp of 1.",
     ),
     HardCase(
         "restitution-0",
         "Without restitution two carts go on together.",
         scene({"A": at(0, 1), "B": at("0.5", 0, 3)}, 5, contact={"restitution": 0}),
         (*speeds(0.25, 0.25, within=4 * ULP), Expected("warmed", 0.375, 4 * ULP)),
-        "Conservation of momentum: m1 u/(m1 + m2); half mu u² warms the bumpers.",
+        "Conservation of momentum: m₁ u/(m₁ + m₂); half μ u² warms the bumpers.",
     ),
     HardCase(
         "collapse-just-above",
         "Three equal carts at e = 0.0719 hit each other a finite number of times.",
         row([1, 0, -1], 20, gap="0.1", contact={"law": "instant", "restitution": "0.0719"}),
         (Expected("v.A+B+C", 0, 1e-15),),
-        "McNamara & Young, Phys. Fluids A 4 (1992) 496: collapse below 7 − 4 sqrt 3 = 0.07180.",
+        "McNamara & Young, Phys. Fluids A 4 (1992) 496: collapse below 7 − 4 √3 = 0.07180.",
     ),
     HardCase(
         "collapse-below",
         "At e = 0.05 three equal carts collapse: infinitely many impacts, and then one velocity.",
         row([1, 0, -1], 20, gap="0.1", contact={"law": "instant", "restitution": "0.05"}),
         speeds(0, 0, 0, within=1e-15),
-        "McNamara & Young: e < 7 − 4 sqrt 3; by symmetry the common velocity is nought.",
+        "McNamara & Young: e < 7 − 4 √3; by symmetry the common velocity is nought.",
     ),
     HardCase(
         "triple-hit-paper",
         "Two carts meet in a third: each sees a fixed wall.",
         row([1, 0, -1], 5, gap="0.3", contact={"law": "paper", "restitution": "0.8"}),
         speeds(-0.854201911781, 0, 0.854201911781, within=1e-12),
-        "e = exp(−pi z/sqrt(1 − z²)) with z = zeta sqrt(1/2); twelve digits printed.",
+        "e = exp(−π z/√(1 − z²)) with z = ζ √½; twelve digits printed.",
     ),
     HardCase(
         "triple-hit-bumper",
@@ -129,11 +138,11 @@ IMPACTS = [
             contact={"restitution": 1, "stiffness": 500}, start={"overlap": True},
         ),
         (*speeds(-math.sqrt(0.1), math.sqrt(0.1), within=1e-15), Expected("energy", 0.1, 1e-16)),
-        "Half k d² = 0.1 J shared by two equal carts: v = sqrt(0.1) m/s.",
+        "Half k d² = 0.1 J shared by two equal carts: v = √0.1 m/s.",
     ),
     HardCase(
         "far-from-the-origin",
-        "A collision at x = 1e9 m.",
+        "A collision at x = 10⁹ m.",
         scene(
             {"A": at(10**9, 1), "B": at(f"{10**9}.8", "-0.5", 2)}, 1,
             contact={"restitution": "0.8", "stiffness": 500},
@@ -161,7 +170,7 @@ CRADLES = [
         f"{len(out)} touching carts on linear springs, the first comes in at 1 m/s.",
         row([1] + [0] * (len(out) - 1), 5, contact={"restitution": 1, "stiffness": 500}),
         speeds(*out, within=1e-9),
-        "Integrated by DOP853 at 1e-12 and in 40 digits; nine digits printed.",
+        "Integrated by DOP853 at 10⁻¹² and in 40 digits; nine digits printed.",
     )
     for out in (
         [-0.130261695, 0.150229569, 0.980032126],
@@ -185,9 +194,9 @@ CRADLES = [
 ] + [
     HardCase(
         "cradle-spaced",
-        "With gaps of 1.12 u sqrt(m/k) the motion is handed on as by instant impacts.",
+        "With gaps of 1.12 u √(m/k) the motion is handed on as by instant impacts.",
         row([1, 0, 0, 0], 5, gap="0.0501", contact={"restitution": 1, "stiffness": 500}),
         speeds(0, 0, 0, 1, within=1e-14),
-        "Contacts no longer overlap from pi/(2 sqrt 2) = 1.1107 on; a few ulp.",
+        "Contacts no longer overlap from π/(2 √2) = 1.1107 on; a few ulp.",
     )
 ]  # fmt: skip

@@ -13,6 +13,7 @@ from sim.scene.laws import has_formulas
 
 G = 9.81
 ULP = 2.220446049250313e-16
+_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -73,3 +74,8 @@ def row(
 def speeds(*values: float, within: float, names: str = "ABCDE") -> tuple[Expected, ...]:
     """m/s of the carts at the end, in their order."""
     return tuple(Expected(f"v.{n}", v, within) for n, v in zip(names, values, strict=False))
+
+
+def ten_to(power: int) -> str:
+    """A power of ten as readers write it: 100, 10⁹."""
+    return str(10**power) if power < 4 else "10" + str(power).translate(_RAISED)

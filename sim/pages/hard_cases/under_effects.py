@@ -93,7 +93,7 @@ DRY = [
         "With μ < tan θ it comes back, slower.",
         scene({"A": at(0, -1)}, BACK, incline(), friction(0.1)),
         (Expected("x.A", 0, 1e-15), *speeds(SPEED_BACK, within=BITS)),
-        "v' = v sqrt((sin θ − μ cos θ)/(sin θ + μ cos θ)).",
+        "v' = v √((sin θ − μ cos θ)/(sin θ + μ cos θ)).",
     ),
     HardCase(
         "too-weak-a-push",
@@ -112,7 +112,7 @@ DRY = [
         ),
         (Expected("last.contact", 0.4 * 3, 2e-12), *speeds(0, within=1e-15),
          Expected("x.A", 0.9, 1e-15)),
-        "t = t0 (1 + 2 e/(1 − e)), t0 = sqrt(2 h/a) = 0.4 s; below 1e-12 m/s it rests.",
+        "t = t₀ (1 + 2 e/(1 − e)), t₀ = √(2 h/a) = 0.4 s; below 10⁻¹² m/s it rests.",
     ),
     HardCase(
         "rest-on-a-soft-wall",

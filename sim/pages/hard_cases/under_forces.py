@@ -30,7 +30,7 @@ FORCES = [
     ),
     HardCase(
         "quadratic-drag",
-        "Drag c v²: v0/(1 + c v0 t/m), a way that grows for ever.",
+        "Drag c v²: v₀/(1 + c v₀ t/m), a way that grows for ever.",
         scene({"A": at(0, 2, "0.5")}, 3, {"drag": {"quadratic": "0.25"}}),
         (*speeds(0.5, within=BITS), Expected("x.A", 2 * math.log(4), BITS)),
         "Newton; closed form.",
@@ -41,7 +41,7 @@ FORCES = [
         scene({"A": at(0, 0, 1)}, 2, incline(), {"drag": {"quadratic": "0.5"}}),
         speeds(math.sqrt(2 * G * SIN) * math.tanh(2 * G * SIN / math.sqrt(2 * G * SIN)),
                within=1e-14),
-        "Solution of m v' = m a − c v²; the power series keeps 1e-15.",
+        "Solution of m v' = m a − c v²; the power series keeps 10⁻¹⁵.",
     ),
     HardCase(
         "drag-inside-a-contact",
@@ -49,7 +49,7 @@ FORCES = [
         row([1, -1], math.pi / W_DRAG, {"drag": {"linear": "0.2"}},
             contact={"restitution": 1, "stiffness": 500}),
         (Expected("v.B-A", 2 * math.exp(-0.1 * math.pi / W_DRAG), 1e-13),),
-        "beta = b/2m: e = exp(−beta pi/w), w² = k/mu − beta²; read at the instant of separation.",
+        "β = b/2m: e = exp(−βπ/w), w² = k/μ − β²; read at the instant of separation.",
     ),
     HardCase(
         "magnets-turning-point",
@@ -60,18 +60,18 @@ FORCES = [
     ),
     HardCase(
         "magnets-at-any-time",
-        "Magnets C/r³ have a closed form: r² = r0² + 2 r0 r0' t + (2 E/mu) t².",
+        "Magnets C/r³ have a closed form: r² = r₀² + 2 r₀ r₀' t + (2 E/μ) t².",
         scene(TWO, 1.5, MAGNETS),
         (Expected("x.B-A", math.sqrt(R0**2 - 2 * R0 * U0 * 1.5 + 2 * E_MAG / MU * 1.5**2) + 0.2,
                   1e-13), Expected("energy", 0.375 + C / (2 * R0**2), 1e-14)),
-        "d²(r²)/dt² = 4 E/mu is constant for n = 3.",
+        "d²(r²)/dt² = 4 E/μ is constant for n = 3.",
     ),
     HardCase(
         "spring-pair-half-a-period",
         "Two carts on a spring: half a period later they have exchanged their relative motion.",
         scene(TWO_SPRING, math.pi / W_SPRING, SPRING),
         (*speeds(-1, 0.5, within=1e-14), Expected("x.B-A", 0.6, 1e-14)),
-        "ω = sqrt(k/mu); V = 0.",
+        "ω = √(k/μ); V = 0.",
     ),
     HardCase(
         "spring-pair-quarter-period",
@@ -85,7 +85,7 @@ FORCES = [
         "A thousand periods later everything is as at the start.",
         scene(TWO_SPRING, 2000 * math.pi / W_SPRING, SPRING),
         (*speeds(1, -0.5, within=1e-10), Expected("energy", 0.75, 1e-11)),
-        "Each step rounds at 1e-16 and the phase adds up: 1e4 steps, some 1e-12.",
+        "Each step rounds at 10⁻¹⁶ and the phase adds up: 10⁴ steps, some 10⁻¹².",
     ),
     HardCase(
         "release-from-rest",
@@ -119,7 +119,7 @@ FORCES = [
               {"push": {"cart": "A", "force": 3, "until": 1}}),
         (*speeds(0, within=0), Expected("x.A", 0.5 * (3 - 0.1 * G) * 3 / (0.1 * G), 1e-14),
          Expected("work.push", 1.5 * (3 - 0.1 * G), 1e-14)),
-        "F s1 = μ m g s, s1 = half a t².",
+        "F s₁ = μ m g s, s₁ = half a t².",
     ),
 ]  # fmt: skip
 
@@ -145,7 +145,7 @@ def fifty() -> HardCase:
             track={"left": "wall", "right": "wall", "length": room}, contact={"law": "instant"},
         ),
         tuple(Expected(f"x.c{k}", line, 1e-11) for k, line in enumerate(sorted(lines))),
-        "Jepsen, J. Math. Phys. 6 (1965) 405; 5,000 additions of 1e-16 m.",
+        "Jepsen, J. Math. Phys. 6 (1965) 405; 5,000 additions of 10⁻¹⁶ m.",
         events=False,
     )  # fmt: skip
 
@@ -153,14 +153,14 @@ def fifty() -> HardCase:
 LONG = [
     HardCase(
         "a-million-seconds",
-        "One soft cart between walls for 1e6 s is where its period says.",
+        "One soft cart between walls for 10⁶ s is where its period says.",
         scene(
             {"A": at("0.6", "0.02")}, MANY * PERIOD,
             track={"left": "wall", "right": "wall", "length": "1.2"},
             contact={"restitution": 1, "stiffness": 500},
         ),
         (Expected("x.A", 0.6, 1e-9), *speeds(0.02, within=1e-12)),
-        "Period 2 (L/v + pi/w); the end time itself is known to 1e-10 s.",
+        "Period 2 (L/v + π/w); the end time itself is known to 10⁻¹⁰ s.",
         events=False,
     ),
     fifty(),
