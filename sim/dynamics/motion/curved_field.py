@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from sim.dynamics.motion.friction_shares import held_groups, pushes
 from sim.dynamics.motion.locked import hold_now
 from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.state.body import Body, Gap
@@ -43,6 +44,10 @@ def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
     links = [(k, [link.force for link in gaps[k].links]) for k in linked(gaps)]
     locked = [branch.locked for branch in row.branches]
     held = any(locked)
+    groups = [
+        (group, [bodies[i].load.static for i in group])
+        for group in held_groups(bodies, row.branches)
+    ]
     slowed = dragged(bodies)
     drags = [(i, bodies[i].load.linear, bodies[i].load.quadratic) for i in slowed]
 
@@ -64,6 +69,11 @@ def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
             pulls.append(pull)
         if held:
             hold_now(row.branches, push, row.inverse, outside)
+        for group, static in groups:  # none of them moves: friction says what presses them
+            others = [outside[i] for i in group]
+            others[0] += push[group[0] - 1] if group[0] > 0 else 0.0
+            others[-1] -= push[group[-1]] if group[-1] < count else 0.0
+            push[group[0] : group[-1]] = pushes(others, static)
         a = []
         before = 0.0
         for i, inv in enumerate(row.inverse):

@@ -19,7 +19,13 @@ def share(
     bodies: list[Body], branches: list[Branch], steady: list[float], found: Expansion
 ) -> None:
     """Fill in the forces of locked gaps inside groups of held carts."""
-    first = 0
+    for group in held_groups(bodies, branches):
+        _group(bodies, group[0], group[-1], steady, found)
+
+
+def held_groups(bodies: list[Body], branches: list[Branch]) -> list[range]:
+    """Neighbours that static friction holds and whose contacts are locked, two and more."""
+    groups, first = [], 0
     for last, body in enumerate(bodies):
         if not (body.carts and body.held):
             first = last + 1
@@ -27,8 +33,9 @@ def share(
         if last < len(branches) and branches[last].locked and _holds(bodies, last + 1):
             continue
         if last > first:
-            _group(bodies, first, last, steady, found)
+            groups.append(range(first, last + 1))
         first = last + 1
+    return groups
 
 
 def _holds(bodies: list[Body], i: int) -> bool:

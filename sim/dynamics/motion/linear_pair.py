@@ -116,11 +116,18 @@ class LinearPair:
         force, growth = self.mu * (self.pull - a), -self.mu * jerk
         return (force - self.drag * rate, growth - self.drag * a) if self.drag else (force, growth)
 
+    def _changed(self, t: float) -> float:
+        """N s. Of contact and springs together, from the motion that they changed."""
+        o, v = self.between.over(t)
+        total = self.mu * (self.between.u - v) + self.mu * self.pull * t
+        return total - self.drag * (o - self.between.o0)
+
     def _impulse(self, t: float) -> float:
-        """N s. Of the contact."""
-        branch = self.branch
-        gone = self.between.over(t)[0] - self.between.o0
-        return branch.kappa * (self.between.sum(t) - branch.rest * t) + branch.gamma * gone
+        """N s. Of the contact. Overlaps on a steep line differ in their last figures only."""
+        if not self.members[0].links:
+            return self._changed(t)
+        branch, gone = self.branch, self.between.over(t)[0] - self.between.o0
+        return branch.gamma * gone + branch.kappa * (self.between.sum(t) - branch.rest * t)
 
     def locked(self, k: int) -> bool:
         """It moves."""
@@ -156,10 +163,8 @@ class LinearPair:
             if link.damping():
                 accounts.work(link.kind, -link.damping() * self.between.damped(t))
         if gap.links:
-            between, (o, v) = self.between, self.between.over(t)
-            moved = o - between.o0
-            total = self.mu * (between.u - v) + self.mu * self.pull * t - self.drag * moved
-            links = total - self._impulse(t)
+            between, links = self.between, self._changed(t) - self._impulse(t)
+            moved = between.over(t)[0] - between.o0
             book_from_wall(accounts, gap, links, t, lambda: (between.sum(t), moved))
 
 

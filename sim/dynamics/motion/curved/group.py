@@ -18,9 +18,10 @@ from sim.dynamics.motion.curved.own_time import fresh, keeper, unit_of
 from sim.dynamics.motion.curved.resting import resting_step
 from sim.dynamics.motion.curved.series import OfRoot, RowSeries
 from sim.dynamics.motion.curved_field import curved
+from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
 from sim.dynamics.motion.power_series.polynomial import size, value
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import Expansion, Row
 from sim.dynamics.motion.power_series.step_ends import first_ends
 from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.state.body import Body, Gap
@@ -52,7 +53,7 @@ def curved_group(
     fastest = max([*(abs(body.v) for body in bodies), *(abs(gap.rate) for gap in gaps)])
     if (rest := resting_step(bodies, gaps, branches, limit)) is not None:
         return group_of(rest, [], limit, now)
-    if any(body.load.quadratic and not body.sliding for body in bodies):
+    if any(body.load.quadratic and not (body.sliding or body.held) for body in bodies):
         return None
     row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
     silent = _silent(gaps, row, fastest)
@@ -63,6 +64,7 @@ def curved_group(
             return None
     unit = 1.0 if clock is None else unit_of(gaps[clock])
     series = RowSeries(row, gaps, clock, unit, silent)
+    share(bodies, branches, row.steady, Expansion(series.o, series.force, series.pull, series.a))
     least = fastest * min(body.mass for body in bodies)
     step = series.step(bodies, _faint_until(series, series.converged(limit), least))
     ends, s = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
