@@ -33,6 +33,7 @@ class Forming:
         self.solvers: defaultdict[str, int] = defaultdict(int)
         self.end: Time = (scene.until, 0.0)
         self.predictions = Predictions(self.chain, self.calendar, self.end)
+        self.least = transitions.NOTHING * self.chain.length / scene.until  # m/s
         self.instant = flips.AT_ONE_INSTANT * scene.until
         self.strikes = Strikes(self.chain, record, self.ledger, self.instant, self.solvers)
         self.happened = self.steps = 0

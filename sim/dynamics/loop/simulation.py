@@ -159,7 +159,8 @@ class Simulation(Forming):
         gap = touched[0]
         if gap.law is not None:
             flips.note(gap, now, self.instant)
-            contacts.touch(gap, now, self.record, self.ledger)
+            if not transitions.comes_to_nothing(gap, self.least, self.ledger):
+                contacts.touch(gap, now, self.record, self.ledger)
         elif block := [one for one in touched if one.rate <= self.strikes.parts]:
             bodies = self.strike(block, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
@@ -198,7 +199,9 @@ class Simulation(Forming):
         bodies, gaps = self.settle_touched([body, *near], list(beside), now)
         for gap in motion.members:
             gap.plain = 0 if motion.ends else gap.plain + 1
-        self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
+        self.happened += transitions.leave(
+            motion, now, self.record, self.ledger, self.instant, self.least
+        )
         for block in transitions.struck(motion, beside, self.chain, self.ledger, now):
             self.happened += len(block)
             for gap in block:

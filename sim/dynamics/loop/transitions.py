@@ -13,7 +13,9 @@ import math
 from collections.abc import Sequence
 
 from sim.dynamics.loop import contacts, impacts, release
+from sim.dynamics.loop.collapse import one_velocity
 from sim.dynamics.loop.first_struck import fastest_of
+from sim.dynamics.loop.rooms import resting
 from sim.dynamics.motion.guards import branch_of, push_now
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
@@ -24,11 +26,13 @@ from sim.dynamics.state.clock import Time
 from sim.laws.branch import Cause
 
 
-def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: float) -> int:
+def leave(
+    motion: Motion, now: Time, record: Record, ledger: Ledger, instant: float, least: float
+) -> int:
     """Carry out all that ended a settled motion, but for touches without a duration (`struck`).
 
-    Changes that are closer together than `instant` [s] happen at once. Returns the number of events
-    that it told.
+    Changes that are closer together than `instant` [s] happen at once; approaches slower than
+    `least` [m/s] are nothing. Returns the number of events that it told.
     """
     happened = 0
     for one in dict.fromkeys(_changing(motion, end) for end in motion.ends):
@@ -41,7 +45,11 @@ def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: fl
         elif end.cause == "slip":
             motion.bodies[end.k].slips = end.way
         else:
-            happened += _in_gap(end.cause, motion.members[end.k], now, record, ledger)
+            gap = motion.members[end.k]
+            if end.cause == "touch" and comes_to_nothing(gap, least, ledger):
+                gap.room = -resting(gap)
+            else:
+                happened += _in_gap(end.cause, gap, now, record, ledger)
     return happened
 
 
@@ -72,6 +80,25 @@ def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -
     else:
         return _apart(gap, now, record, ledger)
     return 0
+
+
+NOTHING = 1e-20
+"""Of the longest cart. What moves no further than that in all the run shows in no place; beside
+what moves further it is far below the last bit of a velocity."""
+
+
+def comes_to_nothing(gap: Gap, least: float, ledger: Ledger) -> bool:
+    """Is what is left of an approach nothing, less than `least` [m/s]? Then it is over.
+
+    Where a spring's place of rest is the very edge of a contact, each touch leaves a part of the
+    speed of the one before, for ever: no overlap at rest says what is small beside it. What presses
+    the two together does so still, and they touch again at once, without an approach.
+    """
+    if not 0.0 < -gap.rate <= least:
+        return False
+    one_velocity([gap.left, gap.right], ledger)
+    gap.rate = 0.0
+    return True
 
 
 def _turns_round(gap: Gap) -> None:

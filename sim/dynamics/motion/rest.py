@@ -11,7 +11,8 @@ its motion, in rates and in ways still to go, is QUIET of the speed that the loa
 would give it, and when every contact presses there: then this is the one solution of the
 complementarity problem of the row (all contacts carry), and it holds as long as the load does.
 Springs and magnets across the gaps take part with their stiffness. Without an anchor (a wall, a
-cart that static friction holds) the row's common acceleration is taken out first.
+cart that static friction holds) the row's common acceleration is taken out first. Air
+is an anchor where no load drives the row through it: it rests when nobody moves in it any more.
 """
 
 from __future__ import annotations
@@ -64,12 +65,13 @@ def at_rest(
     if max(abs(gap.rate) for gap in gaps) > NEARLY * fastest * quiet:
         return None  # overlaps at rest are those of now, as near as it takes
     balance, common = _balance(bodies, gaps, branches)
-    strained = strains(balance)
-    if strained is None:
+    in_air = any(body.load.linear or body.load.quadratic for body in bodies)
+    strained, stands = strains(balance), in_air or any(balance.fixed)
+    if strained is None or (stands and common != 0.0):
         return None
     over = [-gap.room - e for gap, e in zip(gaps, strained, strict=True)]
     quiet = fastest * _quiet(over, touch)
-    if not _is_quiet(bodies, gaps, strained, fastest, quiet, anchored=any(balance.fixed)):
+    if not _is_quiet(bodies, gaps, strained, fastest, quiet, stands=stands):
         return None
     across = [
         math.fsum(link.force(-o, 0.0) for link in g.links) for g, o in zip(gaps, over, strict=True)
@@ -81,7 +83,7 @@ def at_rest(
     if pressing and min(pressing) <= PRESSES * max(pressing):
         return None
     total = math.fsum(b.mass for b in bodies if b.mass < math.inf)
-    v = 0.0 if any(balance.fixed) else math.fsum(b.mass * b.v for b in bodies) / total
+    v = 0.0 if stands else math.fsum(b.mass * b.v for b in bodies) / total
     a = [0.0 if fixed else common for fixed in balance.fixed]
     for body in bodies:
         body.v = v
@@ -99,10 +101,8 @@ def _may_rest(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> bo
     for block in blocks([branch.locked for branch in branches]):
         if any(fixed[i] for i in block):
             continue  # a wall or static friction holds all of them
-        for load in (bodies[i].load for i in block):
-            dragged = load.linear or load.quadratic
-            if load.static or load.kinetic or (dragged and not any(fixed)):
-                return False
+        if any(bodies[i].load.static or bodies[i].load.kinetic for i in block):
+            return False
     return bool(gaps) and all(
         (gap.touching is not None and (branch.locked or branch.kappa > 0.0))
         or (gap.touching is None and bool(gap.links) and gap.room > 0.0)
@@ -200,12 +200,12 @@ def _is_quiet(
     fastest: float,
     quiet: float,
     *,
-    anchored: bool,
+    stands: bool,
 ) -> bool:
     """Is nothing left of the motion?"""
     rates = max(abs(gap.rate) for gap in gaps)
     ways = max(map(abs, strained)) * fastest
-    speeds = max(abs(body.v) for body in bodies) if anchored else 0.0
+    speeds = max(abs(body.v) for body in bodies) if stands else 0.0
     return max(rates, ways, speeds) <= quiet
 
 

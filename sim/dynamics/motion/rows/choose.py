@@ -174,12 +174,19 @@ def _converged(
         series = _expanded(row, bodies, branches)
     speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
     length = min(step_length(row), limit)
-    if row.nonlinear:
+    if _stays(series):
+        length = limit
+    elif row.nonlinear:
         length = converged_step(row, series, speed, length)
     return Step(
         bodies, gaps, branches, length, series.over, series.force, series.pull, speed, [],
         row.steady, row.nonlinear,
     )  # fmt: skip
+
+
+def _stays(series: Expansion) -> bool:
+    """Does no overlap change, and no acceleration? A series that ends is exact however long."""
+    return not any(any(p[1:]) for p in (*series.over, *series.bodies))
 
 
 def _free(bodies: list[Body], branches: list[Branch]) -> list[Body]:
