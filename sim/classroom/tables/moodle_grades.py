@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from sim.classroom.tables.cells import TableError
 from sim.classroom.tables.layout import Column, Layout, form_told, place_of
 from sim.classroom.tables.moodle import person_of
+from sim.classroom.tables.sentences import which_is_before
 from sim.classroom.tables.words import CLASS, GROUP
-from sim.scene.said import said
 
 _GRADE = re.compile(
     r"(?P<what>[^:]{2,24}):\s*(?P<name>.+?)\s*"
@@ -21,7 +21,6 @@ _GRADE = re.compile(
     re.IGNORECASE,
 )
 _QUIZ = re.compile(r"quiz|test|cuestionario|kuiz|测验|வினாடி வினா", re.IGNORECASE)
-_NAMED = 4
 
 
 def layout(heads: Sequence[str]) -> Layout | None:
@@ -36,11 +35,7 @@ def layout(heads: Sequence[str]) -> Layout | None:
         Column(k, "") for k, _ in tests
     ]
     if len({column.form for column in columns}) < len(columns):
-        names = ", ".join(f"“{match['name']}”" for _, match in tests[:_NAMED])
-        raise TableError(said(
-            "which of these tests is before, and which after: {tests}? Write pre and post above "
-            "their columns, and leave the others out", tests=names,
-        ))  # fmt: skip
+        raise TableError(which_is_before([match["name"] for _, match in tests]))
     return Layout(
         kind="moodle",
         student=person,

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sim.classroom.files.archive import shown as safe
-from sim.classroom.tables import google, microsoft, moodle, moodle_grades, ours, plain
+from sim.classroom.tables import canvas, google, microsoft, moodle, moodle_grades, ours, plain
 from sim.classroom.tables import sentences as say
 from sim.classroom.tables.above import from_the_heads
 from sim.classroom.tables.apart import Columns, Parted, parted
@@ -65,6 +65,7 @@ def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[
     layout = next((made for one in EXPORTS if (made := one(heads.cells))), None)
     if layout is not None:
         return _with_time(layout, heads, rows), heads, Parted(list(rows)), []
+    heads, rows = canvas.as_plain(heads, rows)
     found = parted(rows, plain.columns(heads.cells, rows))
     layout = plain.layout(heads.cells, found.students, found.keys)
     if layout.item is None:

@@ -9,6 +9,16 @@ from sim.scene.said import counted, said
 
 MOST_NAMED = 8
 """Columns that a note names."""
+TESTS_NAMED = 4
+
+
+def which_is_before(tests: Sequence[str]) -> str:
+    """Several tests of one course, and nothing that tells them apart."""
+    return said(
+        "which of these tests is before, and which after: {tests}? Write pre and post above "
+        "their columns, and leave the others out",
+        tests=", ".join(f"“{name}”" for name in tests[:TESTS_NAMED]),
+    )
 
 
 def rows_doubled(who: str, count: int) -> str:

@@ -110,7 +110,9 @@ TIMES = {
     """),
 }
 KEY = words("key | answer key | schlüssel | lösung | kunci | clé | corrigé | clave | 答案 | விடை")
-MOST = words("max | maximum | out of | höchstens | maksimum | máximo | 满分 | 滿分")
+MOST = words(
+    "max | maximum | out of | points possible | höchstens | maksimum | máximo | 满分 | 滿分"
+)
 NAMES_TOO = words("max | key | clave")
 """Of these what may be the name of a student: such a row is known by its capitals."""
 SUMS = words("""

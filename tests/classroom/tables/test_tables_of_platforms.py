@@ -82,3 +82,30 @@ def test_the_number_of_a_person_is_no_mark_and_a_name_goes_before_it(number: str
     assert {row.student for row in read_table("t.csv", text.encode()).taken} == {
         "Kim 0", "Kim 1", "Kim 2",
     }  # fmt: skip
+
+
+CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,{before} (91234567),{after} (124),\
+Assignments Current Points,Current Score
+,,,,,,Manual Posting,,
+    Points Possible,,,,,10.00,12.00,(read only),(read only)
+"Müller, Anna",17,s17,anna,7A,3.00,7.00,10.00,45.45
+"Müller, Jan",18,s18,jan,7B,4.00,EX,4.00,40.00
+"Student, Test",19,,0f3a,7A,,,,
+"""
+
+
+def test_the_number_that_canvas_gives_a_test_is_not_the_most_marks() -> None:
+    text = CANVAS.format(before="Force pre", after="Post-test on forces")
+    table = read_table("t.csv", text.encode())
+    assert {(row.student, row.form, float(row.marks), row.of) for row in table.taken} == {
+        ("Müller, Anna", "pre", 3.0, 10),
+        ("Müller, Anna", "post", 7.0, 12),
+        ("Müller, Jan", "pre", 4.0, 10),  # excused from the other
+    }
+    assert not table.refused
+    assert table.classes
+
+
+def test_two_tests_of_canvas_that_say_nothing_of_before_and_after_are_asked_about() -> None:
+    with pytest.raises(TableError, match=r"which of these tests is before.*Unit 1.*Unit 2"):
+        marks(CANVAS.format(before="Unit 1", after="Unit 2"))
