@@ -1650,9 +1650,37 @@
   function print(empty) {
     const { classList } = document.documentElement;
     classList.toggle("carts-print-empty", empty);
-    addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
+    const back = empty ? blanked() : [];
+    const after = () => {
+      classList.remove("carts-print-empty");
+      for (const undo of back) undo();
+    };
+    addEventListener("afterprint", after, { once: true });
     for (const dialog of document.querySelectorAll("dialog")) dialog.close();
     window.print();
+  }
+  function blanked() {
+    const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
+    const head = document.querySelector(".carts-print-head");
+    const text = head?.textContent ?? "";
+    if (head) head.textContent = tr("Code word: {code}", { code: "____________________" });
+    return [...scenes, () => head && (head.textContent = text)];
+  }
+  function blank(scene) {
+    const { asBaked = "" } = (
+      /** @type {any} */
+      scene
+    );
+    const sheet2 = document.createElement("carts-blank");
+    sheet2.className = `${scene.className} carts-asks`;
+    sheet2.innerHTML = asBaked;
+    for (const box of sheet2.querySelectorAll("input")) box.disabled = false;
+    const kept = sheet2.querySelector(".carts-predict") && touched(scene);
+    if (kept) scene.after(sheet2);
+    return () => sheet2.remove();
+  }
+  function touched(scene) {
+    return !scene.matches(".carts-asks") || Boolean(scene.querySelector(".carts-saved")?.textContent);
   }
 
   // src/answers/panel-list.js
@@ -2337,7 +2365,7 @@
       /** @type {HTMLElement} */
       root.querySelector(".carts-q-lines")
     );
-    let touched = false;
+    let touched2 = false;
     const items2 = () => (
       /** @type {HTMLElement[]} */
       [...list.children]
@@ -2356,7 +2384,7 @@
       const up = button2.classList.contains("carts-q-up");
       const other = up ? item2.previousElementSibling : item2.nextElementSibling;
       if (other) list.insertBefore(up ? item2 : other, up ? other : item2);
-      touched = true;
+      touched2 = true;
       button2.focus();
       changed();
       const [k, all] = [items2().indexOf(item2) + 1, items2().length];
@@ -2365,11 +2393,11 @@
     });
     return {
       get value() {
-        return touched ? items2().map((item2) => item2.dataset.line) : null;
+        return touched2 ? items2().map((item2) => item2.dataset.line) : null;
       },
       set value(value) {
-        touched = Array.isArray(value) && value.length > 0;
-        const order = Array.isArray(value) && touched ? value : [...items2().map((item2) => item2.dataset.line)].sort();
+        touched2 = Array.isArray(value) && value.length > 0;
+        const order = Array.isArray(value) && touched2 ? value : [...items2().map((item2) => item2.dataset.line)].sort();
         for (const line of order) {
           const item2 = items2().find((one) => one.dataset.line === line);
           if (item2) list.append(item2);
@@ -2378,7 +2406,7 @@
       enable(on) {
         for (const button2 of buttons()) button2.disabled = !on;
       },
-      said: () => touched ? items2().map(textOf).join(" → ") : ""
+      said: () => touched2 ? items2().map(textOf).join(" → ") : ""
     };
   }
   function matchForm(root, changed) {
@@ -2645,9 +2673,9 @@
       );
       const gone = links.delete(name(link));
       if (!gone) links.set(name(link), link);
-      touched(link, gone);
+      touched2(link, gone);
     }
-    function touched(link, gone) {
+    function touched2(link, gone) {
       verdicts = {};
       changed();
       show();
@@ -2677,7 +2705,7 @@
       remove.disabled = add2.disabled;
       remove.addEventListener("click", () => {
         links.delete(name(link));
-        touched(link, true);
+        touched2(link, true);
         const next = (
           /** @type {HTMLElement | null} */
           list.querySelector("button")

@@ -10872,7 +10872,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       });
       #inside = null;
       #watch = null;
-      #asBaked = "";
+      asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
       #live = new Live(this, client2, {
         first: () => this.#first(),
@@ -10888,7 +10888,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       connectedCallback() {
         this.#listen();
         if (this.#view) return;
-        if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
+        if (this.querySelector(".carts-predict")) this.asBaked = this.innerHTML;
         this.#adopt();
         this.#live.still();
       }
@@ -10943,7 +10943,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#lesson = null;
         forgetWatched(this);
         forgetForces(this.id);
-        this.innerHTML = this.#asBaked;
+        this.innerHTML = this.asBaked;
         this.classList.add("carts-asks");
         this.#adopt();
         await this.#restored;

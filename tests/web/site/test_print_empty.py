@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.question.answering import continue_as
 from tests.web.runtime.boot_site import ROOT
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
@@ -81,3 +82,53 @@ def test_questions_that_wait_for_a_run_are_on_the_sheet(site: Path, open_page: O
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     page.emulate_media(media="screen")
     expect(form).to_be_hidden()
+
+
+CURVES = ".carts-graph .carts-curve, .carts-compared, .carts-story li"
+
+
+def test_what_was_answered_and_watched_is_not_on_an_empty_sheet(
+    site: Path, open_page: OpenPage
+) -> None:
+    """A teacher tries the lesson, and prints it for the class."""
+    page = open_page(site / "worksheets" / "momentum-and-restitution.html", folder=site)
+    scene = page.locator("#momentum-stays")
+    expect(scene).to_have_attribute("data-state", "live", timeout=60_000)
+    scene.locator(".carts-predict [type=radio]").nth(1).check()
+    scene.locator(".carts-lock").click()
+    scene.locator(".carts-end:enabled").click(timeout=60_000)
+    expect(scene.locator(".carts-compared")).to_be_visible()
+    continue_as(page, "RED-FOX-12", "They are mine")
+    expect(scene.locator(".carts-compared")).to_be_visible(timeout=60_000)
+    scene.evaluate("scene => { scene.time = 2.5; }")
+    page.locator("#momentum-before input").fill("0.3")
+    page.evaluate("window.print = () => {}")
+    page.get_by_role("button", name="My answers").click()
+    page.get_by_role("button", name="Print empty").click()
+    page.emulate_media(media="print")
+    assert page.locator(CURVES).locator("visible=true").count() == 0
+    expect(page.locator(".carts-print-head")).not_to_contain_text("RED-FOX-12")
+    sheet = page.locator("carts-blank")
+    assert sheet.locator(".carts-options label").locator("visible=true").count() == 4
+    assert sheet.locator(".carts-options :checked").count() == 0
+    expect(sheet.locator(".carts-stage").locator("visible=true")).to_have_count(1)
+    expect(scene).to_be_hidden()
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.emulate_media(media="screen")
+    expect(sheet).to_have_count(0)
+    expect(scene.locator(".carts-compared")).to_be_visible()
+    expect(page.locator(".carts-print-head")).to_contain_text("RED-FOX-12")
+    expect(page.locator("#momentum-stays-ask")).to_have_count(1)
+
+
+def test_a_prediction_is_printed_on_the_page_of_its_picture(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "worksheets" / "momentum-and-restitution.html", folder=site)
+    page.emulate_media(media="print")
+    apart = page.locator("#momentum-stays .carts-frame > *").evaluate_all(
+        """(parts) => parts.slice(0, parts.findIndex((one) => one.matches(".carts-predict")))
+            .filter((one) => one.checkVisibility() && getComputedStyle(one).breakAfter !== "avoid")
+            .map((one) => one.className.baseVal ?? one.className)"""
+    )
+    assert apart == []

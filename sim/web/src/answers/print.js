@@ -1,10 +1,46 @@
 /** The page on paper: with the answers, or empty, to be filled in by hand. */
 
+import { tr } from "../../../view/language.js";
+
 /** @param {boolean} empty without the answers, and without what the lesson marks as for who has time */
 export function print(empty) {
   const { classList } = document.documentElement;
   classList.toggle("carts-print-empty", empty);
-  addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
+  const back = empty ? blanked() : [];
+  const after = () => {
+    classList.remove("carts-print-empty");
+    for (const undo of back) undo();
+  };
+  addEventListener("afterprint", after, { once: true });
   for (const dialog of document.querySelectorAll("dialog")) dialog.close();
   window.print();
+}
+
+/** Empties what styles cannot: code word, predictions, and runs that were watched. @returns {(() => void)[]} what brings them back */
+function blanked() {
+  const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
+  const head = document.querySelector(".carts-print-head");
+  const text = head?.textContent ?? "";
+  if (head) head.textContent = tr("Code word: {code}", { code: "____________________" });
+  return [...scenes, () => head && (head.textContent = text)];
+}
+
+/**
+ * Puts the scene as the lesson was built beside it, for this print alone: its start, and the question.
+ * @param {Element} scene @returns {() => void}
+ */
+function blank(scene) {
+  const { asBaked = "" } = /** @type {any} */ (scene);
+  const sheet = document.createElement("carts-blank");
+  sheet.className = `${scene.className} carts-asks`;
+  sheet.innerHTML = asBaked;
+  for (const box of sheet.querySelectorAll("input")) box.disabled = false; // the built page waits for its script
+  const kept = sheet.querySelector(".carts-predict") && touched(scene);
+  if (kept) scene.after(sheet);
+  return () => sheet.remove();
+}
+
+/** Whether a reader has predicted something here, or seen the run. @param {Element} scene */
+function touched(scene) {
+  return !scene.matches(".carts-asks") || Boolean(scene.querySelector(".carts-saved")?.textContent);
 }

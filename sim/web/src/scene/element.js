@@ -35,7 +35,7 @@ export function sceneElement(client, folder) {
     #inside = null;
     /** @type {Watch | null} */
     #watch = null;
-    #asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
+    asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
     #live = new Live(this, client, {
       first: () => this.#first(),
       told: () => this.#told,
@@ -49,7 +49,7 @@ export function sceneElement(client, folder) {
     connectedCallback() {
       this.#listen();
       if (this.#view) return;
-      if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
+      if (this.querySelector(".carts-predict")) this.asBaked = this.innerHTML;
       this.#adopt();
       this.#live.still();
     }
@@ -111,7 +111,7 @@ export function sceneElement(client, folder) {
       this.#lesson = null;
       forgetWatched(this);
       forgetForces(this.id);
-      this.innerHTML = this.#asBaked;
+      this.innerHTML = this.asBaked;
       this.classList.add("carts-asks");
       this.#adopt();
       await this.#restored;
