@@ -20,9 +20,10 @@ export function print(empty) {
 function blanked() {
   const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
   const head = document.querySelector(".carts-print-head");
-  const text = head?.textContent ?? "";
-  if (head) head.textContent = tr("Code word: {code}", { code: "____________________" });
-  return [...scenes, () => head && (head.textContent = text)];
+  if (!head) return scenes;
+  const { textContent } = head;
+  head.textContent = tr("Code word: {code}", { code: "____________________" });
+  return [...scenes, () => void Object.assign(head, { textContent })];
 }
 
 /**

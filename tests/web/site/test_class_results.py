@@ -1,0 +1,28 @@
+"""The page “Class results” of the built site, with the theme around the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.classroom.given.makers import random_class, sources
+from tests.web.classroom.class_site import BANK, KEY, choose
+from tests.web.conftest import OpenPage
+
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
+
+BULLET = 20
+"""px between the bar of a list and its text: less, and the bullets touch the bar."""
+
+
+def test_the_bullets_of_what_to_talk_about_stand_clear_of_the_bar(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "teachers" / "class-results.html", folder=site)
+    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
+    choose(page, [*sources(random_class(BANK, 12)), KEY])
+    talk = page.locator(".carts-class-talk").first
+    expect(talk).to_be_visible(timeout=60_000)
+    assert float(talk.evaluate("one => parseFloat(getComputedStyle(one).paddingLeft)")) > BULLET
