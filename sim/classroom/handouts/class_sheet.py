@@ -99,7 +99,7 @@ def _questions(items: Sequence[tuple[int, Row]], tell: Tell) -> str:
     for k, item in items:
         wrong = [c for c in item["choices"] if not c.get("correct") and c["count"] > 1]
         most = max(wrong, key=lambda c: int(c["count"]), default=None)
-        chosen = f"{text(_option(most))} ({most['count']})" if most else ""
+        chosen = f"{tell(_option(most))} ({most['count']})" if most else ""
         sure = f"{item['sure']['wrong']}" if item["sure"] else "–"
         rows.append([str(k), text(cut(item["ask"], SHORT)), _bar(item, tell),
                      str(item["right"]), *([sure] if asked else []), chosen])  # fmt: skip

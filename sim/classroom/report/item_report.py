@@ -8,6 +8,7 @@ from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.refusal import FEW
+from sim.classroom.report.drawn_links import link_rows
 from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
 from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.numerals import signed
@@ -15,6 +16,7 @@ from sim.classroom.report.second_thoughts import changed_of, tries_of
 from sim.classroom.report.typed_numbers import known_numbers, other_numbers
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import NO_QUESTIONS
+from sim.lesson.kinds.interactions import Interactions
 from sim.lesson.kinds.number import Number
 from sim.lesson.mark import is_empty
 from sim.scene.said import counted, joined, said
@@ -100,6 +102,8 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
     kind = keyed.question.KIND if keyed else ""
     if keyed and isinstance(keyed.question, Number):
         return known_numbers(answers, keyed, keyed.question)
+    if keyed and isinstance(keyed.question, Interactions):
+        return link_rows(answers, keyed, keyed.question)
     if not keyed or kind not in ("single", "multiple", "idea"):
         if keyed:
             return []

@@ -22,6 +22,9 @@ FEWEST = 2
 
 MOST = 3
 
+SEVERAL = frozenset({"multiple", "interactions"})
+"""Kinds of questions in which a student gives several of the answers that are counted."""
+
 LONGEST = 80
 """Characters of an option that are said: enough to know it again."""
 
@@ -140,7 +143,7 @@ def _groups(item: dict[str, Any]) -> list[_Chosen]:
     for choice in item["choices"] if item["worth"] else ():
         if choice.get("correct", False) or not choice["count"]:
             continue
-        alone = item["type"] == "multiple" or not choice.get("belief")
+        alone = item["type"] in SEVERAL or not choice.get("belief")
         name = f"option {choice['option']}" if alone else f"belief {choice['belief']}"
         together.setdefault(name, []).append(choice)
     return [_Chosen(item, tuple(choices)) for choices in together.values()]
@@ -150,5 +153,6 @@ def _answer(choice: dict[str, Any]) -> str:
     """The letter of an option and how its text begins; a number as it was typed."""
     words = choice["text"]
     if not words:
-        return str(choice["label"])
+        label: str = choice["label"]
+        return label
     return said("{letter} (“{text}”)", letter=choice["label"], text=begins(words, LONGEST))

@@ -52,7 +52,7 @@ def _overview(items: Sequence[Row], tell: Tell) -> str:
     for item in items:
         wrong = [c for c in item["choices"] if not c.get("correct") and c["count"] > 1]
         most = max(wrong, key=lambda c: c["count"], default=None) if item["worth"] else None
-        chosen = f"{text(most['label'])} ({most['count']})" if most else ""
+        chosen = f"{tell(most['label'])} ({most['count']})" if most else ""
         sure = f"{item['sure']['right']} / {item['sure']['wrong']}" if item["sure"] else "–"
         numbers = ("difficulty", "discrimination", "point_biserial")
         rows.append([
@@ -87,7 +87,7 @@ def _item(item: Row, tell: Tell) -> str:
     title += f'<p class="carts-class-ask">{text(prose(item["ask"]))}</p>'
     rows = [
         [
-            f"{text(choice['label'])}{' ✓' if choice.get('correct') else ''}",
+            f"{tell(choice['label'])}{' ✓' if choice.get('correct') else ''}",
             text(prose(choice["text"])),
             str(choice["count"]),
             tell(choice.get("says", "")),

@@ -150,7 +150,7 @@ class Interactions(Question):
         of = self.common.marks
         if is_empty(value):
             return Mark("empty", 0, of)
-        drawn = self._read(value)
+        drawn = self.drawn(value)
         if drawn is None:
             return Mark("unclear", 0, of)
         right = set(self.links)
@@ -172,7 +172,7 @@ class Interactions(Question):
     def _told(self, known: Known) -> dict[str, Any]:
         return {"between": [self.objects[known.a], self.objects[known.b]], "by": list(known.by)}
 
-    def _read(self, value: object) -> set[Link] | None:
+    def drawn(self, value: object) -> set[Link] | None:
         """The links of an answer; None where it cannot be understood."""
         if not isinstance(value, (list, tuple)):
             return None
