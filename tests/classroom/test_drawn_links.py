@@ -1,4 +1,4 @@
-"""Interaction diagrams of a class: the report says which lines were invented, and which left out."""
+"""Interaction diagrams of a class: the report says which lines were invented, which left out."""
 
 from __future__ import annotations
 

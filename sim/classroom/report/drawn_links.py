@@ -1,5 +1,4 @@
-"""Interaction diagrams of a class: which links were invented that the author knows, and which of the
-right ones were left out.
+"""Interaction diagrams of a class: which links were invented that the author knows, which left out.
 
 Of links that nobody foresaw nothing is told: there are dozens in a diagram, and most are slips.
 """

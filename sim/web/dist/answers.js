@@ -1662,9 +1662,10 @@
   function blanked() {
     const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
     const head = document.querySelector(".carts-print-head");
-    const text = head?.textContent ?? "";
-    if (head) head.textContent = tr("Code word: {code}", { code: "____________________" });
-    return [...scenes, () => head && (head.textContent = text)];
+    if (!head) return scenes;
+    const { textContent } = head;
+    head.textContent = tr("Code word: {code}", { code: "____________________" });
+    return [...scenes, () => void Object.assign(head, { textContent })];
   }
   function blank(scene) {
     const { asBaked = "" } = (
