@@ -221,3 +221,20 @@ def test_it_can_be_used_with_the_keyboard_at_phone_size_and_axe_finds_nothing(
     page.keyboard.press("Enter")
     expect(page.locator(".carts-teach")).to_be_hidden()
     assert "#teacher" not in page.url
+
+
+@pytest.mark.one_browser
+def test_a_mistake_that_shows_elsewhere_is_told_with_its_place(
+    lessons: Path, open_page: OpenPage
+) -> None:
+    """A scene gets the name of another: its questions lose it, and they are folded away."""
+    page = open_teacher(open_page, lessons, "momentum-and-restitution")
+    page.get_by_role("button", name="Change this scene").first.click()
+    piece = page.locator(".carts-teach-piece[open]")
+    piece.locator("details summary").last.click()
+    area = piece.get_by_label("Text of this block")
+    area.fill(area.input_value().replace("id: momentum-stays", "id: momentum-bounce"))
+    settled(page)
+    status = page.locator(".carts-teach-status")
+    expect(status).to_contain_text("mistakes: the page shows these parts as they were before")
+    expect(status).to_contain_text("The first is in “Read A's momentum at the end")

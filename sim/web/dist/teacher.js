@@ -4071,17 +4071,21 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       pieces.forEach((piece, k) => {
         const next = pieces[k + 1]?.line ?? Number.POSITIVE_INFINITY;
         const own = findings.filter(
-          ({ line, file: where }) => where === file && line >= piece.line && line < next
+          ({ line, file: where2 }) => where2 === file && line >= piece.line && line < next
         );
         const last = k === pieces.length - 1;
-        const others = last ? findings.filter(({ file: where }) => where !== file) : [];
+        const others = last ? findings.filter(({ file: where2 }) => where2 !== file) : [];
         const changed = this.#published.size > 0 && !this.#published.has(piece.text);
         this.#editors[k]?.show(piece, [...own, ...others], changed);
       });
       const count = findings.length;
       this.root.dataset.mistakes = String(count);
       const words = count === 1 ? "1 mistake" : `${count} mistakes`;
-      if (count) this.status(`${words}: the page shows these parts as they were before.`, true);
+      const faulty = this.#editors.filter((editor) => editor.findings.length);
+      const closed2 = faulty.length > 0 && !faulty.some((editor) => editor.root.open);
+      const where = closed2 ? ` The first is in “${faulty[0]?.title.textContent}”: open it.` : "";
+      if (count)
+        this.status(`${words}: the page shows these parts as they were before.${where}`, true);
       else if (this.#faulty) this.status("");
       if (!this.state.textContent) say(this.state, this.#unchanged);
       this.tools.draw();

@@ -127,7 +127,11 @@ export class Panel {
     const count = findings.length;
     this.root.dataset.mistakes = String(count);
     const words = count === 1 ? "1 mistake" : `${count} mistakes`;
-    if (count) this.status(`${words}: the page shows these parts as they were before.`, true);
+    const faulty = this.#editors.filter((editor) => editor.findings.length);
+    const closed = faulty.length > 0 && !faulty.some((editor) => editor.root.open); // said nowhere else
+    const where = closed ? ` The first is in “${faulty[0]?.title.textContent}”: open it.` : "";
+    if (count)
+      this.status(`${words}: the page shows these parts as they were before.${where}`, true);
     else if (this.#faulty) this.status("");
     if (!this.state.textContent) say(this.state, this.#unchanged);
     this.tools.draw();
