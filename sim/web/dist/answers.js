@@ -1663,9 +1663,9 @@
     const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
     const head = document.querySelector(".carts-print-head");
     if (!head) return scenes;
-    const { textContent } = head;
-    head.textContent = tr("Code word: {code}", { code: "____________________" });
-    return [...scenes, () => void Object.assign(head, { textContent })];
+    const text = head.textContent;
+    say(head, tr("Code word: {code}", { code: "____________________" }));
+    return [...scenes, () => say(head, text)];
   }
   function blank(scene) {
     const { asBaked = "" } = (
@@ -1675,13 +1675,9 @@
     const sheet2 = document.createElement("carts-blank");
     sheet2.className = `${scene.className} carts-asks`;
     sheet2.innerHTML = asBaked;
-    for (const box of sheet2.querySelectorAll("input")) box.disabled = false;
-    const kept = sheet2.querySelector(".carts-predict") && touched(scene);
-    if (kept) scene.after(sheet2);
+    const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
+    if (asBaked && !untouched) scene.after(sheet2);
     return () => sheet2.remove();
-  }
-  function touched(scene) {
-    return !scene.matches(".carts-asks") || Boolean(scene.querySelector(".carts-saved")?.textContent);
   }
 
   // src/answers/panel-list.js
@@ -2366,7 +2362,7 @@
       /** @type {HTMLElement} */
       root.querySelector(".carts-q-lines")
     );
-    let touched2 = false;
+    let touched = false;
     const items2 = () => (
       /** @type {HTMLElement[]} */
       [...list.children]
@@ -2385,7 +2381,7 @@
       const up = button2.classList.contains("carts-q-up");
       const other = up ? item2.previousElementSibling : item2.nextElementSibling;
       if (other) list.insertBefore(up ? item2 : other, up ? other : item2);
-      touched2 = true;
+      touched = true;
       button2.focus();
       changed();
       const [k, all] = [items2().indexOf(item2) + 1, items2().length];
@@ -2394,11 +2390,11 @@
     });
     return {
       get value() {
-        return touched2 ? items2().map((item2) => item2.dataset.line) : null;
+        return touched ? items2().map((item2) => item2.dataset.line) : null;
       },
       set value(value) {
-        touched2 = Array.isArray(value) && value.length > 0;
-        const order = Array.isArray(value) && touched2 ? value : [...items2().map((item2) => item2.dataset.line)].sort();
+        touched = Array.isArray(value) && value.length > 0;
+        const order = Array.isArray(value) && touched ? value : [...items2().map((item2) => item2.dataset.line)].sort();
         for (const line of order) {
           const item2 = items2().find((one) => one.dataset.line === line);
           if (item2) list.append(item2);
@@ -2407,7 +2403,7 @@
       enable(on) {
         for (const button2 of buttons()) button2.disabled = !on;
       },
-      said: () => touched2 ? items2().map(textOf).join(" → ") : ""
+      said: () => touched ? items2().map(textOf).join(" → ") : ""
     };
   }
   function matchForm(root, changed) {
@@ -2674,9 +2670,9 @@
       );
       const gone = links.delete(name(link));
       if (!gone) links.set(name(link), link);
-      touched2(link, gone);
+      touched(link, gone);
     }
-    function touched2(link, gone) {
+    function touched(link, gone) {
       verdicts = {};
       changed();
       show();
@@ -2706,7 +2702,7 @@
       remove.disabled = add2.disabled;
       remove.addEventListener("click", () => {
         links.delete(name(link));
-        touched2(link, true);
+        touched(link, true);
         const next = (
           /** @type {HTMLElement | null} */
           list.querySelector("button")

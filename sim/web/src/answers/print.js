@@ -1,6 +1,7 @@
 /** The page on paper: with the answers, or empty, to be filled in by hand. */
 
 import { tr } from "../../../view/language.js";
+import { say } from "../shared/dom.js";
 
 /** @param {boolean} empty without the answers, and without what the lesson marks as for who has time */
 export function print(empty) {
@@ -21,9 +22,9 @@ function blanked() {
   const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
   const head = document.querySelector(".carts-print-head");
   if (!head) return scenes;
-  const { textContent } = head;
-  head.textContent = tr("Code word: {code}", { code: "____________________" });
-  return [...scenes, () => void Object.assign(head, { textContent })];
+  const text = head.textContent;
+  say(head, tr("Code word: {code}", { code: "____________________" }));
+  return [...scenes, () => say(head, text)];
 }
 
 /**
@@ -35,13 +36,7 @@ function blank(scene) {
   const sheet = document.createElement("carts-blank");
   sheet.className = `${scene.className} carts-asks`;
   sheet.innerHTML = asBaked;
-  for (const box of sheet.querySelectorAll("input")) box.disabled = false; // the built page waits for its script
-  const kept = sheet.querySelector(".carts-predict") && touched(scene);
-  if (kept) scene.after(sheet);
+  const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
+  if (asBaked && !untouched) scene.after(sheet);
   return () => sheet.remove();
-}
-
-/** Whether a reader has predicted something here, or seen the run. @param {Element} scene */
-function touched(scene) {
-  return !scene.matches(".carts-asks") || Boolean(scene.querySelector(".carts-saved")?.textContent);
 }
