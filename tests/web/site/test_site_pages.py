@@ -149,6 +149,22 @@ def test_bars_of_momentum_stand_in_their_table(site: Path, open_page: OpenPage) 
 
 
 @pytest.mark.one_browser
+@pytest.mark.parametrize("language", ["", "ms", "ta", "zh-Hans"])
+def test_a_table_that_a_question_is_about_is_seen_whole_on_a_phone(
+    language: str, site: Path, open_page: OpenPage
+) -> None:
+    """All style sheets together: the theme's wide cells once hid four of its six columns."""
+    lesson = site / "worksheets" / language / "test-forces-and-motion.html"
+    page = open_page(lesson, folder=site, viewport={"width": 360, "height": 740})
+    asked = page.locator(".carts-q-ask:has(table)").first
+    expect(asked).to_be_visible()
+    question, inside = asked.bounding_box(), asked.locator("table").bounding_box()
+    assert question and inside and inside["width"] > 200
+    assert inside["x"] >= question["x"]
+    assert inside["x"] + inside["width"] <= question["x"] + question["width"]
+
+
+@pytest.mark.one_browser
 @pytest.mark.parametrize(
     ("word", "page"),
     [
