@@ -33,7 +33,10 @@ _WIDE = str.maketrans("（）［］／：　", "()[]/: ")
 _HEAD = (
     re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,10})[)\]]\s*"),
     re.compile(r"(?P<name>[^/]+?)\s*/\s*(?P<unit>[^\W\d_]{1,4}(?:/s|/h|\s*s-1)?)\s*"),
-    re.compile(r"(?P<name>.+?)\s+in\s+(?P<unit>[^\W\d_]{1,4}(?:/s|/h)?)\s*"),
+    re.compile(
+        r"(?P<name>.+?)\s+(?:in|en(?=\s+(?:[cm]?m|m?s)\b))\s+(?P<unit>[^\W\d_]{1,4}(?:/s|/h)?)\s*"
+    ),
+    re.compile(r"(?P<name>t|time|\w*\d|\w+_\w+|[xsd][a-zA-Z])_(?P<unit>[cm]?m|m?s)"),
 )
 
 

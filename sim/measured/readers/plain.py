@@ -49,11 +49,13 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
     wanted, kind = _wanted(table, time)
     if not wanted:
         _no_accelerations(table)
-        names = ", ".join(shown(c.name) for c in table.columns[:8]) or "none"
+        names = ", ".join(
+            shown(f"{c.name} ({c.unit})".removesuffix(" ()")) for c in table.columns[:8]
+        )
         raise refuse(
             table.heads_line,
             f"no column holds positions or forces (columns: {names})",
-            "name them x_A and x_B, or F_A and F_B",
+            "name them x_A and x_B in m, cm or mm, or F_A and F_B in N",
         )
     clocks = [_clock(table, column, time) for column in wanted]
     read, turned = along_the_track(table, wanted) if kind == "length" else (wanted, [])

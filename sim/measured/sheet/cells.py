@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 from sim.measured.refusal import Fault, refuse, shown
 from sim.measured.sheet.commas import MINUS, with_decimal_commas
+from sim.measured.sheet.labelled import without_labels
 from sim.scene.encoded import of_a_spreadsheet
 
 MOST_BYTES = 4_000_000
@@ -89,6 +90,7 @@ def rows_of(text: str) -> Rows:
         if len(line) > LONGEST_LINE:
             raise refuse(number, f"this line has {len(line):,} characters", "is this the file?")
     filled = [(k, line) for k, line in enumerate(lines, 1) if line.strip(" \t;,|\u00a0")]
+    filled = without_labels(filled)
     if not filled:
         raise refuse(1, "there is nothing in it", "choose the file with the readings")
     separator = _separator([line for _, line in filled])

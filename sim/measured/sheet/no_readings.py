@@ -17,9 +17,10 @@ from sim.measured.sheet.head_rows import Head
 from sim.measured.sheet.heads import holds_times, quantity_of
 from sim.measured.sheet.whose import is_force, place_of
 
-_MONTH = (  # English, German, French and Malay, by their beginnings
-    r"(?:jan|f[eé][bv]|m[aä][ciry]|mrz|apr|avr|mei|ju[inl]|aug|ao[uû]|ogo|sep|o[ck]t|nov|d[eé][cz]|"
-    r"dis)[a-zéû]{0,7}\.?"
+_MONTH = (  # English, German, French and Malay; whole, for “Distance 1” and “Marker 2” are heads
+    r"(?:jan(?:uar[iy]?|v(?:ier)?)?|f[eé][bv](?:ruar[iy]?|r(?:ier)?)?|m(?:a[ciy]|ar(?:ch|s)?|ärz?|rz|ei)|"
+    r"a[pv]r(?:il)?|ju(?:i[nl]|illet|n[ei]?|l[iy]?|lai)|aug(?:ust)?|ao[uû]t?|ogos?|"
+    r"(?:sept?|o[ck]t|nov|d[eé][cz]|dis)(?:(?:o|em)b(?:er|re))?)\.?"
 )
 _DATE = re.compile(
     rf"\d{{1,2}}[.\s/-]{{1,2}}{_MONTH}(?:[\s/-]+\d{{2,4}})?|{_MONTH}[\s/-]{{1,2}}\d{{1,4}}"

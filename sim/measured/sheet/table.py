@@ -21,6 +21,8 @@ from sim.measured.units import kind_of_unit
 MOST_FAULTS = 5
 """Mistakes that are told of one file."""
 
+_NO_ROW = "there is no row of numbers", "t and x in columns, a row for each frame"
+
 
 @dataclass(frozen=True, slots=True)
 class Column:
@@ -54,7 +56,7 @@ def read_table(text: str) -> Table:
     first = next((k for half in (1, 0) for k, row in enumerate(rows) if _is_data(row, half)), None)
     if first is None:
         line = rows[0].line if rows else found.rows[0].line
-        raise refuse(line, "there is no row of numbers", "t and x in columns, a row for each frame")
+        raise refuse(line, *_NO_ROW)
     above = [without_marks(row, len(rows[first].cells)) for row in rows[:first]]
     heads, heads_line = heads_of(above, multi)
     data, starts = stacked(rows[first:], rows[:first])
@@ -76,6 +78,8 @@ def read_table(text: str) -> Table:
         for k, one in enumerate(heads)
         if one.name
     )
+    if not columns:
+        raise refuse(data[0].line, *_NO_ROW)
     lines = tuple(row.line for row in data)
     return Table(columns, lines, heads_line, found.separator_name, _decimal(found), tuple(starts))
 

@@ -24,7 +24,7 @@ _F = re.compile(
 )
 _POSITION = re.compile(
     r"(?:position|place|pos|ort|x)[\s_.:-]*(?:of\s+)?(?P<behind>[a-z0-9]{0,8})"
-    r"|(?P<before>[a-z][a-z0-9]{0,8})[\s_.-]+(?:position|pos|x)"
+    r"|(?P<before>[a-z][a-z0-9]{0,8})[\s_.-]+(?:position|pos|x)|(?P<point>p\d{1,2})x"
     r"|(?P<long>.{1,24}?)(?:[\s_.,:-]+(?:position|place|pos|ort)|:\s*[xs])",
     re.I,
 )
@@ -61,7 +61,7 @@ def place_of(name: str) -> str | None:
         return None
     if match["behind"] is not None:
         return match["behind"]
-    whose = owner(match["before"] or match["long"])
+    whose = owner(match["before"] or match["point"] or match["long"])
     return None if whose is None or whose.lower() in SIDEWAYS else whose
 
 
