@@ -71,3 +71,16 @@ def test_units_behind_a_line_or_en_are_those_of_the_column(heads: str) -> None:
 def test_a_list_of_single_numbers_is_refused_with_a_sentence() -> None:
     with pytest.raises(ReadingError, match="no row of numbers"):
         read_measured(["£3 NOM VAR\nt\nx1\n£3 GENRE VAR\n0\n0\n£3 UNITE VAR\ns\nm\n"])
+
+
+@pytest.mark.parametrize("name, first", [("millis", 0.0), ("timestamp", 1.7643312e12)])
+def test_milliseconds_that_can_be_nothing_else_need_no_unit(name: str, first: float) -> None:
+    text = table(f"{name},x_A (m),x_B (m)", [first + 1000.0 * t for t in TIMES], A, B)
+    assert read_measured([text]).tracks[0].t[1] == pytest.approx(TIMES[1], abs=1e-3)
+
+
+def test_a_time_as_excel_shows_it_is_read_from_minutes_on() -> None:
+    rows = zip(TIMES, A, B, strict=True)
+    text = "time;x_A;x_B\n" + "".join(f"00:{t:06.3f};{a:.3f};{b:.3f}\n" for t, a, b in rows)
+    assert places(text) == {"A": pytest.approx(0.2), "B": pytest.approx(0.9)}
+    assert read_measured([text]).tracks[1].t[1] == pytest.approx(TIMES[1])

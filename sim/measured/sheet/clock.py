@@ -1,4 +1,5 @@
-"""Times of day and dates in cells: 10:17:33.250, 2026-11-23T10:17:33,25, 23.11.2026 10:17:33.
+"""Times of day and dates in cells: 10:17:33.250, 2026-11-23T10:17:33,25, 23.11.2026 10:17:33; and
+17:33.3, as Excel shows a time with a fraction.
 
 They become seconds. Days are counted modulo a thousand, so that a millisecond keeps its place in a
 float; a recording lasts seconds, and only differences count.
@@ -15,7 +16,7 @@ DAYS = 1000
 _CLOCK = re.compile(
     r"(?:(?P<y>\d{4})[-/.](?P<m>\d{1,2})[-/.](?P<d>\d{1,2})[T ]+"
     r"|(?P<dd>\d{1,2})[-/.](?P<mm>\d{1,2})[-/.](?P<yy>\d\d(?:\d\d)?)[T ,]+)?"
-    r"(?P<hour>\d{1,2}):(?P<minute>\d{2}):(?P<second>\d{2}(?:[.,]\d{1,9})?)"
+    r"(?:(?P<hour>\d{1,2}):|(?=\d\d:\d\d[.,]))(?P<minute>\d{2}):(?P<second>\d{2}(?:[.,]\d{1,9})?)"
     r"(?:\s*(?P<half>[AaPp])\.?[Mm]\.?)?(?:Z|[+-]\d{2}:?\d{2})?",
     re.ASCII,
 )
@@ -26,7 +27,7 @@ def seconds_of(cell: str) -> float | None:
     match = _CLOCK.fullmatch(cell.strip())
     if match is None:
         return None
-    hour, minute = int(match["hour"]), int(match["minute"])
+    hour, minute = int(match["hour"] or 0), int(match["minute"])
     second = float(match["second"].replace(",", "."))
     if match["half"]:
         hour = hour % 12 + (12 if match["half"] in "pP" else 0)

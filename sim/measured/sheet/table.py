@@ -12,6 +12,7 @@ from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row, Rows
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import heads_of, no_heads
+from sim.measured.sheet.heads import is_time
 from sim.measured.sheet.marks import is_remark, without_marks
 from sim.measured.sheet.no_readings import ANEW, MADE, is_made_date, of_remarks
 from sim.measured.sheet.stacked import Start, stacked, without_figures
@@ -71,7 +72,10 @@ def read_table(text: str) -> Table:
     if not heads:
         heads, heads_line = no_heads(width, data[0].line), data[0].line
     clocks = {k for k, c in enumerate(data[0].cells) if _is_clock(c)}
-    units = [one.unit or ("s" if k in clocks else "") for k, one in enumerate(heads)]
+    units = [
+        one.unit or ("s" if k in clocks else "ms" if _in_ms(one.name, data[0], k) else "")
+        for k, one in enumerate(heads)
+    ]
     cells.check_thousands(data, units)
     columns = tuple(
         Column(one.name, units[k], one.track, tuple(row[k] for row in numbers), one.run)
@@ -109,6 +113,13 @@ def _has_unit(cell: str) -> bool:
     """0.35 m, or 12s."""
     match = _WITH_UNIT.fullmatch(cell)
     return match is not None and kind_of_unit(match[1]) is not None
+
+
+def _in_ms(name: str, row: Row, k: int) -> bool:
+    """What Arduino's millis() counts, and what can only be milliseconds since 1970."""
+    cell = row.cells[k] if k < len(row.cells) else ""
+    since = is_time(name) and cells.is_number(cell) and cells.number_of(cell) > 1e11
+    return since or name.lower().startswith("milli")
 
 
 _WITH_UNIT = re.compile(r"[-\d.,]+ *(\D+)")
