@@ -119,7 +119,7 @@ def _in_ms(name: str, row: Row, k: int) -> bool:
     """What Arduino's millis() counts, and what can only be milliseconds since 1970."""
     cell = row.cells[k] if k < len(row.cells) else ""
     since = is_time(name) and cells.is_number(cell) and cells.number_of(cell) > 1e11
-    return since or name.lower().startswith("milli")
+    return since or name.lower().startswith("millis")
 
 
 _WITH_UNIT = re.compile(r"[-\d.,]+ *(\D+)")
