@@ -132,3 +132,30 @@ def test_a_prediction_is_printed_on_the_page_of_its_picture(
             .map((one) => one.className.baseVal ?? one.className)"""
     )
     assert apart == []
+
+
+SMALLEST = 5.5  # points: the small print of a label; two carts of unequal mass had 4
+
+
+def test_the_numbers_in_a_picture_are_large_enough_on_an_empty_sheet(printed: Page) -> None:
+    printed.emulate_media(media="print")
+    points = printed.locator(".carts-stage text:not(.carts-name)").evaluate_all(
+        """(texts) => texts.filter((one) => one.checkVisibility() && one.textContent)
+            .map((one) => 0.75 * parseFloat(getComputedStyle(one).fontSize)
+                * one.ownerSVGElement.getBoundingClientRect().height
+                / one.ownerSVGElement.viewBox.baseVal.height)"""
+    )
+    assert points
+    assert min(points) > SMALLEST
+
+
+def test_a_form_that_is_not_open_takes_no_sheet(site: Path, open_page: OpenPage) -> None:
+    """The test after the lessons opens with the teacher's word: only its title was printed."""
+    page = open_page(site / "worksheets" / "test-forces-and-motion.html", folder=site)
+    expect(page.get_by_text("It opens with your teacher's word.")).to_be_visible()
+    page.evaluate("window.print = () => {}")
+    page.get_by_role("button", name="My answers").click()
+    page.get_by_role("button", name="Print empty").click()
+    page.emulate_media(media="print")
+    expect(page.locator("carts-quiz").locator("visible=true")).to_have_count(1)
+    assert len(PAGE.findall(page.pdf(format="A4"))) == SHEETS - 1
