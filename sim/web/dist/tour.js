@@ -79,6 +79,8 @@
   var KEY = "carts-tour";
   var MOVING = ".carts-cart, .carts-velocity, .carts-acting";
   var HERE = "carts-tour-here";
+  var REST = 150;
+  var resting = 0;
   function showTour(scene) {
     const kept = recall(KEY, BROWSER);
     const done = new Set(Array.isArray(kept) ? kept : []);
@@ -152,10 +154,13 @@
       card.remove();
       return;
     }
+    const isNew = card.parentElement !== world || text.textContent !== hint.text(scene);
     say(text, hint.text(scene));
     if (!place.classList.contains(HERE)) place.classList.add(HERE);
     if (card.parentElement !== world) world.append(card);
-    settle(scene, card);
+    clearTimeout(resting);
+    if (isNew) settle(scene, card);
+    else resting = setTimeout(settle, REST, scene, card);
   }
   function settle(scene, card) {
     const foot = scene.querySelector(".carts-world > p.carts-acting");

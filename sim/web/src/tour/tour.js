@@ -15,6 +15,8 @@ import { HINTS, isPulled } from "./hints.js";
 const KEY = "carts-tour"; // names of the hints that are not shown again
 const MOVING = ".carts-cart, .carts-velocity, .carts-acting";
 const HERE = "carts-tour-here"; // on the control that the hint is about
+const REST = 150; // ms after the last change: each look for room lays the page out anew, several times
+let resting = 0;
 
 /** @param {Scene} scene the first of the page */
 export function showTour(scene) {
@@ -97,10 +99,13 @@ function point(scene, card, text, hint) {
     card.remove();
     return;
   }
+  const isNew = card.parentElement !== world || text.textContent !== hint.text(scene);
   say(text, hint.text(scene));
   if (!place.classList.contains(HERE)) place.classList.add(HERE);
   if (card.parentElement !== world) world.append(card);
-  settle(scene, card);
+  clearTimeout(resting);
+  if (isNew) settle(scene, card);
+  else resting = setTimeout(settle, REST, scene, card);
 }
 
 /** In the sky, in its middle or a corner; at the foot, on the scale, where it would cover less of what moves, above the line of what is in this model. @param {Scene} scene @param {HTMLElement} card */
