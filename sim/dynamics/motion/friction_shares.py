@@ -20,7 +20,7 @@ def share(
 ) -> None:
     """Fill in the forces of locked gaps inside groups of held carts."""
     for group in held_groups(bodies, branches):
-        _group(bodies, group[0], group[-1], steady, found)
+        _group(bodies, group, steady, found)
 
 
 def held_groups(bodies: list[Body], branches: list[Branch]) -> list[range]:
@@ -42,13 +42,12 @@ def _holds(bodies: list[Body], i: int) -> bool:
     return i < len(bodies) and bool(bodies[i].carts) and bodies[i].held
 
 
-def _group(
-    bodies: list[Body], first: int, last: int, steady: list[float], found: Expansion
-) -> None:
-    static = [body.load.static for body in bodies[first : last + 1]]
+def _group(bodies: list[Body], group: range, steady: list[float], found: Expansion) -> None:
+    first, last = group[0], group[-1]
+    static = [bodies[i].load.static for i in group]
     for n in range(len(found.bodies[first])):
-        others = [0.0] * (last - first + 1)
-        for i in range(first, last + 1):
+        others = [0.0] * len(group)
+        for i in group:
             others[i - first] = steady[i] if n == 0 else 0.0
             others[i - first] += _push(found, i - 1, n, inside=first <= i - 1 < last)
             others[i - first] -= _push(found, i, n, inside=first <= i < last)

@@ -20,7 +20,9 @@ _ONE = re.compile(
     r"(?:\s*(?P<unit>[µa-zA-Z]{1,4}(?:/s)?)(?![\w:=(]|\s*[:=\d(]))?(?=[\s,;|]|$)",
     re.I,
 )
-_CLOCK = re.compile(r"\s*(\d+:\d\d:\d\d[.,]\d+) -> *(?=[^,;\t]*([,;\t])|)")
+_TIME = r"\s*(\d+:\d\d:\d\d[.,]\d+)"
+_CLOCK = re.compile(_TIME + r" -> *(?=[^,;\t]*([,;\t])|)")
+_BEHIND_CLOCK = re.compile(_TIME + r"[,;\t ]")
 
 Lines = Sequence[tuple[int, str]]
 
@@ -45,7 +47,7 @@ def without_labels(lines: Lines) -> list[tuple[int, str]]:
 def _parts(line: str) -> dict[str, str]:
     """The number behind each name; none, where anything else stands in the line."""
     parts, at = {}, 0
-    if clock := re.match(r"\s*(\d+:\d\d:\d\d[.,]\d+)[,;\t ]", line):
+    if clock := _BEHIND_CLOCK.match(line):
         parts["time"], at = clock[1], clock.end()
     while match := _ONE.match(line, at):
         unit = f" ({match['unit']})" if match["unit"] else ""

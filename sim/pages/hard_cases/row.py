@@ -9,11 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from sim.pages.widget.numbers import SUPERSCRIPT
 from sim.scene.laws import has_formulas
 
 G = 9.81
 ULP = 2.220446049250313e-16
-_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -78,4 +78,4 @@ def speeds(*values: float, within: float, names: str = "ABCDE") -> tuple[Expecte
 
 def ten_to(power: int) -> str:
     """A power of ten as readers write it: 100, 10⁹."""
-    return str(10**power) if power < 4 else "10" + str(power).translate(_RAISED)
+    return str(10**power) if power < 4 else "10" + str(power).translate(SUPERSCRIPT)

@@ -1668,15 +1668,17 @@
     return [...scenes, () => say(head, text)];
   }
   function blank(scene) {
-    const { asBaked = "" } = (
+    const { asBaked } = (
       /** @type {any} */
       scene
     );
+    const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
+    if (!asBaked || untouched) return () => {
+    };
     const sheet2 = document.createElement("carts-blank");
     sheet2.className = `${scene.className} carts-asks`;
     sheet2.innerHTML = asBaked;
-    const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
-    if (asBaked && !untouched) scene.after(sheet2);
+    scene.after(sheet2);
     return () => sheet2.remove();
   }
 

@@ -32,11 +32,12 @@ function blanked() {
  * @param {Element} scene @returns {() => void}
  */
 function blank(scene) {
-  const { asBaked = "" } = /** @type {any} */ (scene);
+  const { asBaked } = /** @type {any} */ (scene);
+  const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
+  if (!asBaked || untouched) return () => {};
   const sheet = document.createElement("carts-blank");
   sheet.className = `${scene.className} carts-asks`;
   sheet.innerHTML = asBaked;
-  const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
-  if (asBaked && !untouched) scene.after(sheet);
+  scene.after(sheet);
   return () => sheet.remove();
 }

@@ -99,8 +99,9 @@ function point(scene, card, text, hint) {
     card.remove();
     return;
   }
-  const isNew = card.parentElement !== world || text.textContent !== hint.text(scene);
-  say(text, hint.text(scene));
+  const words = hint.text(scene);
+  const isNew = card.parentElement !== world || text.textContent !== words;
+  say(text, words);
   if (!place.classList.contains(HERE)) place.classList.add(HERE);
   if (card.parentElement !== world) world.append(card);
   clearTimeout(resting);
