@@ -13,7 +13,9 @@ import re
 from fractions import Fraction
 from functools import lru_cache
 
-_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+SUPERSCRIPT = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
+"""`"10" + str(power).translate(SUPERSCRIPT)` is a power of ten as readers write it."""
+_PLAIN = {raised: chr(plain) for plain, raised in SUPERSCRIPT.items()}
 _MINUS = str.maketrans({"−": "-", "‐": "-", "‑": "-", "–": "-", "\u03bc": "\u00b5"})
 _FACTOR = re.compile(
     r"\s*(?P<join>[/·⋅*.]?)\s*(?P<symbol>[A-Za-zµ°%]+)"
@@ -38,7 +40,7 @@ def factors(unit: str) -> tuple[tuple[str, Fraction], ...] | None:
         found = _FACTOR.match(text, at)
         if found is None or (at == 0 and found["join"] not in ("", None)):
             return None
-        raised = (found["raised"] or "").translate(_RAISED)
+        raised = (found["raised"] or "").translate(_PLAIN)
         power = Fraction(raised or found["power"] or found["plain"] or "1")
         sign = -1 if found["join"] == "/" else 1
         powers[found["symbol"]] = powers.get(found["symbol"], Fraction(0)) + sign * power
@@ -55,7 +57,7 @@ def with_exponent(text: str) -> str:
     """The text with a power of ten as programs write it: 8×10⁻¹ becomes 8e-1."""
 
     def exponent(match: re.Match[str]) -> str:
-        return "e" + (match["raised"] or match["power"]).translate(_RAISED).strip("()")
+        return "e" + (match["raised"] or match["power"]).translate(_PLAIN).strip("()")
 
     return _POWER_OF_TEN.sub(exponent, text.translate(_MINUS), count=1)
 
@@ -71,7 +73,7 @@ def written_like(unit: str, other: str) -> str:
         found = re.fullmatch(r"([A-Za-zµ°%]+)(?:[\^]?([\d²³]))?", part)
         if found is None:
             return other
-        power = (found[2] or "1").translate(_RAISED)
-        up = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in power)
+        power = (found[2] or "1").translate(_PLAIN)
+        up = power.translate(SUPERSCRIPT)
         parts.append(f"{found[1]}{'⁻' + up if raised else '^-' + power}")
     return " ".join([head, *parts])

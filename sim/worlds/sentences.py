@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Literal
 
+from sim.scene.notation import SUPERSCRIPT
 from sim.scene.said import said
 
 Way = Literal["gone", "came", "both"]
@@ -61,8 +62,7 @@ def amount(value: float, unit: str) -> str:
         plain = format(Decimal(text), "f")
         return f"{plain.rstrip('0').rstrip('.') if '.' in plain else plain} {unit}"
     digits, power = text.split("e")
-    raised = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹⁻"["0123456789-".index(sign)] for sign in str(int(power)))
-    return f"{digits} × 10{raised} {unit}"
+    return f"{digits} × 10{str(int(power)).translate(SUPERSCRIPT)} {unit}"
 
 
 def speed(v: float) -> str:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.widget.numbers import SUPERSCRIPT
 from sim.scene.laws import has_formulas
+from sim.scene.notation import SUPERSCRIPT
 
 G = 9.81
 ULP = 2.220446049250313e-16

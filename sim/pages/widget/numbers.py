@@ -7,8 +7,9 @@ from __future__ import annotations
 import math
 from decimal import ROUND_HALF_UP, Decimal
 
+from sim.scene.notation import SUPERSCRIPT
+
 MINUS = "−"
-SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 MAX_DECIMALS = 12
 SLOW = 0.01  # m/s; scenes with no greater speed speak of mm/s
 
