@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
-from sim.classroom.report.item_report import item_rows, letter, question_label
+from sim.classroom.report.items.choices import letter
+from sim.classroom.report.items.rows import item_rows, question_label
 from sim.classroom.summary.of_answers import meta_of
 from sim.country.cells import Cell
 from sim.country.refusal import CountryError

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
-from sim.classroom.report.flag import Flag
+from sim.classroom.report.flags.flag import Flag
 from sim.classroom.report.marked import Keys
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.sums import LessonSums

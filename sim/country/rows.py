@@ -11,12 +11,12 @@ from typing import Any
 from sim.classroom.files.archive import shown
 from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.files.marks_file import pseudonym
-from sim.classroom.report.flags import digest
-from sim.classroom.report.flags_of_times import moment_of
-from sim.classroom.report.item_report import chose_option
+from sim.classroom.report.flags.sorted_out import digest
+from sim.classroom.report.flags.times import moment_of
+from sim.classroom.report.items.choices import chose_option
+from sim.classroom.report.items.typed_numbers import shown_wrong, typed_wrong
 from sim.classroom.report.marked import NO_CODE, Answer, Marked
 from sim.classroom.report.meant import words_of
-from sim.classroom.report.typed_numbers import shown_wrong, typed_wrong
 from sim.country.schema import NAMES
 from sim.lesson.answer_file import PREDICTIONS, Item
 from sim.lesson.csv_text import as_text, safe_text

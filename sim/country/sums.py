@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
-from sim.classroom.report.flags import ORDER
+from sim.classroom.report.flags.sorted_out import ORDER
 from sim.classroom.statistics.pair_sums import PairSums, pair_sums_of
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.sums import FormSums, GroupSums, LessonSums

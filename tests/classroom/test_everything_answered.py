@@ -8,9 +8,9 @@ import json
 from typing import Any
 
 from sim.classroom.files.reading import Reading, Source
+from sim.classroom.report.items.typed_numbers import typed_sentence
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.report.settings import told_settings
-from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.class_csv import items_csv
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from sim.classroom.report.second_thoughts import thoughts
+from sim.classroom.report.items.second_thoughts import thoughts
 from tests.classroom.given.makers import answers, bank, keys
 from tests.classroom.given.page_report import report_of
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.handouts.answered import answer_words, right_words
-from sim.classroom.report.flags import ORDER
+from sim.classroom.report.flags.sorted_out import ORDER
 from sim.classroom.report.marked import Answer, Keys, Marked, lesson_title
 
 MOST_TOLD = 4

@@ -16,10 +16,10 @@ from sim.classroom.files.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
 from sim.classroom.report import sentences as say
 from sim.classroom.report.beliefs import belief_rows, word_rows
-from sim.classroom.report.flags import ORDER, Sorted, sort_out
+from sim.classroom.report.flags.sorted_out import ORDER, Sorted, sort_out
 from sim.classroom.report.gain_report import comparison_table, gain_table, only_after_table
-from sim.classroom.report.item_report import item_rows
-from sim.classroom.report.item_statistics import whole_test
+from sim.classroom.report.items.rows import item_rows
+from sim.classroom.report.items.statistics import whole_test
 from sim.classroom.report.marked import (
     Keys,
     Marked,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.classroom.report.items.second_thoughts import thoughts
+from sim.classroom.report.items.typed_numbers import typed_sentence
 from sim.classroom.report.numerals import number, signed
-from sim.classroom.report.second_thoughts import thoughts
 from sim.classroom.report.sentences import TITLES
-from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.html_parts import Tell, listed, person, table, text
 from sim.classroom.show.own_runs import own_runs_html
 from sim.classroom.show.predictions import predictions_html

@@ -11,8 +11,8 @@ from typing import Any
 
 from sim.classroom.refusal import FEWEST
 from sim.classroom.report import sentences as say
-from sim.classroom.report.item_report import item_sentence
-from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers, option_curves, whole_test
+from sim.classroom.report.items.rows import item_sentence
+from sim.classroom.report.items.statistics import NO_NUMBERS, add_numbers, option_curves, whole_test
 from sim.classroom.report.talk import talk_rows
 from sim.classroom.statistics.spread import Exact, Spread, spread_of
 from sim.classroom.summary.sums import FormSums, GroupSums, ItemSums

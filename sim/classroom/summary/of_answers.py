@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm
-from sim.classroom.report.flags import ORDER
-from sim.classroom.report.item_report import item_rows
+from sim.classroom.report.flags.sorted_out import ORDER
+from sim.classroom.report.items.rows import item_rows
 from sim.classroom.report.marked import Marked, counted_items, worth
 from sim.classroom.report.pairing import pair_up
 from sim.classroom.statistics.spread import Exact

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 from sim.classroom.refusal import FEWEST
-from sim.classroom.report.item_report import question_label
+from sim.classroom.report.items.rows import question_label
 from sim.classroom.statistics.item_numbers import ItemMarks, Levels
 from sim.classroom.statistics.pair_sums import PairSums
 from sim.classroom.statistics.spread import Exact

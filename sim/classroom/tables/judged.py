@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.classroom.report.flag import Flag
+from sim.classroom.report.flags.flag import Flag
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.sentences import rows_doubled, rows_equal, rows_nameless
 from sim.classroom.tables.taken import Taken

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from sim.classroom.report.flag import Flag
+from sim.classroom.report.flags.flag import Flag
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.form_rows import plain

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.classroom.report.item_report import letter
+from sim.classroom.report.items.choices import letter
 from sim.classroom.statistics.pair_sums import PairSums, pair_sums
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.of_marks import item_sums

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
+from sim.classroom.report.items.second_thoughts import thoughts
+from sim.classroom.report.items.typed_numbers import typed_sentence
 from sim.classroom.report.numerals import number
-from sim.classroom.report.second_thoughts import thoughts
 from sim.classroom.report.sentences import left_open, of_files, unmarked
-from sim.classroom.report.typed_numbers import typed_sentence
 from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table

@@ -6,9 +6,8 @@ Of links that nobody foresaw nothing is told: there are dozens in a diagram, and
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from sim.classroom.files.keyed import KeyedItem
+from sim.classroom.report.items.foreseen import Foreseen
 from sim.classroom.report.marked import Answer
 from sim.lesson.kinds.interactions import Interactions
 from sim.lesson.kinds.links import Known, Link
@@ -16,36 +15,19 @@ from sim.lesson.mark import is_empty
 from sim.scene.said import said
 
 
-def link_rows(
-    answers: Sequence[Answer], keyed: KeyedItem, question: Interactions
-) -> list[dict[str, Any]]:
-    """One row for each known invented link, and one for each right link: who left it out."""
+def told_links(answers: Sequence[Answer], question: Interactions) -> list[Foreseen]:
+    """Each known invented link, and each right link: who left it out."""
     drawn = [(a, links) for a in answers if (links := _links(a, question)) is not None]
-    rows = [
-        _row(f"wrong-{k}", _any(known, question), [a for a, links in drawn if known.fits(links)],
-             known.belief, keyed)
+    invented = [
+        Foreseen(f"wrong-{k}", _any(known, question),
+                 [a for a, links in drawn if known.fits(links)], known.belief)
         for k, known in enumerate(question.wrong, 1)
     ]  # fmt: skip
-    return rows + [
-        _row(f"no-{link.name}", said("no line: {link}", link=_named(link, question)),
-             [a for a, links in drawn if link not in links], "", keyed)
+    return invented + [
+        Foreseen(f"no-{link.name}", said("no line: {link}", link=_named(link, question)),
+                 [a for a, links in drawn if link not in links])
         for link in question.links
     ]  # fmt: skip
-
-
-def _row(
-    option: str, label: str, chose: Sequence[Answer], belief: str, keyed: KeyedItem
-) -> dict[str, Any]:
-    return {
-        "option": option,
-        "label": label,
-        "text": "",
-        "correct": False,
-        "count": len(chose),
-        "sure": sum(a.sure == "sure" for a in chose),
-        "belief": belief,
-        "says": keyed.beliefs.get(belief, ""),
-    }
 
 
 def _links(answer: Answer, question: Interactions) -> set[Link] | None:

@@ -1,4 +1,4 @@
-"""What a class answered: item by item, belief by belief, and the texts that a person reads."""
+"""What a class answered, item by item."""
 
 from __future__ import annotations
 
@@ -8,16 +8,14 @@ from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.refusal import FEW
-from sim.classroom.report.drawn_links import link_rows
-from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
+from sim.classroom.report.items.choices import choices_of
+from sim.classroom.report.items.second_thoughts import changed_of, tries_of
+from sim.classroom.report.items.statistics import NO_NUMBERS, add_numbers
+from sim.classroom.report.items.typed_numbers import other_numbers
 from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.numerals import signed
-from sim.classroom.report.second_thoughts import changed_of, tries_of
-from sim.classroom.report.typed_numbers import known_numbers, other_numbers
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import NO_QUESTIONS
-from sim.lesson.kinds.interactions import Interactions
-from sim.lesson.kinds.number import Number
 from sim.lesson.mark import is_empty
 from sim.scene.said import counted, joined, said
 
@@ -72,7 +70,7 @@ def _row(
         "wrong": verdicts["wrong"] + verdicts["unclear"],
         "unread": verdicts["open"] if keyed and keyed.worth else 0,
         "empty": verdicts["empty"] if keyed else len(files) - len(answers),
-        "choices": _choices(answers, keyed),
+        "choices": choices_of(answers, keyed),
         "difficulty": None,
         "discrimination": None,
         "point_biserial": None,
@@ -95,54 +93,6 @@ def _sure(answers: Sequence[Answer], keyed: KeyedItem | None) -> dict[str, int] 
         a.mark.verdict for a in answers if a.sure == "sure" and a.mark and not is_empty(a.value)
     )
     return {"right": found["right"], "wrong": found["wrong"] + found["partly"] + found["unclear"]}
-
-
-def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[str, Any]]:
-    """Each option with how many chose it, and what students who choose it often think."""
-    kind = keyed.question.KIND if keyed else ""
-    if keyed and isinstance(keyed.question, Number):
-        return known_numbers(answers, keyed, keyed.question)
-    if keyed and isinstance(keyed.question, Interactions):
-        return link_rows(answers, keyed, keyed.question)
-    if not keyed or kind not in ("single", "multiple", "idea"):
-        if keyed:
-            return []
-        counts = Counter(
-            a.value for a in answers if a.type == "single" and isinstance(a.value, str)
-        )
-        return [
-            {"option": o, "label": letter(o), "text": "", "count": counts[o]}
-            for o in sorted(counts)
-        ]
-    key = keyed.question.key()
-    rows = []
-    for option in keyed.question.asked()["options"]:
-        chose = [a for a in answers if chose_option(a, option)]
-        belief = key["beliefs"].get(option, "")
-        rows.append(
-            {
-                "option": option,
-                "label": letter(option),
-                "text": keyed.texts.get(f"option-{option}", ""),
-                "correct": option in key["correct"],
-                "count": len(chose),
-                "sure": sum(a.sure == "sure" for a in chose),
-                "belief": belief,
-                "says": keyed.beliefs.get(belief, ""),
-            }
-        )
-    return rows
-
-
-def chose_option(answer: Answer, option: str) -> bool:
-    """Whether this option was chosen, alone or with others."""
-    value = answer.value
-    return bool(value == option or (isinstance(value, (list, tuple)) and option in value))
-
-
-def letter(option: str) -> str:
-    """An option as students see it: a letter."""
-    return option.upper() if len(option) == 1 else option
 
 
 def item_sentence(row: dict[str, Any]) -> str:

@@ -11,9 +11,9 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from sim.classroom.report.flag import Flag
-from sim.classroom.report.flags_of_origin import foreign, nameless, told_right, unanswered
-from sim.classroom.report.flags_of_times import order, times
+from sim.classroom.report.flags.flag import Flag
+from sim.classroom.report.flags.origin import foreign, nameless, told_right, unanswered
+from sim.classroom.report.flags.times import order, times
 from sim.classroom.report.marked import Marked
 from sim.lesson.mark import is_empty
 from sim.scene.said import joined, said, template

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.classroom.report.flag import Flag
+from sim.classroom.report.flags.flag import Flag
 from sim.classroom.report.marked import Marked
 from sim.classroom.report.numerals import numbers
 from sim.scene.said import counted, said

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 
-from sim.classroom.report.flag import Flag
+from sim.classroom.report.flags.flag import Flag
 from sim.classroom.report.marked import Marked
 from sim.scene.said import said
 

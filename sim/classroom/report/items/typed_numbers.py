@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedItem
+from sim.classroom.report.items.foreseen import Foreseen
 from sim.classroom.report.marked import Answer
 from sim.lesson.kinds.number import NEAR, Number, Wrong
 from sim.scene.said import listed, said
@@ -35,27 +36,17 @@ def shown_wrong(wrong: Wrong, question: Number) -> str:
     return _shown(wrong.value, question)
 
 
-def known_numbers(
-    answers: Sequence[Answer], keyed: KeyedItem, question: Number
-) -> list[dict[str, Any]]:
-    """The wrong numbers that the author knows, with how many typed them and what they may think."""
-    rows = []
-    for wrong in question.wrong:
-        chose = [a for a in answers if typed_wrong(a, wrong)]
-        shown = shown_wrong(wrong, question)
-        rows.append(
-            {
-                "option": shown,
-                "label": shown,
-                "text": "",
-                "correct": False,
-                "count": len(chose),
-                "sure": sum(a.sure == "sure" for a in chose),
-                "belief": wrong.belief,
-                "says": keyed.beliefs.get(wrong.belief, ""),
-            }
+def told_numbers(answers: Sequence[Answer], question: Number) -> list[Foreseen]:
+    """Each wrong number that the author knows, and who typed it."""
+    return [
+        Foreseen(
+            shown := shown_wrong(wrong, question),
+            shown,
+            [a for a in answers if typed_wrong(a, wrong)],
+            wrong.belief,
         )
-    return rows
+        for wrong in question.wrong
+    ]
 
 
 def other_numbers(

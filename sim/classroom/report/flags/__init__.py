@@ -1,0 +1,1 @@
+"""What a teacher should look at before counting, and which files count."""

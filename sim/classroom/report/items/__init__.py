@@ -1,0 +1,1 @@
+"""What a class answered, item by item: rows of plain values, and their sentences."""
