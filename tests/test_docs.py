@@ -17,10 +17,10 @@ from sim.pages.text.plain_lines import without_code
 from sim.pages.text.yaml.source import load
 from sim.scene import fields, read_fence
 from sim.scene.effects import EffectKind, kinds
+from sim.scene.fence.map import MAP_KEYS
+from sim.scene.fence.predict import KINDS as PREDICTIONS
+from sim.scene.fence.presentation import FENCE_KEYS, PACKAGES, SHOWS, TOOLS, VIEWS
 from sim.scene.laws import laws
-from sim.scene.map import MAP_KEYS
-from sim.scene.predict import KINDS as PREDICTIONS
-from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, TOOLS, VIEWS
 from sim.scene.read import SCENE_KEYS
 from tests import registry
 

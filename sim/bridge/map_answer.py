@@ -16,7 +16,7 @@ from typing import Any
 
 from sim.dynamics.batch.grid import Axes, Grid, run_points, solve
 from sim.scene import apply_changes
-from sim.scene.map import read_map
+from sim.scene.fence.map import read_map
 from sim.scene.read import SCENE_KEYS
 
 SLICE = 0.15

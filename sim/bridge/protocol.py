@@ -25,7 +25,7 @@ from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.effects import kinds
-from sim.scene.read_effects import listed_effects
+from sim.scene.reading.effects import listed_effects
 from sim.scene.said import wire as said_by
 from sim.scene.track import named_ends
 

@@ -17,7 +17,7 @@ from sim.pages.text.author_text import SAVE_AS
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml.source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
-from sim.scene.presentation import Fence
+from sim.scene.fence.presentation import Fence
 
 MOST_BYTES = 4 * MAX_CHARACTERS
 """Never read more: a path may lead to a film, or to a device without an end."""

@@ -11,7 +11,7 @@ from sim.lesson.keys import PROSE, TEXTS, Key
 from sim.lesson.problems import LessonError
 from sim.lesson.question import Question
 from sim.lesson.read import collect_question
-from sim.scene.presentation import ID
+from sim.scene.fence.presentation import ID
 from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import mapping, unknown_keys
 

@@ -13,7 +13,7 @@ from sim.lesson.keys import PROSE, TEXT, TEXTS, Key, one_of
 from sim.lesson.opening import FORMS, RULES, Rule, check_order, read_rule
 from sim.lesson.problems import LessonError
 from sim.lesson.question import LEVELS, Question
-from sim.scene.presentation import ID
+from sim.scene.fence.presentation import ID
 from sim.scene.problem import Path, Problem
 from sim.scene.tables import mapping, unknown_keys
 

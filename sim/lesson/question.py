@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Self
 from sim.lesson import keys
 from sim.lesson.keys import PROSE, PROSES, TEXT, TEXTS, Key, one_of
 from sim.lesson.mark import Mark
-from sim.scene.presentation import ID
+from sim.scene.fence.presentation import ID
 from sim.scene.problem import Path, Problem
 
 LEVELS = ("core", "support", "stretch")

@@ -6,10 +6,10 @@ the command line, in the page generator and inside the page.
 """
 
 from sim.scene.changes import apply_changes
-from sim.scene.controls import Control
+from sim.scene.fence.controls import Control
+from sim.scene.fence.predict import Predict
+from sim.scene.fence.presentation import Fence, read_fence
 from sim.scene.model import Cart, Contact, Scene, Track
-from sim.scene.predict import Predict
-from sim.scene.presentation import Fence, read_fence
 from sim.scene.problem import Problem, SceneError
 from sim.scene.read import read_scene
 

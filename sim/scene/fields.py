@@ -11,8 +11,8 @@ from fractions import Fraction
 from sim.scene import quantity
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import Dimension, QuantityError, read_quantity
+from sim.scene.reading.tolerance import has_tolerance, read_tolerant
 from sim.scene.said import said
-from sim.scene.tolerance import has_tolerance, read_tolerant
 
 
 @dataclass(frozen=True, slots=True)

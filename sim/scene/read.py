@@ -9,12 +9,12 @@ from typing import Any
 
 from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, SKINS, TRACK_LENGTH, UNTIL
-from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene
 from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
-from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import check_room, read_effects, read_estimates
-from sim.scene.read_written import read_written
+from sim.scene.reading.contact import read_contacts
+from sim.scene.reading.effects import check_room, read_effects, read_estimates
+from sim.scene.reading.gaps import approaches, gaps_of, refuse_overlap
+from sim.scene.reading.written import read_written
 from sim.scene.tables import mapping, number, unknown_keys
 from sim.scene.track import read_track
 

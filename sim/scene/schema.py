@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from sim.scene.effects import EffectKind, kinds
+from sim.scene.fence.predict import READ as READ_IN_PREDICT
 from sim.scene.fields import (
     CART,
     GRAVITY,
@@ -21,7 +22,6 @@ from sim.scene.fields import (
     Field,
 )
 from sim.scene.laws import FILE, WRITTEN, laws
-from sim.scene.predict import READ as READ_IN_PREDICT
 from sim.scene.prose import MARK, NAMED
 from sim.scene.quantity import exact
 from sim.scene.track import WHAT

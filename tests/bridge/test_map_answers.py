@@ -11,7 +11,7 @@ import pytest
 from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
 from sim.scene import SceneError, apply_changes, read_scene
-from sim.scene.map import MOST, USUAL, read_map
+from sim.scene.fence.map import MOST, USUAL, read_map
 from tests import registry
 
 MAP: dict[str, Any] = {

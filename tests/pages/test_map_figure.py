@@ -18,7 +18,7 @@ from sim.pages.blocks.scene_block import Lesson
 from sim.pages.findings import Finding
 from sim.pages.map.bake import MapRun, bake_map
 from sim.pages.map.render import render_map
-from sim.scene.map import read_map
+from sim.scene.fence.map import read_map
 from tests import registry
 from tests.web.scene.given.widget_site import in_node
 

@@ -9,7 +9,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.scene import Problem, SceneError, apply_changes, read_scene
-from sim.scene.controls import read_controls
+from sim.scene.fence.controls import read_controls
 from sim.scene.laws import laws
 
 STIFFNESS = {"hertz": "1e5 N/m^1.5"}

@@ -11,8 +11,8 @@ from sim.cli.tables import run_as_text
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
 from sim.scene import SceneError, apply_changes, read_fence, read_scene
-from sim.scene.map import read_map
-from sim.scene.presets import numbers_of
+from sim.scene.fence.map import read_map
+from sim.scene.fence.presets import numbers_of
 from sim.scene.track import WHAT, body_name
 
 THINGS = WHAT[1:]

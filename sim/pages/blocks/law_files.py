@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from sim.pages.text.author_text import author_text, shown_here
-from sim.scene.read_written import named_laws
+from sim.scene.reading.written import named_laws
 
 MOST_BYTES = 100_000
 """A law has some 300; what is longer is refused when it is read."""

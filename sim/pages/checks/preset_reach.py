@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sim.pages.blocks.scene_block import SceneBlock
 from sim.pages.findings import Finding
-from sim.scene.presets import numbers_of
+from sim.scene.fence.presets import numbers_of
 from sim.scene.problem import Problem
 
 

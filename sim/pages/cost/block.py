@@ -21,7 +21,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml.source import Source
 from sim.scene import SceneError, read_scene
-from sim.scene.presentation import FENCE_KEYS
+from sim.scene.fence.presentation import FENCE_KEYS
 
 KEYS = ("id", "title", "scenes", "breaks")
 

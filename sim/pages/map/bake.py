@@ -11,7 +11,7 @@ from typing import Any
 
 from sim.pages.blocks.bake import bake
 from sim.scene import Problem, SceneError, apply_changes
-from sim.scene.map import Map
+from sim.scene.fence.map import Map
 
 ROUGH = 9
 """Points per axis for the range that the sliders reach: extremes lie at the ends of an axis, as a

@@ -28,7 +28,7 @@ from sim.pages.text.fence_scan import Block
 from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.yaml.source import Source
 from sim.scene import SceneError
-from sim.scene.map import Map, read_map
+from sim.scene.fence.map import Map, read_map
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,8 @@ from typing import Any
 
 from sim.pages.map.bake import MapRun
 from sim.pages.templates import element
-from sim.scene.controls import Control
-from sim.scene.map import Map
+from sim.scene.fence.controls import Control
+from sim.scene.fence.map import Map
 
 FIRST_LETTER = ord("0")
 """Of the colours of a picture, as the script that paints it tells them."""

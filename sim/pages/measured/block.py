@@ -27,7 +27,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml.source import KeyPath, Source
-from sim.scene.presentation import ID
+from sim.scene.fence.presentation import ID
 from sim.scene.problem import did_you_mean
 from sim.scene.prose import PROSE
 

@@ -14,8 +14,8 @@ from math import prod
 from typing import Any
 
 from sim.scene import Fence
-from sim.scene.controls import Control
-from sim.scene.effect_controls import Switch
+from sim.scene.fence.controls import Control
+from sim.scene.fence.effect_controls import Switch
 
 Value = float | str | bool
 """As the page sends it: an SI number, text with the slider's unit, or whether an effect acts."""

@@ -20,7 +20,7 @@ from sim.pages.blocks.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.fence_scan import Block
 from sim.scene import Fence, Problem
-from sim.scene.presentation import ID
+from sim.scene.fence.presentation import ID
 from sim.scene.tables import unknown_keys
 
 KEYS = (

@@ -20,7 +20,7 @@ from sim.pages.site import files as site_files
 from sim.pages.site.carried import node_modules
 from sim.pages.widget import render
 from sim.pages.widget.worlds import WORLDS
-from sim.scene.presentation import TOOLS
+from sim.scene.fence.presentation import TOOLS
 
 LOOK = """\
 body { margin: 1rem auto; padding: 0 0.6rem; max-width: 62rem; line-height: 1.5;

@@ -27,7 +27,7 @@ from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
 from sim.pages.text.lesson_places import JOINING, scene_folders
-from sim.scene.read_written import named_laws
+from sim.scene.reading.written import named_laws
 
 FORMAT = 1
 WORD_OF = "teacher"  # what the checksum of the word belongs to

@@ -14,7 +14,7 @@ from sim.pages.widget.layout import lay_out
 from sim.pages.widget.reach import with_longest_track
 from sim.pages.widget.run import Run, from_wire
 from sim.pages.widget.scale_of import Scales, read_scales
-from sim.scene.presets import numbers_of
+from sim.scene.fence.presets import numbers_of
 from sim.scene.said import Said
 
 # Significant digits of the baked numbers: far below what can be seen, and few enough for 60 kB

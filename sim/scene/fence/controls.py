@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.scene.effect_controls import effect_number, is_switch
 from sim.scene.effects import Effect, kinds
+from sim.scene.fence.effect_controls import effect_number, is_switch
 from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem

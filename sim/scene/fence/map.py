@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
 
-from sim.scene.controls import Control, read_controls
+from sim.scene.fence.controls import Control, read_controls
+from sim.scene.fence.presentation import ID
 from sim.scene.model import Scene
-from sim.scene.presentation import ID
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.quantity import unit_of
 from sim.scene.read import SCENE_KEYS, collect_scene

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.scene.changes import apply_changes, resolve
-from sim.scene.controls import number_of
+from sim.scene.fence.controls import number_of
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.read import collect_scene, read_scene
-from sim.scene.read_effects import listed_effects
+from sim.scene.reading.effects import listed_effects
 from sim.scene.tables import mapping
 
 HINT = "presets: {elastic: {contact.restitution: 1}, heavy hits light: {A.mass: 4 kg}}"

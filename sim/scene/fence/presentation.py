@@ -8,16 +8,16 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
-from sim.scene.controls import Control, read_controls
-from sim.scene.effect_controls import Switch, read_switches
+from sim.scene.fence.controls import Control, read_controls
+from sim.scene.fence.effect_controls import Switch, read_switches
+from sim.scene.fence.predict import Predict, kind_of, read_predict
+from sim.scene.fence.presets import read_presets
 from sim.scene.fields import SKINS
 from sim.scene.model import Scene
-from sim.scene.predict import Predict, kind_of, read_predict
-from sim.scene.presets import read_presets
 from sim.scene.problem import Problem, SceneError, did_you_mean, meant, nearest
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
-from sim.scene.read_effects import listed_effects
+from sim.scene.reading.effects import listed_effects
 from sim.scene.tables import mapping, unknown_keys
 
 FENCE_KEYS = (
