@@ -1,1 +1,1 @@
-"""Anybody's marks, read from a table: one module for each kind of export."""
+"""Anybody's marks, read from a table; what programs export has a module each in `exports/`."""

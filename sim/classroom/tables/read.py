@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.classroom.files.archive import shown as safe
-from sim.classroom.tables import canvas, google, microsoft, moodle, moodle_grades, ours, plain
+from sim.classroom.tables import plain
 from sim.classroom.tables import sentences as say
 from sim.classroom.tables.above import from_the_heads
 from sim.classroom.tables.apart import Columns, Parted, parted
 from sim.classroom.tables.cells import Broken, Row, TableError, rows_of
+from sim.classroom.tables.exports import EXPORTS, canvas
 from sim.classroom.tables.layout import Column, Layout
 from sim.classroom.tables.long import Bad, pivoted
 from sim.classroom.tables.marks import NOTHING, mark
@@ -19,13 +20,6 @@ from sim.classroom.tables.taken import MarkTable, Taken, place_of
 from sim.classroom.tables.when import time_of
 from sim.scene.said import reason_of, said
 
-EXPORTS: tuple[Callable[[Sequence[str]], Layout | None], ...] = (
-    moodle.layout,
-    moodle_grades.layout,
-    google.layout,
-    microsoft.layout,
-    ours.layout,
-)
 LETTERS = 2
 """Columns of letters, from which on a table without a row KEY is one of answers."""
 

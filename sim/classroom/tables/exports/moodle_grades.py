@@ -10,8 +10,8 @@ import re
 from collections.abc import Sequence
 
 from sim.classroom.tables.cells import TableError
+from sim.classroom.tables.exports.moodle import person_of
 from sim.classroom.tables.layout import Column, Layout, form_told, place_of
-from sim.classroom.tables.moodle import person_of
 from sim.classroom.tables.sentences import which_is_before
 from sim.classroom.tables.words import CLASS, GROUP
 
