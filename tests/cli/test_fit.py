@@ -44,7 +44,17 @@ def test_a_tracker_file_gives_e_with_its_interval(tracker: Path) -> None:
     assert "bounciness e" in said.stdout
     assert "decimal comma" in said.stdout
     assert "x in m" in said.stdout
-    assert "Not printed: stiffness k" in said.stdout
+    assert "Not printed: mass of each cart in kg; stiffness k in N/m: " in said.stdout
+
+
+def test_what_one_cause_hides_is_told_together(tmp_path: Path) -> None:
+    few = tmp_path / "few.txt"
+    few.write_text(as_text(film(MADE, rate=20)), "utf-8")
+    untold = json.loads(carts("fit", few, "--json").stdout)["untold"]
+    reasons = {one["reason"] for one in untold}
+    lines = [line for line in carts("fit", few).stdout.splitlines() if "Not printed" in line]
+    assert len(untold) > len(reasons) == len(lines)
+    assert all(any(one["name"] in line for line in lines) for one in untold)
 
 
 def test_a_weighed_cart_gives_k_and_the_other_mass(tracker: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn, cast
@@ -209,6 +210,14 @@ def _fail(reason: str, hint: str) -> NoReturn:
     sys.exit(1)
 
 
+def _not_printed(untold: Sequence[dict[str, str]]) -> list[str]:
+    """One line for each reason: what one cause hides is told together."""
+    names: dict[str, list[str]] = {}
+    for one in untold:
+        names.setdefault(one["reason"], []).append(one["name"])
+    return [f"Not printed: {'; '.join(hidden)}: {reason}." for reason, hidden in names.items()]
+
+
 def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
     names, counts = report["names"], report["readings"]
     head = ", ".join(f"{name}: {n} readings" for name, n in zip(names, counts, strict=True))
@@ -220,7 +229,7 @@ def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
         rows = [(one["name"], one["text"].removeprefix(f"{one['name']}: ")) for one in
                 report["known"]]  # fmt: skip
         lines += [table(("what", "value ± half of the 95 % interval"), rows), ""]
-        lines += [f"Not printed: {one['name']}: {one['reason']}." for one in report["untold"]]
+        lines += _not_printed(report["untold"])
         lines.append("")
     others = len(report.get("contacts", ())) > 1
     said = [*report["sentences"], *(["--contact TIME chooses another contact."] if others else ())]

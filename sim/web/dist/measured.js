@@ -954,17 +954,22 @@
       if (report.added) parts.push(html("p", "", report.added));
       if (report.doubt) parts.push(html("p", "carts-measured-doubt", report.doubt));
       parts.push(table(report));
-      for (const { name, reason } of report.untold) {
-        const row = html("p", "carts-measured-untold");
-        row.append(html("strong", "", `Not printed: ${name}.`), ` ${upper(reason)}.`);
-        parts.push(row);
-      }
+      parts.push(...notPrinted(report.untold));
     }
     const said = html("ul", "carts-measured-sentences");
     said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
     parts.push(said);
     if (report.rungs) parts.push(ladder(report.rungs));
     place2.replaceChildren(...parts);
+  }
+  function notPrinted(untold) {
+    const names = /* @__PURE__ */ new Map();
+    for (const { name, reason } of untold) names.set(reason, [...names.get(reason) ?? [], name]);
+    return [...names].map(([reason, hidden]) => {
+      const row = html("p", "carts-measured-untold");
+      row.append(html("strong", "", `Not printed: ${hidden.join("; ")}.`), ` ${upper(reason)}.`);
+      return row;
+    });
   }
   function ladder({ line, taken, rows }) {
     const item = ({ sentence }) => html("li", "", sentence);

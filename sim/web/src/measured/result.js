@@ -14,17 +14,28 @@ export function showResult(place, report) {
     if (report.added) parts.push(html("p", "", report.added));
     if (report.doubt) parts.push(html("p", "carts-measured-doubt", report.doubt));
     parts.push(table(report));
-    for (const { name, reason } of report.untold) {
-      const row = html("p", "carts-measured-untold");
-      row.append(html("strong", "", `Not printed: ${name}.`), ` ${upper(reason)}.`);
-      parts.push(row);
-    }
+    parts.push(...notPrinted(report.untold));
   }
   const said = html("ul", "carts-measured-sentences");
   said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
   parts.push(said);
   if (report.rungs) parts.push(ladder(report.rungs));
   place.replaceChildren(...parts);
+}
+
+/**
+ * A line for each reason: what one cause hides is told together.
+ * @param {Report["untold"]} untold
+ */
+function notPrinted(untold) {
+  /** @type {Map<string, string[]>} */
+  const names = new Map();
+  for (const { name, reason } of untold) names.set(reason, [...(names.get(reason) ?? []), name]);
+  return [...names].map(([reason, hidden]) => {
+    const row = html("p", "carts-measured-untold");
+    row.append(html("strong", "", `Not printed: ${hidden.join("; ")}.`), ` ${upper(reason)}.`);
+    return row;
+  });
 }
 
 /**
