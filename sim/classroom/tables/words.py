@@ -44,11 +44,12 @@ STUDENT = NUMBER | words("""
 """)
 FAMILY = words("""
     last name | lastname | surname | family name | nachname | familienname | zuname | nom |
-    nom de famille | apellido | apellidos | apellido(s) | 姓
+    nom de famille | apellido | apellidos | apellido(s) | nama keluarga | 姓 | 姓氏 |
+    குடும்பப்பெயர்
 """)
 GIVEN = words("""
     first name | firstname | given name | forename | vorname | rufname | prénom | nombre |
-    nombre(s) | 名
+    nombre(s) | nama pertama | 名 | 名字 | முதல் பெயர்
 """)
 """One student is named by both: of either alone there may be two in a class."""
 WHO = STUDENT | FAMILY | GIVEN

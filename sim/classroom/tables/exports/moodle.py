@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.layout import Column, Layout, norm, place_of, with_most
-from sim.classroom.tables.words import CLASS, GROUP, ID_NUMBER, words
+from sim.classroom.tables.words import CLASS, FAMILY, GIVEN, GROUP, ID_NUMBER, words
 
 _QUESTION = re.compile(r"\D{1,12}?[.\s]*[0-9]{1,3}\s*/\s*[0-9]+(?:[.,][0-9]+)?")
 _GRADE = re.compile(r"[^\d/]{2,30}/\s*[0-9]+(?:[.,][0-9]+)?")
@@ -20,11 +20,6 @@ MAIL = words("""
     dirección email | correo electrónico | 电子邮件地址 | email | e-mail
 """)
 ACCOUNT = ID_NUMBER | words("学号 | username | anmeldename | nom d'utilisateur | nombre de usuario")
-SURNAME = words("""
-    surname | last name | nachname | nama keluarga | nom | nom de famille | apellido(s) |
-    apellidos | 姓 | 姓氏 | குடும்பப்பெயர்
-""")
-FIRST = words("first name | vorname | nama pertama | prénom | nombre | 名 | 名字 | முதல் பெயர்")
 WHOLE_NAME = words("""
     full name | name | vollständiger name | nama penuh | nom complet | nombre completo | 姓名
 """)
@@ -57,7 +52,7 @@ def layout(heads: Sequence[str]) -> Layout | None:
 def person_of(heads: Sequence[str]) -> tuple[tuple[int, ...], ...]:
     """An address or number tells people apart best, then surname and first name together."""
     single = [place_of(heads, names) for names in (MAIL, ACCOUNT, WHOLE_NAME)]
-    both = [place_of(heads, names) for names in (FIRST, SURNAME)]
+    both = [place_of(heads, names) for names in (GIVEN, FAMILY)]
     ways = [[place] for place in single[:2]] + [both] + [[single[2]]]
     known = (tuple(place for place in way if place is not None) for way in ways)
     return tuple(way for way in known if way)
