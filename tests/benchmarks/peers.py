@@ -22,7 +22,6 @@ from typing import Any
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
 from sim.pages.runtime.node import node_program, node_version
-from sim.pages.widget.numbers import short
 from sim.scene import Scene
 from tests.benchmarks._peers_scenes import DT, SCENES, Carts
 
@@ -174,7 +173,7 @@ def table(document: dict[str, Any]) -> str:
             f"{_between(one['row']['last_v'])} m/s",
             _change(one["walls"]["energy"][1]),
             _metres(one["walls"]["position_error"]),
-            f"{short(one['two']['us_per_second'], 2)} µs",
+            f"{two_figures(one['two']['us_per_second'])} µs",
         ]
         lines.append(f"| {' | '.join(cells)} |")
     day = datetime.date.fromisoformat(document["date"])
@@ -196,8 +195,13 @@ def _between(values: Sequence[float]) -> str:
 
 
 def _metres(value: float) -> str:
-    return "0" if value < NEAR else f"{short(1000 * value, 2)} mm"
+    return "0" if value < NEAR else f"{two_figures(1000 * value)} mm"
 
 
 def _change(part: float) -> str:
-    return "kept" if abs(part) < NEAR else f"{short(100 * part, 2)} %".replace("-", "−")
+    return "kept" if abs(part) < NEAR else f"{two_figures(100 * part)} %".replace("-", "−")
+
+
+def two_figures(value: float) -> str:
+    """And all whole ones: 1500, 136, 0.034."""
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.2g}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from sim.pages.widget.numbers import exponent
@@ -24,12 +23,6 @@ class Axis:
     def decimals(self) -> int:
         """Decimals that tick labels need."""
         return max(0, -exponent(self.step))
-
-    def ticks(self) -> list[float]:
-        """The multiples of `step` from low to high."""
-        first = math.ceil(self.low / self.step - STEP_SLACK)
-        last = math.floor(self.high / self.step + STEP_SLACK)
-        return [k * self.step for k in range(first, last + 1)]
 
 
 def nice_above(value: float) -> float:
