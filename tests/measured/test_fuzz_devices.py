@@ -15,12 +15,15 @@ from sim.measured.sheet.cells import decoded
 from sim.measured.tracks import read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
+from tests.measured.camera_systems import frames_of, optitrack, vicon
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts, tracker_project
 
 SHORT = Motion(v=(0.5, -0.1), touch=0.5, until=1.0)
 LOG = Motion(v=(0.5, 0.0), touch=1.2, lasts=0.2, until=2.2)
 KINDS = {
     "motion capture": motion_capture(SHORT),
+    "OptiTrack": optitrack(frames_of(motion_capture(SHORT))),
+    "Vicon": vicon(frames_of(motion_capture(SHORT))),
     "sensor carts": sensor_carts(LOG),
     "Tracker's project": tracker_project(SHORT),
     "phone": phone(SHORT, 0),

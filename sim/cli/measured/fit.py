@@ -120,11 +120,11 @@ def command(
     """Fit the model to the motion of two real carts, or compare two force sensors.
 
     FILES: one file with the readings of both carts, or one for each; - reads standard input.
-    Tracker's export and projects (.trk), motion capture (Qualisys TSV), logs of sensor carts,
-    phyphox's CSV (zipped too) and any CSV are read as they are. What happened is found first
-    (rest, hand, coasting, contact, stop), then what the contact was: a bounce, a stick or an
-    explosion. Every number is printed with its 95 % interval; what the readings cannot tell is
-    not printed, and readings that tell nothing are refused with the reason.
+    Tracker's export and projects (.trk), motion capture (TSV of Qualisys, CSV of OptiTrack and
+    Vicon), logs of sensor carts, phyphox's CSV (zipped too) and any CSV are read as they are. What
+    happened is found first (rest, hand, coasting, contact, stop), then what the contact was: a
+    bounce, a stick or an explosion. Every number is printed with its 95 % interval; what the
+    readings cannot tell is not printed, and readings that tell nothing are refused with the reason.
 
     \b
     carts fit two-carts.csv

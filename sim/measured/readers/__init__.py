@@ -7,11 +7,21 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from sim.measured.readers import phyphox, plain, qualisys, sensors, tracker_project
+from sim.measured.readers import (
+    optitrack,
+    phyphox,
+    plain,
+    qualisys,
+    sensors,
+    tracker_project,
+    vicon,
+)
 from sim.measured.track import Reading
 from sim.measured.units import Units
 
-_ALL: tuple[ModuleType, ...] = (tracker_project, qualisys, phyphox, sensors, plain)
+_ALL: tuple[ModuleType, ...] = (
+    tracker_project, qualisys, optitrack, vicon, phyphox, sensors, plain,
+)  # fmt: skip
 
 
 def read_text(text: str, units: Units) -> Reading:

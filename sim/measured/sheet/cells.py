@@ -46,6 +46,11 @@ class Row:
     line: int
     cells: tuple[str, ...]
 
+    @property
+    def first(self) -> str:
+        """What stands in the first cell; empty where there is none."""
+        return self.cells[0] if self.cells else ""
+
 
 @dataclass(frozen=True, slots=True)
 class Rows:

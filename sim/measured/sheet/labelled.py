@@ -2,6 +2,7 @@
 
     t:0.10,x1:0.30,x2:1.20          Distance 1: 30.1 cm  Distance 2: 119.8 cm
     10:33:21.125 -> 30.1,119.8      the monitor's own clock before what came
+    {"t": 0.10, "x1": 0.30}         an object of JSON in each line
 
 The names become one line of heads. What stands above them (“Ready”, a first line that was cut) is
 left out, and so is a last line that was cut; a line of words among them stays, and is refused as a
@@ -15,7 +16,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 _ONE = re.compile(
-    r"[\s,;|]*(?P<name>[^\W\d][^:=,;|\t]{0,30}?)\s*[:=]\s*"
+    r"[\s,;|]*\"?(?P<name>[^\W\d][^:=,;|\t\"]{0,30}?)\"?\s*[:=]\s*"
     r"(?P<number>[-+]?[.\d](?:[.,\d]*[.\d])?(?:[eE][-+]?\d+)?|-?nan|ovf|)"
     r"(?:\s*(?P<unit>[µa-zA-Z]{1,4}(?:/s)?)(?![\w:=(]|\s*[:=\d(]))?(?=[\s,;|]|$)",
     re.I,
@@ -47,6 +48,7 @@ def without_labels(lines: Lines) -> list[tuple[int, str]]:
 def _parts(line: str) -> dict[str, str]:
     """The number behind each name; none, where anything else stands in the line."""
     parts, at = {}, 0
+    line = line.strip().removeprefix("{").removesuffix(",").removesuffix("}")
     if clock := _BEHIND_CLOCK.match(line):
         parts["time"], at = clock[1], clock.end()
     while match := _ONE.match(line, at):
