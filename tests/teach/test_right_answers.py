@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from sim.lesson.read import read_question
 from sim.pages.teach.answer import teach_answer
 from sim.pages.teach.fields import Field, fields
 from sim.pages.teach.pieces import blocks
@@ -63,6 +64,38 @@ def test_of_a_single_choice_the_right_answer_is_moved(answer: int, indent: str, 
     ]
 
 
+@pytest.mark.parametrize("ends", ["\n", "\r\n"])
+@pytest.mark.parametrize("indent", ["", "    "])
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("- {text: none, belief: speed-follows-force}", "- {text: none, correct: true}"),
+        (
+            "- {belief: speed-follows-force, text: none, feedback: Not so.}",
+            "- {text: none, correct: true, feedback: Not so.}",
+        ),
+        (
+            "- {text: none, correct: false,\n     belief: speed-follows-force}",
+            "- {text: none, correct: true}",
+        ),
+        ("- text: none\n    belief: speed-follows-force", "- text: none\n    correct: true"),
+        (
+            "- belief: speed-follows-force  # often\n    text: none\n    feedback: Not so.",
+            "- text: none\n    correct: true\n    feedback: Not so.",
+        ),
+    ],
+)
+def test_an_answer_that_becomes_right_loses_the_belief_behind_it(
+    before: str, after: str, indent: str, ends: str
+) -> None:
+    """It has none, so the build would stop at it, and no field is there to take it out."""
+    other = "  - {text: yes it is, correct: %s}\n"
+    text = question(options=f"  {before}\n{other % 'true'}", indent=indent)
+    wanted = question(options=f"  {after}\n{other % 'false'}", indent=indent)
+    made = moved(text.replace("\n", ends), 0)
+    assert made == {"text": wanted.replace("\n", ends)}
+
+
 def test_of_a_multiple_choice_the_others_stay_right() -> None:
     made = moved(question("multiple"), 2)["text"]
     assert [right for _, right in options_of(made)] == [False, True, True, False, False]
@@ -93,6 +126,7 @@ def test_where_no_answer_is_right_there_is_no_field_for_it(kind: str) -> None:
 
 
 def test_every_choice_of_our_lessons_can_have_each_answer_right() -> None:
+    """Made right, and not a mistake: the question is read as the build reads it."""
     seen = 0
     for path in sorted((ROOT / "worksheets").glob("*.md")):
         text = path.read_text(encoding="utf-8")
@@ -104,6 +138,7 @@ def test_every_choice_of_our_lessons_can_have_each_answer_right() -> None:
                 made = teach_answer({"do": "set", "value": "true", **request})[0]["text"]
                 again = {f.path: f.value for f in fields(made, blocks(made)[index])}
                 assert again[field.path] == "true"
+                read_question(load(blocks(made)[index].body).plain)
                 seen += 1
     assert seen > 20
 

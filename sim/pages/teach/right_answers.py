@@ -1,13 +1,16 @@
 """Which answers of a choice are right, to be moved by fields: an answer that says nothing is wrong.
 
 A value that stands in the text is changed in its place (edit.py). Here `correct` may have to be
-written where nothing stands yet, and where one answer only is right, another loses it.
+written where nothing stands yet, and where one answer only is right, another loses it. The belief
+behind an answer goes when it becomes right: a right answer has none, and no field holds it.
 """
 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 from sim.pages.teach.edit import CannotWriteError, Change, block_at, first_that_reads, read
@@ -48,7 +51,7 @@ def with_right(text: str, index: int, answer: int, *, right: bool) -> str:
         text,
         index,
         _ways(text, block, _flags(old), wanted),
-        lambda again: _rest(again) == _rest(old) and _flags(again) == wanted,
+        lambda again: _rest(again, wanted) == _rest(old, wanted) and _flags(again) == wanted,
     )
 
 
@@ -59,13 +62,18 @@ def _ways(
     at = {value.path: value for value in values(text, block)}
     changes: list[Change] = []
     new: list[Change] = []
+    gone: list[list[Change]] = []
     for k in (k for k, flag in enumerate(wanted) if flag != old[k]):
         said = at.get(("options", k, "correct"))
         if said:
             changes.append((said.start, said.end, "true" if wanted[k] else "false"))
         else:
             new = list(_said_anew(text, block, k, at))
-    yield from ([*changes, one] for one in new) if new else [changes]
+        if wanted[k]:
+            gone += [[*_without(text, block, ("options", k, "belief"), at)]]
+    added = [[one] for one in new] or [[]]
+    removed = [list(one) for one in product(*filter(None, gone))]
+    yield from ([*changes, *one, *other] for one in added for other in removed)
 
 
 def _said_anew(text: str, block: Block, k: int, at: Mapping[KeyPath, Value]) -> Iterator[Change]:
@@ -86,12 +94,34 @@ def _said_anew(text: str, block: Block, k: int, at: Mapping[KeyPath, Value]) -> 
         yield end, end, f"{ends}{' ' * column}correct: true"
 
 
+def _without(
+    text: str, block: Block, path: KeyPath, at: Mapping[KeyPath, Value]
+) -> Iterator[Change]:
+    """Ways to take a key out with its value: as one of its line's, or as a line of its own."""
+    key = next((name for name in names(text, block) if name.path == path), None)
+    if key is None or path not in at:
+        return
+    start, end = key.start, at[path].end
+    if comma := re.search(r",\s*\Z", text[:start]):
+        yield comma.start(), end, ""
+    if comma := re.match(r"\s*,\s*", text[end:]):
+        yield start, end + comma.end(), ""
+    line_ends = text.find("\n", end) + 1
+    yield text.rfind("\n", 0, start) + 1, line_ends, ""
+    # The first of its answer stands behind a dash: the next takes its place.
+    following = text[line_ends:]
+    yield start, line_ends + len(following) - len(following.lstrip(" ")), ""
+
+
 def _flags(table: Mapping[str, Any]) -> list[bool]:
     return [isinstance(o, Mapping) and o.get("correct") is True for o in table["options"]]
 
 
-def _rest(table: Mapping[str, Any]) -> dict[str, Any]:
-    """Everything but which answers are right."""
+def _rest(table: Mapping[str, Any], wanted: Sequence[bool]) -> dict[str, Any]:
+    """Everything but which answers are right, and the beliefs behind those that shall be."""
     plain = [o if isinstance(o, Mapping) else {"text": o} for o in table["options"]]
-    bare = [{name: v for name, v in option.items() if name != "correct"} for option in plain]
+    bare = [
+        {n: v for n, v in option.items() if n != "correct" and not (right and n == "belief")}
+        for option, right in zip(plain, wanted, strict=True)
+    ]
     return {**table, "options": bare}
