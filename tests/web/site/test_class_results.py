@@ -16,6 +16,9 @@ pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 BULLET = 20
 """px between the bar of a list and its text: less, and the bullets touch the bar."""
 
+MANY = 4
+"""Lines of a belief in words."""
+
 
 def test_the_bullets_of_what_to_talk_about_stand_clear_of_the_bar(
     site: Path, open_page: OpenPage
@@ -26,3 +29,26 @@ def test_the_bullets_of_what_to_talk_about_stand_clear_of_the_bar(
     talk = page.locator(".carts-class-talk").first
     expect(talk).to_be_visible(timeout=60_000)
     assert float(talk.evaluate("one => parseFloat(getComputedStyle(one).paddingLeft)")) > BULLET
+
+
+LINES = """cell => {
+  const range = document.createRange();
+  range.selectNodeContents(cell);
+  return new Set([...range.getClientRects()].map((line) => Math.round(line.top))).size;
+}"""
+
+
+def test_on_a_phone_a_row_is_a_few_lines_and_a_code_word_one(
+    site: Path, open_page: OpenPage
+) -> None:
+    """The tables are pushed aside there: nothing is gained by a word, or three letters, on a line."""
+    phone = {"width": 360, "height": 800}
+    page = open_page(site / "teachers" / "class-results.html", folder=site, viewport=phone)
+    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
+    choose(page, [*sources(random_class(BANK, 12, prefix="BLUE-FOX")), KEY])
+    expect(page.locator("carts-class[data-state=complete]")).to_have_count(1, timeout=60_000)
+    page.evaluate("document.querySelectorAll('details').forEach(one => one.open = true)")
+    beliefs = page.locator(".carts-class-table.overview").first.locator("td:last-child")
+    assert max(int(belief.evaluate(LINES)) for belief in beliefs.all()) < MANY
+    word = page.locator(".carts-class-table.students td", has_text="BLUE-FOX-1").first
+    assert int(word.evaluate(LINES)) == 1
