@@ -41,7 +41,7 @@ LINES = """cell => {
 def test_on_a_phone_a_row_is_a_few_lines_and_a_code_word_one(
     site: Path, open_page: OpenPage
 ) -> None:
-    """The tables are pushed aside there: nothing is gained by a word, or three letters, on a line."""
+    """Tables are pushed aside there: nothing is gained by a word, or three letters, on a line."""
     phone = {"width": 360, "height": 800}
     page = open_page(site / "teachers" / "class-results.html", folder=site, viewport=phone)
     expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
