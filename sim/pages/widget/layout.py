@@ -34,6 +34,7 @@ FROM_ABOVE = ("incline", "push", "friction", "drag")  # rows of other kinds stan
 TILT = 24.0  # for a wedge that shows the slope, between ruler and legend
 SIGN = 65.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
 MOST_RANKS = 3
+MOST_LANES = {"wide": 4, "narrow": 8}  # on a phone the fifth cart is near enough to meet the first
 STAGGER = 17.0  # from one line of masses to the next, clear in any font
 
 
@@ -91,7 +92,7 @@ def lay_out(
     left = wall if track["left"] == "wall" else margin
     right = wall if track["right"] == "wall" else margin
     scale = (width - left - right) / (high - low)
-    lanes = min(count, 4)
+    lanes = min(count, MOST_LANES[kind])
     closest = min(b["length"] for b in header["bodies"]) * scale
     ranks = min(count, MOST_RANKS, math.ceil(SIGN / closest))
     top = HEAD + (lanes - 1) * LANE + ABOVE + STAGGER * (ranks - 1) + scales.tallest
