@@ -566,7 +566,7 @@
 
   // src/shared/tabs.js
   function telling(store, site) {
-    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    const channel = channelOf(`carts:${site}`);
     return {
       ...store,
       put: async (key, value, alone2) => {
@@ -581,6 +581,13 @@
         channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
       }
     };
+  }
+  function channelOf(name) {
+    try {
+      return new BroadcastChannel(name);
+    } catch {
+      return null;
+    }
   }
 
   // src/shared/storage.js

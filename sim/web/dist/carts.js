@@ -4147,7 +4147,7 @@
 
   // src/shared/tabs.js
   function telling(store, site) {
-    const channel2 = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    const channel2 = channelOf(`carts:${site}`);
     return {
       ...store,
       put: async (key, value, alone3) => {
@@ -4162,6 +4162,13 @@
         channel2?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
       }
     };
+  }
+  function channelOf(name) {
+    try {
+      return new BroadcastChannel(name);
+    } catch {
+      return null;
+    }
   }
 
   // src/shared/storage.js

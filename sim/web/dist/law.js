@@ -2767,7 +2767,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/shared/tabs.js
   function telling(store, site) {
-    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    const channel = channelOf(`carts:${site}`);
     return {
       ...store,
       put: async (key, value, alone2) => {
@@ -2782,6 +2782,13 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
       }
     };
+  }
+  function channelOf(name) {
+    try {
+      return new BroadcastChannel(name);
+    } catch {
+      return null;
+    }
   }
 
   // src/shared/storage.js

@@ -1081,7 +1081,7 @@
 
   // src/shared/tabs.js
   function telling(store, site) {
-    const channel2 = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    const channel2 = channelOf(`carts:${site}`);
     return {
       ...store,
       put: async (key, value, alone2) => {
@@ -1096,6 +1096,13 @@
         channel2?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
       }
     };
+  }
+  function channelOf(name) {
+    try {
+      return new BroadcastChannel(name);
+    } catch {
+      return null;
+    }
   }
 
   // src/shared/storage.js

@@ -2581,7 +2581,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/shared/tabs.js
   function telling(store, site) {
-    const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+    const channel = channelOf(`carts:${site}`);
     return {
       ...store,
       put: async (key, value, alone2) => {
@@ -2596,6 +2596,13 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
       }
     };
+  }
+  function channelOf(name) {
+    try {
+      return new BroadcastChannel(name);
+    } catch {
+      return null;
+    }
   }
 
   // src/shared/storage.js

@@ -10,6 +10,16 @@ NO_DATABASE = "Object.defineProperty(window, 'indexedDB', { get() { throw new Er
 NO_TEXT_STORE = (
     "Object.defineProperty(window, 'localStorage', { get() { throw new Error('no'); } });"
 )
+# Firefox with all cookies blocked: no store opens, and tabs cannot tell each other either.
+BLOCKED = """
+for (const name of ["localStorage", "sessionStorage", "BroadcastChannel"]) {
+  const refuse = () => { throw new DOMException("The operation is insecure.", "SecurityError"); };
+  const found = name === "BroadcastChannel" ? { value: refuse } : { get: refuse };
+  Object.defineProperty(window, name, found);
+}
+IDBFactory.prototype.open = () => {
+  throw new DOMException("The operation is insecure.", "SecurityError");
+};"""
 REFUSING = """IDBObjectStore.prototype.put = () => {
   throw new DOMException("full", "QuotaExceededError");
 };"""

@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import saved, saved_file
 from tests.web.question.broken_stores import (
+    BLOCKED,
     NO_DATABASE,
     NO_TEXT_STORE,
     REFUSING,
@@ -158,7 +159,9 @@ def test_what_was_kept_as_text_while_the_database_was_closed_comes_back_with_it(
     assert first.evaluate("() => Object.keys(localStorage).filter((k) => k.includes('#'))") == []
 
 
-@pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
+@pytest.mark.parametrize(
+    "script", [NO_DATABASE + NO_TEXT_STORE, BLOCKED, REFUSING], ids=["none", "blocked", "full"]
+)
 def test_where_nothing_can_be_kept_the_page_says_so_and_still_saves_a_file(
     open_page: OpenPage, question_site: Path, script: str
 ) -> None:

@@ -2,7 +2,7 @@
 
 /** @param {import("./storage.js").Opened} store @param {string} site @returns {import("./storage.js").Store} the same, telling and hearing */
 export function telling(store, site) {
-  const channel = globalThis.BroadcastChannel && new BroadcastChannel(`carts:${site}`);
+  const channel = channelOf(`carts:${site}`);
   return {
     ...store,
     put: async (key, value, alone) => {
@@ -17,4 +17,13 @@ export function telling(store, site) {
       channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
     },
   };
+}
+
+/** @param {string} name @returns {BroadcastChannel | null} null: there are none, or Firefox refuses them, as it does where all cookies are blocked */
+function channelOf(name) {
+  try {
+    return new BroadcastChannel(name);
+  } catch {
+    return null;
+  }
 }
