@@ -68,6 +68,14 @@ def test_a_translation_is_in_its_own_script(language: str) -> None:
     assert [one for one in texts if re.search(r"[^\W\d_]{4}", one) and not script.search(one)] == []
 
 
+def test_chinese_sentences_have_chinese_marks() -> None:
+    """Wide ones beside a Chinese character: a narrow comma has no room behind it."""
+    sign = r"[\u4e00-\u9fff]"
+    narrow = re.compile(rf"{sign}[,?;!:]|[,?;!:] ?{sign}")
+    forms = [form for forms in catalogue("zh-Hans").values() for form in forms]
+    assert [form for form in forms if narrow.search(form)] == []
+
+
 def test_only_text_that_stands_in_the_call_is_translated() -> None:
     """What is put together first cannot be found for the catalogues."""
     for folder, pattern, _, functions in SOURCES:
