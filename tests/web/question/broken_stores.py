@@ -15,7 +15,7 @@ BLOCKED = """
 for (const name of ["localStorage", "sessionStorage", "BroadcastChannel"]) {
   const refuse = () => { throw new DOMException("The operation is insecure.", "SecurityError"); };
   const found = name === "BroadcastChannel" ? { value: refuse } : { get: refuse };
-  Object.defineProperty(window, name, found);
+  Object.defineProperty(window, name, { ...found, configurable: true });
 }
 IDBFactory.prototype.open = () => {
   throw new DOMException("The operation is insecure.", "SecurityError");

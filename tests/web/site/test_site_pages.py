@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.question.broken_stores import BLOCKED
 from tests.web.site.pages_of import listen
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -119,6 +120,18 @@ def test_the_palette_switches_and_is_remembered(site: Path, open_page: OpenPage)
     expect(body).to_have_attribute("data-md-color-scheme", "slate")
     page.reload()
     expect(body).to_have_attribute("data-md-color-scheme", "slate")
+
+
+def test_where_all_cookies_are_blocked_the_theme_goes_on(site: Path, open_page: OpenPage) -> None:
+    """Search and colours ended there with the theme's first question to the store of texts."""
+    page = open_page(site / "about.html")
+    page.add_init_script(BLOCKED)
+    heard = listen(page)
+    page.reload()
+    page.locator("label[title=Dark]").click()
+    expect(page.locator("body")).to_have_attribute("data-md-color-scheme", "slate")
+    search(page, "supply pod")
+    assert heard == []
 
 
 def test_a_page_without_javascript_can_be_read(
