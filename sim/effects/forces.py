@@ -12,7 +12,8 @@ where a scene lists the effect.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from importlib import import_module
 from itertools import pairwise
@@ -91,6 +92,12 @@ class PairForce(Protocol):
 
     def damping(self) -> float:
         """N s/m. What of the force is −damping × rate: that part only takes energy."""
+
+
+def at_touch(links: Iterable[PairForce]) -> float:
+    """N. What linear ones would push with at no gap, by the formula that holds where they are: a
+    loose spring that was let go between pressed bumpers has its reach before that."""
+    return math.fsum([link.expansion()(0, [0.0, 0.0]) for link in links])
 
 
 class LooseForce(PairForce, Protocol):

@@ -187,3 +187,38 @@ def test_bumpers_pressed_again_get_back_what_they_hold_in_every_account(
     warmed = energy_parts(true, trajectory(true))["warmed"]
     assert min(warmed) > -1e-9
     assert warmed[-1] == pytest.approx(true.ledger.warmed, abs=1e-9)
+
+
+IN_A_ROW = {
+    "alone": {"A": (1.0, 0.1, 1.0), "B": (2.0, 0.3, -0.5)},
+    "beside a third": {"A": (1.0, 0.1, 1.0), "B": (2.0, 0.3, -0.5), "C": (1.0, 0.5, -0.5)},
+}
+
+
+@pytest.mark.parametrize("energy", [0.001, 0.01, 0.1])
+@pytest.mark.parametrize("beyond", ["bumper", "hertz"])
+@pytest.mark.parametrize("row", IN_A_ROW)
+def test_a_spring_let_go_between_pressed_bumpers_gives_all_its_energy(
+    row: str, beyond: str, energy: float
+) -> None:
+    """½ µ w'² = ½ µ u² + E: elastic bumpers give back what they held, and the spring gives E.
+
+    Its full length may end before the bumpers have cleared: they were pressed in by more than that.
+    """
+    carts = {
+        name: {"mass": m, "position": x, "velocity": v} for name, (m, x, v) in IN_A_ROW[row].items()
+    }
+    pairs = {"B-C": {"law": beyond, "restitution": 1, "stiffness": 4000}} if "C" in carts else {}
+    plain: dict[str, Any] = {
+        "carts": carts,
+        "contact": {"restitution": 1, "stiffness": 500, "pairs": pairs},
+        "effects": [
+            {"release": {"between": ["A", "B"], "energy": energy, "at": 0.02, "stiffness": 830}}
+        ],
+        "until": 1,
+    }
+    done = run(read_scene(plain))
+    given = sum(0.5 * m * v * v for m, _, v in IN_A_ROW[row].values()) + energy
+    kept = sum(0.5 * cart["mass"] * v * v for cart, v in zip(carts.values(), done.v, strict=True))
+    assert kept == pytest.approx(given, rel=1e-13)
+    assert done.ledger.imbalance() < 1e-14

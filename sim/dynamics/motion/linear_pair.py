@@ -26,6 +26,7 @@ from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, k
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.flips import NO_MOTION, margin
 from sim.dynamics.state.loads import Load
+from sim.effects.forces import at_touch
 from sim.laws.branch import Branch, Guard
 from sim.laws.damped_oscillation import Rate
 
@@ -176,12 +177,11 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     """
     a, b = bodies
     branch, mu = branch_of(gap), gap.mu
-    stiff, damp, free = branch.kappa, branch.gamma, 0.0
+    stiff, damp, free = branch.kappa, branch.gamma, at_touch(gap.links)
     if gap.links:
         bounds = [link.bounds(gap.room) for link in gap.links]
         stiff += math.fsum([k for k, _ in bounds])
         damp += math.fsum([c for _, c in bounds])
-        free = math.fsum([link.force(0.0, 0.0) for link in gap.links])
     drag = a.load.linear + b.load.linear  # one of them is a wall, or there is none
     rate = rate_of(stiff, damp + drag, mu)
     if rate.w0 * limit <= REACH:

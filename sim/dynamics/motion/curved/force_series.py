@@ -13,7 +13,7 @@ import sys
 from operator import mul
 
 from sim.dynamics.motion.power_series.polynomial import Poly
-from sim.effects.forces import PairForce
+from sim.effects.forces import PairForce, at_touch
 from sim.laws.branch import Branch
 
 if sys.version_info >= (3, 12):
@@ -123,7 +123,7 @@ class Links:
     def __init__(self, links: tuple[PairForce, ...], room: float) -> None:
         linear = [link for link in links if link.linear]
         bounds = [link.bounds(room) for link in linear]
-        self.free = sum(link.force(0.0, 0.0) for link in linear)
+        self.free = at_touch(linear)
         self.stiff, self.damper = sum(k for k, _ in bounds), sum(c for _, c in bounds)
         self.terms = [link.expansion() for link in links if not link.linear]
 

@@ -14,6 +14,7 @@ from sim.dynamics.motion.modes.state import ModalState
 from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.loads import Load
+from sim.effects.forces import at_touch
 
 NOTHING = ModalSum(0.0, ())
 
@@ -48,8 +49,7 @@ def _linked(gap: Gap, over: ModalSum) -> ModalSum:
         return NOTHING
     stiff = math.fsum([link.bounds(gap.room)[0] for link in gap.links])
     damp = math.fsum([link.bounds(gap.room)[1] for link in gap.links])
-    at_touch = math.fsum([link.force(0.0, 0.0) for link in gap.links])
-    return plus((stiff, over), (damp, over.slope), (1.0, ModalSum(at_touch, ())))
+    return plus((stiff, over), (damp, over.slope), (1.0, ModalSum(at_touch(gap.links), ())))
 
 
 def _hold(
