@@ -43,7 +43,8 @@ def next_touch(gap: Gap, own_separation: bool = False) -> float:
         room = gap.room
         if room < 0.0:
             room += resting(gap)
-        if room <= 0.0 and law is not None and not law.recontacts and _is_last_bit(gap):
+        still_pressed = gap.room < 0.0 and law is not None and law.recontacts
+        if room <= 0.0 and law is not None and not still_pressed and _is_last_bit(gap):
             return math.inf
         return max(0.0, room / -gap.rate)
     parted = own_separation or gap.spent

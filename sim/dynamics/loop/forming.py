@@ -49,11 +49,14 @@ class Forming:
         for gap in touched:
             if now != ZERO and not transitions.is_push(gap):
                 gap.room = -resting(gap)  # rounding of the search left: that is what a touch is
+        flew = [gap.left.motion is None and gap.right.motion is None for gap in touched]
         settled, gaps = self.settle(bodies, now)
-        for gap in touched:
+        for gap, free in zip(touched, flew, strict=True):
             if gap.left.mass < math.inf or gap.right.mass < math.inf:
                 gap.rate = gap.right.v - gap.left.v
-                if no_approach(gap, now):
+                # Of two that fly freely nothing has rounded it: a contact without an approach,
+                # and without a force, would end at once and be found again.
+                if no_approach(gap, now) and not (free and gap.law is not None):
                     gap.rate = 0.0
             self.strikes.see(gap)
         return settled, [*gaps, *touched]
