@@ -124,3 +124,54 @@ def test_two_that_a_damped_spring_leaves_just_touching_their_walls_come_to_the_e
     assert done.x == pytest.approx((0.1, 0.6), abs=1e-14)
     assert done.v == pytest.approx((0.0, 0.0), abs=1e-14)
     assert done.ledger.imbalance() < 1e-12
+
+
+@pytest.mark.parametrize("quadratic", [0, 2])
+@pytest.mark.parametrize("law", ["bumper", "push-only"])
+def test_what_air_has_stopped_is_at_rest_at_the_edge_of_a_contact(
+    law: str, quadratic: float
+) -> None:
+    """b times all ways together is the momentum that there was; the spring of no length is at rest
+    where the two just touch. Rounding of their first speeds stayed in their velocities, though not
+    in that of the gap, and drag of it held the spring strained to the end, in 6,000 steps."""
+    air = {"linear": 10} | ({"quadratic": quadratic} if quadratic else {})
+    plain = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.1, "velocity": 1.0},
+            "B": {"mass": 7.0, "position": 0.3, "velocity": -1.0},
+        },
+        "contact": {"law": law, "restitution": 0.5, "stiffness": 500},
+        "effects": [
+            {"drag": air},
+            {"spring": {"between": ["A", "B"], "stiffness": 1320, "length": 0}},
+        ],
+        "until": 300,
+    }
+    done = run(read_scene(plain), max_steps=1_000)
+    assert done.stopped is None
+    (a, b) = done.x
+    assert b - a == pytest.approx(0.2, abs=1e-14)
+    assert done.v == pytest.approx((0.0, 0.0), abs=1e-30)
+    if not quadratic:
+        assert (a - 0.1) + (b - 0.3) == pytest.approx((1.0 - 7.0) / 10, rel=1e-14)
+    assert done.ledger.impulses["drag"] == pytest.approx(6.0, rel=1e-14)
+    assert done.ledger.imbalance() < 1e-14
+
+
+def test_faint_drag_of_v_squared_beside_linear_drag_leaves_a_sum_of_modes() -> None:
+    """c v² is less than the last bit of b v: the spring's slow creep, k/b = 0.16/s, is one mode."""
+    plain = {
+        "carts": {
+            "A": {"mass": 0.143, "position": 0.15, "velocity": -1e-12},
+            "B": {"mass": 4.46, "position": 0.4},
+        },
+        "effects": [
+            {"drag": {"linear": 10, "quadratic": 0.1}},
+            {"spring": {"between": ["A", "B"], "stiffness": 1.57, "length": 0.05}},
+        ],
+        "until": 600,
+    }
+    done = run(read_scene(plain), max_steps=100)
+    assert done.stopped is None
+    assert sum(done.x) == pytest.approx(0.55 - 0.143e-12 / 10, abs=1e-15)
+    assert done.ledger.impulses["drag"] == pytest.approx(0.143e-12, rel=1e-12)

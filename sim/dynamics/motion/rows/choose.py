@@ -29,6 +29,7 @@ from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.power_series.step_ends import first_ends
 from sim.dynamics.motion.rest import at_rest, blocks
 from sim.dynamics.motion.rows.now import row_of
+from sim.dynamics.motion.rows.rounded import is_faint, told_by_rates
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Branch
@@ -43,6 +44,8 @@ def coupled_group(
     """The group of these bodies, settled at `now`, for at most `limit` s."""
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
+    if any(body.load.linear for body in bodies):
+        told_by_rates(bodies, gaps)
     if any(body.load.grips or body.load.quadratic for body in bodies):
         stick_slip.decide(bodies, gaps, branches)
     row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
@@ -74,7 +77,10 @@ def _in_modes(
     """A sum of modes, where the series has taken some steps and all is linear."""
     if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
         return None
-    if row.nonlinear or any(body.load.quadratic for body in bodies):
+    if not is_faint(bodies, [abs(body.v) for body in bodies], limit):
+        return None
+    row = replace(row, quadratic=[0.0] * len(bodies))
+    if row.nonlinear:
         return None
     from sim.dynamics.motion.modes.group import modal_group  # where a scene calls for it
 
@@ -82,6 +88,10 @@ def _in_modes(
         found = modal_group(bodies, gaps, row, now, limit)
     except ArithmeticError:  # numbers so far apart that their products leave the range of floats
         found = None
+    if found is not None:
+        ranges = [found.speeds(body, now, found.duration) for body in bodies]
+        if not is_faint(bodies, [max(map(abs, one)) for one in ranges], found.duration):
+            found = None
     if found is None:
         for gap in gaps:
             gap.plain = 0
