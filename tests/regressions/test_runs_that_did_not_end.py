@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import read_scene
 from tests.fuzz.kinds import scene_of
 from tests.reference.effects import integrate
@@ -265,3 +266,18 @@ def test_three_in_touch_that_move_alike_but_for_last_bits_go_on(
     assert done.stopped is None
     assert done.v[:3] == pytest.approx((0.5, 0.5, 0.5), rel=1e-15)
     assert done.x[:3] == pytest.approx((0.6, 0.8, 1.0), rel=1e-15)
+
+
+def test_magnets_that_are_met_too_fast_for_the_range_of_floats_are_refused() -> None:
+    """Two magnets of F = C/r never stop what comes at 20 km/s. Near them the coefficients of the
+    series, 1/s to the 26th power, leave the range: steps took no time, without end."""
+    plain = {
+        "carts": {"A": cart(0.1, 1e4), "B": cart(0.31, -1e4)},
+        "effects": [
+            {"magnets": {"between": ["A", "B"], "strength": 1e-3, "power": 1}},
+            {"spring": {"between": ["A", "B"], "stiffness": 50, "length": 0.02}},
+        ],
+        "until": 1,
+    }
+    with pytest.raises(UnsolvedError, match="too large or too small"):
+        run(read_scene(plain), max_steps=1_000)
