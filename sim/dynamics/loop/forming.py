@@ -34,6 +34,7 @@ class Forming:
         self.end: Time = (scene.until, 0.0)
         self.predictions = Predictions(self.chain, self.calendar, self.end)
         self.least = transitions.NOTHING * self.chain.length / scene.until  # m/s
+        self.begun = max(abs(cart.velocity) for cart in scene.carts)  # m/s
         self.instant = flips.AT_ONE_INSTANT * scene.until
         self.strikes = Strikes(self.chain, record, self.ledger, self.instant, self.solvers)
         self.happened = self.steps = 0
@@ -70,7 +71,10 @@ class Forming:
         held = [body.held for body in bodies]
         for body in bodies:
             self.calendar.void(body)
-        for solver in select_solvers(bodies, gaps, now, self.end, self.forces, self.record):
+        nothing = min(self.least, transitions.NOTHING * max(self.begun, self.strikes.fastest))
+        for solver in select_solvers(
+            bodies, gaps, now, self.end, self.forces, self.record, nothing
+        ):
             self.solvers[solver.name] += 1
             if solver.tier > 1:
                 self.steps += 1

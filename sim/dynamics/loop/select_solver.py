@@ -11,11 +11,13 @@ import math
 
 from sim.dynamics.loop.contacts import pair_contact
 from sim.dynamics.motion import courses
+from sim.dynamics.motion.coupled_group import group_of
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.guards import branch_of
 from sim.dynamics.motion.linear_pair import linear_pair
 from sim.dynamics.motion.power_series.series import ORDER
 from sim.dynamics.motion.rows.choose import coupled_group
+from sim.dynamics.motion.rows.rounded import nothing_left, told_by_rates
 from sim.dynamics.motion.stick_slip import decide
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap, Motion
@@ -24,11 +26,18 @@ from sim.dynamics.state.loads import NO_LOAD, Forces
 
 
 def select_solvers(
-    bodies: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None, record: Record
+    bodies: list[Body],
+    gaps: list[Gap],
+    now: Time,
+    end: Time,
+    forces: Forces | None,
+    record: Record,
+    nothing: float = 0.0,
 ) -> list[Motion]:
     """New solvers for bodies settled at `now`, in a row; the run ends at `end`.
 
     `gaps` are those between them and around them that may be members. Free flights have no solver.
+    `nothing` [m/s] is a velocity that takes a body nowhere in all the run.
     """
     if forces is not None:
         for body in bodies:
@@ -49,7 +58,7 @@ def select_solvers(
             own.append(gap)
             row.append(gap.right)
         done.update(id(one) for one in row if one.carts)
-        motion = _solver(row, own, now, end, forces)
+        motion = _solver(row, own, now, end, forces, nothing)
         for one in row:
             if one.carts:
                 one.motion = motion
@@ -62,7 +71,12 @@ def select_solvers(
 
 
 def _solver(
-    row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
+    row: list[Body],
+    gaps: list[Gap],
+    now: Time,
+    end: Time,
+    forces: Forces | None,
+    nothing: float,
 ) -> Motion | None:
     if all(body.mass == math.inf for body in row):
         return None  # all of them stick to walls: what pulls between them moves nothing
@@ -83,6 +97,8 @@ def _solver(
         if phase is not None:
             _count(row, gaps, forces, 1)
             return phase
+    if gaps and (over := nothing_left(row, gaps, max(elapsed(now, end), 0.0), nothing)) is not None:
+        return group_of(over, [], over.length, now)
     return _group(row, gaps, now, end, forces)
 
 
@@ -119,6 +135,8 @@ def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion |
 def _group(row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None) -> Motion:
     _count(row, gaps, forces, ORDER - 1)
     limit = max(elapsed(now, end), 0.0)
+    if any(body.load.linear for body in row):
+        told_by_rates(row, gaps)
     if any(gap.touching is not None and gap.law is not None and not gap.law.linear for gap in gaps):
         from sim.dynamics.motion.curved.group import curved_group  # where a scene calls for it
 

@@ -29,7 +29,7 @@ from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.power_series.step_ends import first_ends
 from sim.dynamics.motion.rest import at_rest, blocks
 from sim.dynamics.motion.rows.now import row_of
-from sim.dynamics.motion.rows.rounded import is_faint, told_by_rates
+from sim.dynamics.motion.rows.rounded import is_faint
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Branch
@@ -44,8 +44,6 @@ def coupled_group(
     """The group of these bodies, settled at `now`, for at most `limit` s."""
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
-    if any(body.load.linear for body in bodies):
-        told_by_rates(bodies, gaps)
     if any(body.load.grips or body.load.quadratic for body in bodies):
         stick_slip.decide(bodies, gaps, branches)
     row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])

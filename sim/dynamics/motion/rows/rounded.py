@@ -6,6 +6,10 @@ them, for each is a series of its own. What is left of the velocities, w = v_rig
 does not: it is a constant of the equations. Drag of it, b w, would hold a spring strained by b w/k
 for ever, and such a row has neither modes nor rest.
 
+A row at the very edge of its contacts, which no load presses, has no place of rest beside which
+what is left would be small: it fades for ever, and touches and parts on the way. But once no
+velocity and no acceleration takes a body anywhere in all the run, the row is over.
+
 Drag of v² beside linear drag, b v + c v², is linear where c v is less than the last bit of b; and
 where it takes less than the last bit of the momentum m v in all the time that is left.
 """
@@ -15,6 +19,8 @@ from __future__ import annotations
 import itertools
 import math
 
+from sim.dynamics.motion.guards import branch_of, push_now
+from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.state.body import Body, Gap
 
 MISFIT = 1e-3
@@ -53,3 +59,29 @@ def is_faint(bodies: list[Body], fastest: list[float], time: float) -> bool:
         for body, v in zip(bodies, fastest, strict=True)
         if body.load.quadratic
     )
+
+
+def nothing_left(bodies: list[Body], gaps: list[Gap], limit: float, nothing: float) -> Step | None:
+    """The row that stays as it is for `limit` s, as one step; None where it still moves.
+
+    `nothing` [m/s]: slower than that it gets nowhere in the run. No faster may its forces make it.
+    """
+    if any(abs(gap.rate) > nothing for gap in gaps) or any(abs(b.v) > nothing for b in bodies):
+        return None
+    branches = [branch_of(gap) for gap in gaps]
+    if any(branch.locked for branch in branches) or any(body.load.grips for body in bodies):
+        return None
+    push = [push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
+    for body, left, right in zip(bodies, [0.0, *push], [*push, 0.0], strict=True):
+        if (abs(left) + abs(right) + abs(body.load.steady)) * limit > body.mass * nothing:
+            return None
+    for body in bodies:
+        body.v = 0.0
+    across = [math.fsum(link.force(gap.room, 0.0) for link in gap.links) for gap in gaps]
+    return Step(
+        bodies, gaps, branches, limit, [[-gap.room, 0.0] for gap in gaps],
+        [[n - p] for n, p in zip(push, across, strict=True)],
+        [[p] if gap.links else [] for gap, p in zip(gaps, across, strict=True)],
+        [[0.0, 0.0] for _ in bodies], [[0.0, 0.0, 0.0] for _ in bodies],
+        [body.load.steady for body in bodies], short=False,
+    )  # fmt: skip
