@@ -281,3 +281,21 @@ def test_magnets_that_are_met_too_fast_for_the_range_of_floats_are_refused() -> 
     }
     with pytest.raises(UnsolvedError, match="too large or too small"):
         run(read_scene(plain), max_steps=1_000)
+
+
+def test_a_trial_series_that_leaves_the_range_of_floats_refuses_nothing() -> None:
+    """A strong damper beside magnets is tried as led; where that does not converge the plain series
+    goes on. The damper takes A's motion at once, the magnets push B: energy and momentum close."""
+    plain = {
+        "carts": {"A": cart(0.1, mass=0.54), "B": cart(0.4, mass=0.233)},
+        "track": {"left": "wall"},
+        "effects": [
+            {"drag": {"quadratic": 0.02}},
+            {"spring": {"between": ["left", "A"], "stiffness": 5.22, "length": 0.1, "damping": 50}},
+            {"magnets": {"between": ["A", "B"], "strength": 0.000558, "power": 1.5}},
+        ],
+        "until": 1,
+    }
+    done = run(read_scene(plain), max_steps=2_000)
+    assert done.stopped is None
+    assert done.ledger.imbalance() < 1e-13

@@ -105,8 +105,6 @@ def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: floa
         for n in (len(terms) - 2, len(terms) - 1):
             if n > first and terms[n] != 0.0:
                 radius = root(abs(terms[first]) / abs(terms[n]), n - first)
-                if not radius > 0.0:  # a step of no time, for ever
-                    raise OverflowError("a coefficient leaves the range of floats")
                 step = min(step, CONVERGED * radius)
     return step
 

@@ -186,6 +186,8 @@ def _converged(
         length = limit
     elif row.nonlinear:
         length = converged_step(row, series, speed, length)
+        if length == 0.0 < limit:  # a coefficient is infinite: steps of no time, for ever
+            raise OverflowError("a coefficient leaves the range of floats")
     return Step(
         bodies, gaps, branches, length, series.over, series.force, series.pull, speed, [],
         row.steady, row.nonlinear,
