@@ -11,6 +11,7 @@ from sim.dynamics.loop.run import Run, run
 from sim.scene import read_scene
 from sim.scene.model import Scene
 from tests.processor_time import budget
+from tests.regressions.given import cart
 
 SECONDS = 5.0
 """Of processor time: a hundred times what these runs take."""
@@ -173,3 +174,28 @@ def test_a_touch_of_those_that_move_alike_already_changes_no_velocity() -> None:
     done = run(read_scene(plain), max_events=1_000)
     assert done.stopped is None
     assert done.ledger.imbalance() < 1e-14
+
+
+@pytest.mark.parametrize("law", ["push-only", "paper"])
+@pytest.mark.parametrize("last_bits", [(0, -1, -3), (1, 0, -3), (2, 2, -2), (3, -1, -3)])
+def test_three_in_touch_that_move_alike_but_for_last_bits_go_on(
+    last_bits: tuple[int, ...], law: str
+) -> None:
+    """Alone they push each other by nothing, and go on; that a spring acts on two others far away
+    changes nothing of it. Their contacts without an approach ended at once, without end."""
+    carts = {
+        name: cart(x, 0.5 + bits * 2.0**-53, mass)
+        for name, x, bits, mass in zip(
+            "ABC", (0.1, 0.3, 0.5), last_bits, (1, 0.25, 0.6), strict=True
+        )
+    }
+    plain = {
+        "carts": carts | {"D": cart(2.0), "E": cart(2.3)},
+        "contact": {"law": law, "restitution": 0.6, "stiffness": 2500},
+        "effects": [{"spring": {"between": ["D", "E"], "stiffness": 100, "length": 0.1}}],
+        "until": 1,
+    }
+    done = run(read_scene(plain), max_events=500)
+    assert done.stopped is None
+    assert done.v[:3] == pytest.approx((0.5, 0.5, 0.5), rel=1e-15)
+    assert done.x[:3] == pytest.approx((0.6, 0.8, 1.0), rel=1e-15)

@@ -11,15 +11,10 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import read_scene
 from tests.fuzz.kinds import scene_of
 from tests.reference.effects import integrate
-
-
-def cart(position: float, velocity: float = 0.0, mass: float = 1.0) -> dict[str, float]:
-    return {"mass": mass, "position": position, "velocity": velocity}
-
+from tests.regressions.given import cart
 
 HELD_BY_A_SPRING = {
     "carts": {"A": cart(0.1), "B": cart(0.3)},
@@ -241,61 +236,3 @@ def test_bumpers_that_part_by_less_than_the_last_bit_of_their_overlap_have_parte
     done = run(read_scene(plain | {"until": 0.08178}), max_events=2_000)
     assert done.stopped is None
     assert done.ledger.imbalance() < 1e-14
-
-
-@pytest.mark.parametrize("law", ["push-only", "paper"])
-@pytest.mark.parametrize("last_bits", [(0, -1, -3), (1, 0, -3), (2, 2, -2), (3, -1, -3)])
-def test_three_in_touch_that_move_alike_but_for_last_bits_go_on(
-    last_bits: tuple[int, ...], law: str
-) -> None:
-    """Alone they push each other by nothing, and go on; that a spring acts on two others far away
-    changes nothing of it. Their contacts without an approach ended at once, without end."""
-    carts = {
-        name: cart(x, 0.5 + bits * 2.0**-53, mass)
-        for name, x, bits, mass in zip(
-            "ABC", (0.1, 0.3, 0.5), last_bits, (1, 0.25, 0.6), strict=True
-        )
-    }
-    plain = {
-        "carts": carts | {"D": cart(2.0), "E": cart(2.3)},
-        "contact": {"law": law, "restitution": 0.6, "stiffness": 2500},
-        "effects": [{"spring": {"between": ["D", "E"], "stiffness": 100, "length": 0.1}}],
-        "until": 1,
-    }
-    done = run(read_scene(plain), max_events=500)
-    assert done.stopped is None
-    assert done.v[:3] == pytest.approx((0.5, 0.5, 0.5), rel=1e-15)
-    assert done.x[:3] == pytest.approx((0.6, 0.8, 1.0), rel=1e-15)
-
-
-def test_magnets_that_are_met_too_fast_for_the_range_of_floats_are_refused() -> None:
-    """Two magnets of F = C/r never stop what comes at 20 km/s. Near them the coefficients of the
-    series, 1/s to the 26th power, leave the range: steps took no time, without end."""
-    plain = {
-        "carts": {"A": cart(0.1, 1e4), "B": cart(0.31, -1e4)},
-        "effects": [
-            {"magnets": {"between": ["A", "B"], "strength": 1e-3, "power": 1}},
-            {"spring": {"between": ["A", "B"], "stiffness": 50, "length": 0.02}},
-        ],
-        "until": 1,
-    }
-    with pytest.raises(UnsolvedError, match="too large or too small"):
-        run(read_scene(plain), max_steps=1_000)
-
-
-def test_a_trial_series_that_leaves_the_range_of_floats_refuses_nothing() -> None:
-    """A strong damper beside magnets is tried as led; where that does not converge the plain series
-    goes on. The damper takes A's motion at once, the magnets push B: energy and momentum close."""
-    plain = {
-        "carts": {"A": cart(0.1, mass=0.54), "B": cart(0.4, mass=0.233)},
-        "track": {"left": "wall"},
-        "effects": [
-            {"drag": {"quadratic": 0.02}},
-            {"spring": {"between": ["left", "A"], "stiffness": 5.22, "length": 0.1, "damping": 50}},
-            {"magnets": {"between": ["A", "B"], "strength": 0.000558, "power": 1.5}},
-        ],
-        "until": 1,
-    }
-    done = run(read_scene(plain), max_steps=2_000)
-    assert done.stopped is None
-    assert done.ledger.imbalance() < 1e-13
