@@ -20,6 +20,7 @@ from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import Segment
 from sim.measured.events.wild import without_wild
+from sim.measured.model.averaged import averaged
 from sim.measured.model.brake_doubt import doubted, form_told
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
@@ -100,7 +101,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     if refused and not (overruled and white and bounces):
         return Analysis(story, base_report(measured, story, None, refused), None, refused)
     if made is not None and white and (refused or _same(story, made, wanted)):
-        made = _doubted(story, made, wanted)
+        made = _doubted(story, made, rows, wanted)
         report = by_model(measured, story, made, rows, wanted.masses, wanted.every)
         effect = made.asked.effect
         report |= head_of(effect, rows, wanted.effect, named=wanted.every)
@@ -127,13 +128,12 @@ def _two_frames(story: Story) -> bool:
     return story.measured.own or (story.frames is not None and story.frames.joined)
 
 
-def _doubted(story: Story, made: Fit, wanted: Wanted) -> Fit:
-    """The model that the readings called for, no surer than their velocities let it be; one that
-    the reader asks for is the reader's to judge."""
-    effect, speeds = made.asked.effect, story.speeds
-    if wanted.effect is not None or effect == "none" or not (story.outcome and speeds):
+def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> Fit:
+    """The model, no surer than its effect and the velocities; the reader's is theirs to judge."""
+    if wanted.effect is not None:
         return made
-    if not (story.contact and story.step):
+    effect, speeds, made = made.asked.effect, story.speeds, averaged(made, rows)
+    if effect == "none" or not (story.outcome and speeds and story.contact and story.step):
         return made
     seen = told_of(story.outcome, speeds, story.contact, story.step, story.measured.names)[0]
     return doubted(made, seen, told=form_told(effect, speeds.held_out))

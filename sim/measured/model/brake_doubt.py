@@ -18,6 +18,7 @@ from dataclasses import replace
 from sim.measured.events.brakes import Step
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known
+from sim.measured.model.motion import Parameters
 
 HALF = 0.5
 """Of a difference that is an error of form: as likely the one's as the other's."""
@@ -35,19 +36,33 @@ def form_told(effect: Step, held_out: Iterable[tuple[Step, float]]) -> bool:
 
 
 def doubted(made: Fit, velocities: Iterable[Known], *, told: bool) -> Fit:
-    """The fit, with e and the ratio of masses no surer than the velocities let them be; `told`: the
-    form of the brake is known."""
+    """The fit, with e, the ratio of masses and both velocities before no surer than the velocities
+    beside the contact let them be; `told`: the form of the brake is known."""
     if made.asked.effect == "none":
         return made
     p, rows = made.parameters, [list(row) for row in made.covariance]
-    for one in velocities:
-        if one.key not in ("e", "mass_ratio"):
-            continue
+    listed = list(velocities)
+    middle = next((one.value for one in listed if one.key == "touch"), p.touch)
+    for one in listed:
         if one.key == "e":
             name, apart, sd = "e", p.e - one.value, one.sd
-        else:
+        elif one.key == "mass_ratio":
             name, apart, sd = "ln_ratio", math.log(p.ratio / one.value), one.sd / one.value
+        elif one.key in ("v_a", "v_b"):
+            cart = "ab".index(one.key[-1])
+            name, sd = f"v{cart + 1}", one.sd
+            apart = _going_on(p, cart, middle) - one.value
+        else:
+            continue
+        if name not in made.unknowns:
+            continue  # a cart that stands
         k = made.unknowns.index(name)
         rows[k][k] = rows[k][k] if told else max(rows[k][k], sd**2)
         rows[k][k] += HALF**2 * max(apart**2 - sd**2, 0.0)
     return replace(made, covariance=tuple(tuple(row) for row in rows))
+
+
+def _going_on(p: Parameters, cart: int, t: float) -> float:
+    """m/s. The velocity before, at a time near the touch, as if there were no contact."""
+    brake = math.copysign(p.friction[cart], p.v[cart]) if p.v[cart] else 0.0
+    return p.v[cart] + (p.tilt - brake) * (t - p.touch)
