@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -10,8 +11,11 @@ import pytest
 
 from sim.dynamics.loop.collapse import Hits
 from sim.dynamics.loop.run import run
-from sim.dynamics.state.clock import ZERO
+from sim.dynamics.result.trajectory import sample
+from sim.dynamics.state import flips
+from sim.dynamics.state.clock import NEVER, ZERO, Time, later
 from sim.scene import read_scene
+from tests.fuzz.mirror import mirrored
 
 
 def row(masses: list[float], speeds: list[float], e: float, **more: Any) -> dict[str, Any]:
@@ -127,3 +131,69 @@ def test_a_cart_that_a_spring_presses_to_the_wall_hops_until_no_hop_is_left() ->
     assert done.stopped is None
     assert done.record.counts["contact"] < 300
     assert done.ledger.imbalance() < 1e-13
+
+
+def _spring(between: str, stiffness: float, length: float, damping: float) -> dict[str, Any]:
+    one = {"stiffness": stiffness, "length": length, "damping": damping}
+    return {"spring": {"between": list(between), **one}}
+
+
+COLLAPSING_ON_SPRINGS = {
+    "carts": {
+        "A": {"mass": 3.57, "position": 0.4, "velocity": 0.3},
+        "B": {"mass": 1.11, "position": 0.6, "velocity": 0},
+        "C": {"mass": 1.0, "position": 0.85, "velocity": 0},
+        "D": {"mass": 1.0, "position": 1.1, "velocity": 0},
+    },
+    "track": {"left": "open", "right": "wall", "length": 1.9},
+    "contact": {"law": "instant", "restitution": 0.05},
+    "effects": [
+        _spring("AB", 1.27, 0.05, 0.1),
+        _spring("BC", 203.0, 0, 2),
+        _spring("CD", 258.0, 0.05, 2),
+        {"drag": {"quadratic": 0.1}},
+    ],
+    "until": 5,
+}
+
+
+def test_a_contact_that_a_collapse_leaves_never_pulls() -> None:
+    """A, B and C come to one velocity at 4.8165 s, after sixty impacts at one time. From then on
+    D's spring draws C away from B, and its own holds it back too weakly: B and C part."""
+    done = run(read_scene(COLLAPSING_ON_SPRINGS))
+    image = run(read_scene(mirrored(COLLAPSING_ON_SPRINGS)))
+    for time in (4.8166, 4.82, 4.83, 5):
+        (_, b, c, _), v = sample(done, time)
+        (_, c_image, b_image, _), v_image = sample(image, time)
+        assert b_image - c_image == pytest.approx(c - b, abs=1e-12)
+        assert [-one for one in reversed(v_image)] == pytest.approx(v, abs=1e-11)
+    (_, b, c, _), _ = sample(image, 4.82)
+    assert c - b > 0.2 + 1e-7
+
+
+@dataclass
+class Mode:
+    """Of a contact: on and off."""
+
+    changed: Time = NEVER
+    flips: int = 0
+    alternates: int = 0
+    before: int = 0
+
+
+def test_impacts_at_one_time_count_as_one_change_and_changes_by_rounding_each() -> None:
+    instant, step = 1e-11, 1.0
+    hit, rounding = Mode(), Mode()
+    for _ in range(60):
+        flips.note(hit, ZERO, instant)
+        flips.jump(hit, ZERO)
+        flips.note(rounding, ZERO, instant)
+    assert hit.flips == rounding.flips == 59
+    assert flips.margin(hit, ZERO, step) == 0.0
+    assert flips.margin(rounding, ZERO, step) == flips.MARGIN * flips.GROWS**flips.MOST
+    now = ZERO
+    for _ in range(60):  # each at its own time: what the margin lets pass is no motion yet
+        now = later(now, 1e-13)
+        flips.note(hit, now, instant)
+        flips.jump(hit, now)
+    assert flips.margin(hit, now, step) == flips.MARGIN * flips.GROWS**flips.MOST

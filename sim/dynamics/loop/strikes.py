@@ -68,6 +68,7 @@ class Strikes:
 
     def at_once(self, block: list[Gap], now: Time, stay: Collection[Gap] = ()) -> None:
         """The impact in a block of bodies that are free, or settled; those of `stay` go on so."""
+        self._jump(block, now)
         for gap in block:
             self.counts[gap.contact.law] += 1
             if gap.rate > 0.0:
@@ -84,3 +85,13 @@ class Strikes:
         else:
             stays = gap in stay
             impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
+
+    def _jump(self, block: list[Gap], now: Time) -> None:
+        """Where an approach is more than rounding, nothing at this time was an alternation."""
+        for gap in block:
+            if gap.rate < 0.0 and not collapse.is_over(self.chain, gap, now, self.instant):
+                for other in (gap, *self.chain.neighbours(gap)):
+                    if other is not None:
+                        flips.jump(other, now)
+                for body in (gap.left, gap.right):
+                    flips.jump(body, now)

@@ -182,6 +182,8 @@ class Body:
     slips: int = 0  # direction in which it has just overcome static friction
     changed: Time = NEVER  # when it last began or ceased to slide
     flips: int = 0  # how often at that instant (`flips`)
+    alternates: int = 0  # how many of them count for the margin
+    before: int = 0  # of these, with the first at the very time of the last
     turn: int = 0  # counts predictions, as those of gaps
     still: Still | None = None  # at rest under forces
 
@@ -212,6 +214,8 @@ class Gap:
     formed: int = 0  # how often it has been in a row that is stepped
     changed: Time = NEVER  # when its mode changed last
     flips: int = 0  # how often at that instant (`flips`)
+    alternates: int = 0  # how many of them count for the margin
+    before: int = 0  # of these, with the first at the very time of the last
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known
     _figures: tuple[float, Figures] | None = field(default=None)
 
@@ -224,9 +228,7 @@ class Gap:
     def mu(self) -> float:
         """Reduced mass in kg."""
         a, b = self.left.mass, self.right.mass
-        if a == math.inf:
-            return b
-        return a if b == math.inf else a * b / (a + b)
+        return min(a, b) if math.inf in (a, b) else a * b / (a + b)
 
     def figures(self, mu: float) -> Figures:
         """Those of the gap's law, computed once per reduced mass."""

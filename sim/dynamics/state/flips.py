@@ -13,9 +13,16 @@ with every further alternation: after a dozen of them it is a ten-millionth of t
 size, and the run has moved on. Where all that is left of a motion is rounding, as for two that a
 damped spring leaves just touching their walls, it moves on by no more than the margin and goes
 back: what the margin lets pass is no motion yet, and the time that counts as one instant grows with
-it. No other event is touched. Theory: Filippov, Differential Equations
-with Discontinuous Righthand Sides (1988); Acary & Brogliato, Numerical Methods for Nonsmooth
-Dynamical Systems (2008), on hysteresis at a switching surface.
+it. No other event is touched.
+
+Impacts without a duration that come in turn at one time open and close the gaps between them, too,
+dozens of times before a collapse (`collapse`). None of that is an alternation of rounding: each of
+them leaves other velocities, and they end by themselves. As long as an approach is more than
+rounding, a time at which several come counts as one change.
+
+Theory: Filippov, Differential Equations with Discontinuous Righthand Sides (1988); Acary &
+Brogliato, Numerical Methods for Nonsmooth Dynamical Systems (2008), on hysteresis at a switching
+surface.
 """
 
 from __future__ import annotations
@@ -49,22 +56,39 @@ NO_MOTION = 1e-8
 
 
 class Changing(Protocol):
-    """A gap or a body: when its mode changed last, and how often at that instant."""
+    """A gap or a body: when its mode changed last, and how often at that instant.
+
+    `alternates`: those of the changes that count for the margin; `before`: how many they were with
+    the first change at the very time of the last one.
+    """
 
     changed: Time
     flips: int
+    alternates: int
+    before: int
 
 
 def note(one: Changing, now: Time, instant: float) -> None:
     """Its mode changes. `instant` [s]: what is closer together happens at one instant, and after
     several changes also what is no further apart than their margin leaves it."""
-    passing = instant * GROWS ** max(0, min(one.flips, MOST) - SEVERAL)
-    one.flips = one.flips + 1 if elapsed(one.changed, now) <= passing else 0
+    passing = instant * GROWS ** max(0, min(one.alternates, MOST) - SEVERAL)
+    since = elapsed(one.changed, now)
+    again = since <= passing
+    one.flips = one.flips + 1 if again else 0
+    one.alternates = one.alternates + 1 if again else 0
+    if since != 0.0:
+        one.before = one.alternates
     one.changed = now
+
+
+def jump(one: Changing, now: Time) -> None:
+    """An impact changes its velocity by more than rounding: see above."""
+    if elapsed(one.changed, now) == 0.0:
+        one.alternates = one.before
 
 
 def margin(one: Changing, now: Time, step: float) -> float:
     """Part of a quantity's size by which it has to pass through nought to count; 0: none."""
-    if one.flips < UNDECIDED or elapsed(one.changed, now) > NO_MOTION * step:
+    if one.alternates < UNDECIDED or elapsed(one.changed, now) > NO_MOTION * step:
         return 0.0
-    return float(MARGIN * GROWS ** min(one.flips, MOST))
+    return float(MARGIN * GROWS ** min(one.alternates, MOST))
