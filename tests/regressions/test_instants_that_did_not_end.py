@@ -199,3 +199,27 @@ def test_three_in_touch_that_move_alike_but_for_last_bits_go_on(
     assert done.stopped is None
     assert done.v[:3] == pytest.approx((0.5, 0.5, 0.5), rel=1e-15)
     assert done.x[:3] == pytest.approx((0.6, 0.8, 1.0), rel=1e-15)
+
+
+def test_a_row_that_drag_presses_together_on_springs_without_a_force_goes_on_as_one() -> None:
+    """All come to 0.2 m/s at once; drag takes most from the light ones, so that A pushes B and C:
+    5 kg · dv/dt = −0.3 N s²/m² · v². The springs have no length, and no force where carts touch."""
+    springs = [
+        {"spring": {"between": pair, "stiffness": 20, "length": 0}}
+        for pair in (["A", "B"], ["B", "C"])
+    ]
+    plain = {
+        "carts": {
+            "A": {"mass": 3, "position": 0.5, "velocity": 0.9},
+            "B": {"mass": 1, "position": 0.7, "velocity": -0.7},
+            "C": {"mass": 1, "position": 0.9, "velocity": -1},
+        },
+        "track": {"length": 2},
+        "contact": {"law": "instant", "restitution": 0.05},
+        "effects": [*springs, {"drag": {"quadratic": 0.1}}],
+        "until": 0.3,
+    }
+    with budget(SECONDS):
+        done = run(read_scene(plain))
+    assert done.v == pytest.approx([1 / (1 / 0.2 + 0.3 / 5 * 0.3)] * 3, rel=1e-13)
+    assert done.ledger.imbalance() < CLOSED

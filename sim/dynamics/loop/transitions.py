@@ -170,7 +170,7 @@ def struck(
 
     Those that turn round where they touch do so here, and are not struck. Of several that close,
     pairs without links `beside` them too, the fastest are (`first_struck`); the others touch still
-    when the row has formed anew.
+    when the row has formed anew. Where none closes, all come to rest against each other.
     """
     touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
     found = []
@@ -182,7 +182,8 @@ def struck(
         else:
             found.append(gap)
     found = sorted([*found, *beside], key=lambda gap: gap.index)
-    return fastest_of(found, now) if len(found) > 1 else [[gap] for gap in found]
+    closing = fastest_of(found, now) if len(found) > 1 else []
+    return closing or [[gap] for gap in found]
 
 
 def _halt(motion: Motion, k: int) -> None:
