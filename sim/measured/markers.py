@@ -17,6 +17,7 @@ from sim.measured.refusal import refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.track import FEWEST, Reading, Track
+from sim.measured.units import factor
 
 Point = tuple[float, float, float]
 Marks = list[tuple[int, float, Point]]
@@ -25,10 +26,10 @@ Marks = list[tuple[int, float, Point]]
 
 @dataclass(frozen=True, slots=True)
 class Filmed:
-    """What a file holds. `unit`: its name and how many metres it is; `frames`: seen or not."""
+    """What a file holds. `unit`: of its places, one of `OFFERED`; `frames`: seen or not."""
 
     markers: Sequence[tuple[str, Marks]]
-    unit: tuple[str, float]
+    unit: str
     frames: int
     rate: float
 
@@ -46,7 +47,8 @@ def reading_of(filmed: Filmed, line: int) -> Reading:
     _check_times(seen)
     if not seen:
         raise refuse(line, f"no marker has {FEWEST} frames in which it is seen", "film again")
-    unit, metres = filmed.unit
+    metres = factor(filmed.unit, "length")
+    assert metres is not None
     axis = axis_of([point for _, one in seen for _, _, point in one])
     if len(seen) > 2:
         seen = _apart([(name, one, _track(name, one, axis, metres)) for name, one in seen])
@@ -60,7 +62,7 @@ def reading_of(filmed: Filmed, line: int) -> Reading:
         notes.append(
             f"taken are the two markers that move most, each its own way; left out: {left}"
         )
-    notes.insert(0, f"motion capture, {filmed.rate:g} frames per second, {unit}")
+    notes.insert(0, f"motion capture, {filmed.rate:g} frames per second, {filmed.unit}")
     notes.append(told(axis))
     return Reading("length", tuple(tracks), tuple(notes))
 

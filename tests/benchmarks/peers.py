@@ -173,7 +173,7 @@ def table(document: dict[str, Any]) -> str:
             f"{_between(one['row']['last_v'])} m/s",
             _change(one["walls"]["energy"][1]),
             _metres(one["walls"]["position_error"]),
-            f"{two_figures(one['two']['us_per_second'])} µs",
+            f"{_two_figures(one['two']['us_per_second'])} µs",
         ]
         lines.append(f"| {' | '.join(cells)} |")
     day = datetime.date.fromisoformat(document["date"])
@@ -195,13 +195,13 @@ def _between(values: Sequence[float]) -> str:
 
 
 def _metres(value: float) -> str:
-    return "0" if value < NEAR else f"{two_figures(1000 * value)} mm"
+    return "0" if value < NEAR else f"{_two_figures(1000 * value)} mm"
 
 
 def _change(part: float) -> str:
-    return "kept" if abs(part) < NEAR else f"{two_figures(100 * part)} %".replace("-", "−")
+    return "kept" if abs(part) < NEAR else f"{_two_figures(100 * part)} %".replace("-", "−")
 
 
-def two_figures(value: float) -> str:
+def _two_figures(value: float) -> str:
     """And all whole ones: 1500, 136, 0.034."""
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.2g}"

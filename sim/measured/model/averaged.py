@@ -27,12 +27,9 @@ def averaged(made: Fit, rows: Sequence[Compared]) -> Fit:
     others = [row.fit for row in rows if row.effect != made.asked.effect]
     if not others or not all(one.squares > 0.0 for one in (made, *others)):
         return made  # residuals are rounding, and tell the effect
-    marks = [_mark(one, made) for one in (made, *others)]
-    most = max(marks)
-    weights = [math.exp(one - most) for one in marks]
+    weights = _weights((made, *others))
     wide = [list(row) for row in made.covariance]
-    for other, weight in zip(others, weights[1:], strict=True):
-        share = weight / sum(weights)
+    for other, share in zip(others, weights[1:], strict=True):
         for k, name in enumerate(made.unknowns):
             if name not in other.unknowns:
                 continue
@@ -44,10 +41,14 @@ def averaged(made: Fit, rows: Sequence[Compared]) -> Fit:
     return replace(made, covariance=tuple(tuple(row) for row in wide))
 
 
-def _mark(one: Fit, made: Fit) -> float:
-    """Logarithm of a weight; where noise lasts, fewer readings are apart from each other."""
+def _weights(fits: Sequence[Fit]) -> list[float]:
+    """Of all fits, 1 together; where noise lasts in the first, fewer readings are apart."""
     import numpy as np
 
-    _, lasting = inflation([np.array(track) for track in made.residuals])
-    readings = sum(map(len, one.residuals))
-    return -0.5 * readings / lasting * math.log(one.squares) - len(one.unknowns)
+    _, lasting = inflation([np.array(track) for track in fits[0].residuals])
+    marks = []
+    for one in fits:
+        readings = sum(map(len, one.residuals))
+        marks.append(-0.5 * readings / lasting * math.log(one.squares) - len(one.unknowns))
+    weights = [math.exp(mark - max(marks)) for mark in marks]
+    return [weight / sum(weights) for weight in weights]

@@ -21,7 +21,7 @@ from sim.measured.sheet.cells import Row
 from sim.measured.track import Reading
 from sim.measured.units import Units
 
-LENGTHS = {"meters": ("m", 1.0), "centimeters": ("cm", 1e-2), "millimeters": ("mm", 1e-3)}
+LENGTHS = {"meters": "m", "centimeters": "cm", "millimeters": "mm"}
 BODY = "Rigid Body"
 HEADS = 4
 """Rows above that of the axes: facts, kinds, names, and what is told of each."""
@@ -47,8 +47,7 @@ def read(text: str, units: Units) -> Reading:
         raise refuse(rows[-1].line, "there is no frame in it", "export the take as CSV again")
     times = [_time(row) for row in frames]
     markers = [
-        (name, marks_of(frames, column, times, unit[0]))
-        for name, column in _columns(rows[1 : at + 1])
+        (name, marks_of(frames, column, times, unit)) for name, column in _columns(rows[1 : at + 1])
     ]
     if not markers:
         hint = "export markers or rigid bodies with their positions"

@@ -25,7 +25,7 @@ from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 
 _COUNTS = re.compile(r"step|n|nr|no|#", re.I)
 _FRAMES = re.compile(
-    rf"(?:frames?|slice|image|bild|帧|bingkai|scorer|bodyparts|coords)"  # the last are DeepLabCut's
+    r"(?:frames?|slice|image|bild|帧|bingkai|scorer|bodyparts|coords)"  # the last are DeepLabCut's
     rf"(?:[\s_.-]*(?:{NUMBERED}|n°|#))?",
     re.I,
 )

@@ -20,7 +20,7 @@ from sim.measured.track import Reading
 from sim.measured.units import Units
 
 KEYS = ("NO_OF_FRAMES", "NO_OF_MARKERS", "MARKER_NAMES", "FILE_VERSION", "TRAJECTORY_TYPES")
-MILLI = 1e-3
+UNIT = "mm"
 
 
 def claims(text: str) -> bool:
@@ -39,8 +39,8 @@ def read(text: str, units: Units) -> Reading:
     skipped = _skipped(head, rows, 3 * len(names))
     frames = _frames(head, rows)
     times = [frame / rate for frame in frames]
-    markers = [(name, marks_of(rows, skipped + 3 * k, times, "mm")) for k, name in enumerate(names)]
-    return reading_of(Filmed(markers, ("mm", MILLI), frames[-1] + 1, rate), line)
+    markers = [(name, marks_of(rows, skipped + 3 * k, times, UNIT)) for k, name in enumerate(names)]
+    return reading_of(Filmed(markers, UNIT, frames[-1] + 1, rate), line)
 
 
 def _parts(rows: Sequence[Row]) -> tuple[dict[str, tuple[str, ...]], list[Row]]:

@@ -1,11 +1,13 @@
 """Vicon Nexus' CSV: a part for each kind of data, of which that of the markers is read.
 
-Trajectories
-120                       frames per second
-,,carts:A,,,carts:B
-Frame,Sub Frame,X,Y,Z,X,Y,Z
-,,mm,mm,mm,mm,mm,mm
-1,0,129.242,450.945,398.175,…
+    Trajectories
+    120                       frames per second
+    ,,carts:A,,,carts:B
+    Frame,Sub Frame,X,Y,Z,X,Y,Z
+    ,,mm,mm,mm,mm,mm,mm
+    1,0,129.242,450.945,398.175,…
+
+Parts before and behind it (devices, model outputs) are left alone.
 """
 
 from __future__ import annotations
@@ -19,9 +21,8 @@ from sim.measured.refusal import refuse
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.track import Reading
-from sim.measured.units import Units
+from sim.measured.units import OFFERED, Units
 
-LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 HEADS = 5
 """Rows before the first frame: the title, the rate, names, axes, units."""
 
@@ -46,12 +47,12 @@ def read(text: str, units: Units) -> Reading:
         raise refuse(heads[1].line, "here the frames per second stand", "a number, such as 120")
     names = _names(heads[2])
     unit = (*heads[4].cells[2:], "")[0].lower()
-    if unit not in LENGTHS:
+    if unit not in OFFERED["length"]:
         raise refuse(heads[4].line, "no unit of lengths stands here", "mm, cm or m in each column")
     first = cells.number_of(frames[0].first)
     times = [(cells.number_of(row.first) - first) / rate for row in frames]
     markers = [(name, marks_of(frames, k, times, unit)) for name, k in names]
-    return reading_of(Filmed(markers, (unit, LENGTHS[unit]), len(frames), rate), frames[0].line)
+    return reading_of(Filmed(markers, unit, len(frames), rate), frames[0].line)
 
 
 def _names(row: Row) -> Sequence[tuple[str, int]]:
