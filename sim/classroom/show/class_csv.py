@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.classroom.show.numbered import numbering
 from sim.classroom.show.prose import prose
 from sim.lesson.csv_text import csv_text
 from sim.scene.said import in_words, template
@@ -36,19 +37,20 @@ def _heads(columns: Sequence[str], words: Mapping[str, str]) -> Sequence[str]:
 
 
 def students_csv(report: Mapping[str, Any], words: Mapping[str, str] = ENGLISH) -> str:
-    """Marks by student and form, in all and by question, as students number them; empty where a
-    question gives none, or none yet. `words`: each English sentence in the language."""
-    forms = [form for lesson in report["lessons"] for form in lesson["forms"]]
-    most = max((len(row["marks"]) for form in forms for row in form["students"]), default=0)
+    """Marks by student and form, in all and by question; questions by the number that students see,
+    also those left open. Empty where a question gives no mark, or none yet. `words`: each English
+    sentence in the language."""
+    forms = [(lesson, form) for lesson in report["lessons"] for form in lesson["forms"]]
+    most = max((len(row["marks"]) for _, form in forms for row in form["students"]), default=0)
     rows = [
         [
             lesson["lesson"], form["form"], in_words(row["group"], words),
             in_words(row["student"], words), row["total"], form["of"],
-            " ".join(row["open"]), " ".join(row["waiting"]), in_words(row["file"], words),
-            *row["marks"], *[None] * (most - len(row["marks"])),
+            " ".join(numbers(row["open"])), " ".join(numbers(row["waiting"])),
+            in_words(row["file"], words), *row["marks"], *[None] * (most - len(row["marks"])),
         ]
-        for lesson in report["lessons"]
-        for form in lesson["forms"]
+        for lesson, form in forms
+        for numbers in [numbering(form)]
         for row in form["students"]
     ]  # fmt: skip
     question = in_words(HEADS["item"], words)

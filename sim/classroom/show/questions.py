@@ -12,6 +12,7 @@ from sim.classroom.report.sentences import TITLES
 from sim.classroom.show.html_parts import Tell, listed, person, table, text
 from sim.classroom.show.own_runs import own_runs_html
 from sim.classroom.show.predictions import predictions_html
+from sim.classroom.show.numbered import numbering
 from sim.classroom.show.prose import prose
 from sim.scene.said import said, template
 
@@ -104,10 +105,10 @@ def _item(item: Row, tell: Tell) -> str:
 
 
 def _students(form: Row, tell: Tell) -> str:
-    known = {item["id"]: f"{k}" for k, item in enumerate(form["items"], 1) if form["has_key"]}
+    numbers = numbering(form)
 
     def named(items: Sequence[str]) -> str:
-        return text(", ".join(known.get(name, name) for name in items)) or "–"
+        return text(", ".join(numbers(items))) or "–"
 
     others = any(row["foreign"] for row in form["students"])
     rows = [

@@ -174,7 +174,7 @@ def _plot(lesson: Row, tell: Tell) -> str:
                 name = group_in_form(form["form"], group["group"]) if several else form["form"]
                 rows.append((name, group["totals"], group["mean"], half))
                 highest = max(highest, form["of"] or group["most"])
-    return f"<figure>{dots(rows, highest, tell)}</figure>" if rows else ""
+    return f'<figure tabindex="0">{dots(rows, highest, tell)}</figure>' if rows else ""
 
 
 ALONE = {
@@ -243,4 +243,4 @@ def _items(lesson: Row, tell: Tell) -> str:
     if not shares:
         return ""
     rows = [(labels[name], row) for name, row in shares.items()]
-    return f"<figure>{bars(rows, shown, tell)}</figure>"
+    return f'<figure tabindex="0">{bars(rows, shown, tell)}</figure>'

@@ -19,6 +19,9 @@ from sim.pages.text.films import show_films
 
 _LAST = -5  # when all addresses are made
 
+_OF_SEVERAL_LINES = ("code", "hashheader", "hr", "indent", "olist", "quote", "reference", "ulist")
+"""What a sign at the beginning of a text makes of it."""
+
 _ONE_PARAGRAPH = re.compile(r"<p>((?:(?!<p>).)*)</p>", re.DOTALL)
 _PAGE_LINK = re.compile(r'(<a href="(?![a-z]+:|#)[^":]*)\.md(["#])')
 _SCHEME = re.compile(r"([a-z][a-z0-9+.-]*):", re.IGNORECASE)
@@ -27,10 +30,13 @@ _SAFE = ("http", "https", "mailto")
 
 @lru_cache(maxsize=4096)  # a question's texts are the same after an edit elsewhere in its lesson
 def to_html(text: str) -> str:
-    """The text as HTML blocks."""
+    """The text as HTML blocks.
+
+    What is written in one line is one: `- 0.4 m/s` is a velocity and no list without its sign.
+    """
     if not text:
         return ""
-    md = _markdown()
+    md = _blocks() if "\n" in text.strip() else _line()
     md.reset()
     return _PAGE_LINK.sub(r"\1.html\2", md.convert(text))
 
@@ -43,6 +49,18 @@ def to_inline(text: str) -> str:
 
 
 @cache
+def _blocks() -> Markdown:
+    return _markdown()
+
+
+@cache
+def _line() -> Markdown:
+    md = _markdown()
+    for block in _OF_SEVERAL_LINES:
+        md.parser.blockprocessors.deregister(block)
+    return md
+
+
 def _markdown() -> Markdown:
     md = Markdown(
         extensions=["pymdownx.arithmatex", "tables", "sane_lists"],

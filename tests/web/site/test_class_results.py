@@ -16,6 +16,12 @@ pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 BULLET = 20
 """px between the bar of a list and its text: less, and the bullets touch the bar."""
 
+READ = 9.5
+"""px: smallest letters that are read on a phone; the axes' own are 11 of 620 px."""
+
+LETTERS = """() => [...document.querySelectorAll(".carts-class-plot text")].map((text) =>
+  parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a)"""
+
 MANY = 4
 """Lines of a belief in words."""
 
@@ -52,3 +58,16 @@ def test_on_a_phone_a_row_is_a_few_lines_and_a_code_word_one(
     assert max(int(belief.evaluate(LINES)) for belief in beliefs.all()) < MANY
     word = page.locator(".carts-class-table.students td", has_text="BLUE-FOX-1").first
     assert int(word.evaluate(LINES)) == 1
+
+
+def test_letters_of_plots_can_be_read_on_a_phone(site: Path, open_page: OpenPage) -> None:
+    """A plot is pushed aside, as a table is; the page around it stays."""
+    page = open_page(
+        site / "teachers" / "class-results.html",
+        folder=site, viewport={"width": 360, "height": 800},
+    )  # fmt: skip
+    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
+    choose(page, [*sources(random_class(BANK, 12)), KEY])
+    expect(page.locator(".carts-class-plot").first).to_be_visible(timeout=60_000)
+    assert min(page.evaluate(LETTERS)) >= READ
+    assert page.evaluate("document.documentElement.scrollWidth") == 360
