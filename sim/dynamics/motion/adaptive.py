@@ -45,8 +45,14 @@ SLOWEST = 1e-6
 
 @dataclass(slots=True)
 class IntegratedStep(Step):
-    """Impulses and losses are integrated with the motion; forces follow from the law itself."""
+    """Impulses and losses are integrated with the motion; forces follow from the law itself.
 
+    Rates too are those that were integrated: the overlap's slope in a step of 1e-8 s, the last one
+    before two spheres part, is the last bit of an overlap over that, and carts and gaps would go on
+    from there with velocities that differ by 1e-9.
+    """
+
+    closing: list[Poly]  # m/s, rates of the overlaps
     impulses: list[Poly]  # N s
     losses: list[Poly]  # J
     laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
@@ -65,6 +71,10 @@ class IntegratedStep(Step):
             gap.stride = stride
         return shorter if shorter.length == t else self
 
+    def overlap(self, k: int, t: float) -> tuple[float, float]:
+        """m and m/s, both as they were integrated."""
+        return value(self.over[k], t), value(self.closing[k], t)
+
     def impulse(self, k: int, t: float) -> float:
         """N s."""
         return value(self.impulses[k], t)
@@ -75,16 +85,15 @@ class IntegratedStep(Step):
 
     def contact_force(self, k: int, t: float) -> float:
         """N."""
-        gap, over = self.gaps[k], self.over[k]
-        d, rate = value(over, t), value(slope_of(over), t)
-        law = self.laws[k]
-        return self.branches[k].force(d, rate) if law is None else law.force(gap.mu, d, rate)
+        d, rate = self.overlap(k, t)
+        law, mu = self.laws[k], self.gaps[k].mu
+        return self.branches[k].force(d, rate) if law is None else law.force(mu, d, rate)
 
     def force(self, k: int, t: float) -> tuple[float, float]:
         """N by the law, dN/dt by the dense output."""
         _, growth = Step.force(self, k, t)
-        room, rate = -value(self.over[k], t), -value(slope_of(self.over[k]), t)
-        pull = math.fsum(link.force(room, rate) for link in self.row.links[k])
+        over, rate = self.overlap(k, t)
+        pull = math.fsum(link.force(-over, -rate) for link in self.row.links[k])
         return self.contact_force(k, t) + pull, growth
 
     def squares(self, i: int, t: float) -> tuple[float, float, float]:
@@ -203,7 +212,7 @@ def _kept(
     bodies: list[Body], gaps: list[Gap], row: Row, dense: list[Poly], length: float
 ) -> IntegratedStep:
     count, n = len(gaps), len(bodies)
-    over, speed = dense[:count], dense[2 * count : 2 * count + n]
+    over, closing, speed = dense[:count], dense[count : 2 * count], dense[2 * count : 2 * count + n]
     path = dense[2 * count + n : 2 * count + 2 * n]
     behind = 2 * count + 2 * n
     impulses, losses, rates = (dense[behind + j * count :][:count] for j in range(3))
@@ -219,5 +228,5 @@ def _kept(
     across = [slope_of(p) or [0.0] if p else [] for p in pulls]
     return IntegratedStep(
         bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
-        impulses, losses, [curved(gap) for gap in gaps], rates, drags, pulls, row,
+        closing, impulses, losses, [curved(gap) for gap in gaps], rates, drags, pulls, row,
     )  # fmt: skip
