@@ -114,10 +114,17 @@ def separate_pair(
 
 
 def tell_separation(gap: Gap, now: Time, last_force: float, record: Record) -> None:
-    """The events at the end of a contact; the gap is free from here on."""
+    """The events at the end of a contact; the gap is free from here on.
+
+    Two at rest in touch, of which one is held back, part before they push: that was no contact.
+    """
     touching = gap.touching
     assert touching is not None
     gap.solver = None
+    if not touching.has_pushed:
+        record.forget_contact(gap)
+        gap.touching = None
+        return
     tell_peak(gap, record)
     out = (gap.left.v, gap.right.v)
     record.event("separate", gap, now, touching.before, out, touching.impulse, last_force)

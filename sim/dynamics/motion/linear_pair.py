@@ -4,11 +4,10 @@
     o'' + 2 beta o' + w0² (o − centre) = 0      a_A, a_B: constant forces on each, per mass
     V = V0 + A t                                of the common centre of mass
 
-Beside a wall linear drag of the cart is a part of beta.
-
-It lasts as long as one branch of the contact law does, and ends as a step of the power series does
-(`guards`). A cart that rests against a wall on an incline, or that swings on a spring, takes one
-such phase however long it lasts. A wall has infinite mass: V = 0.
+Beside a wall linear drag of the cart is a part of beta. It lasts as long as one branch of the
+contact law does, and ends as a step of the power series does (`guards`). A cart that rests against
+a wall on an incline, or that swings on a spring, takes one such phase however long it lasts. A wall
+has infinite mass: V = 0.
 """
 
 from __future__ import annotations
@@ -107,9 +106,10 @@ class LinearPair:
         return min(ends) - reach, max(ends) + reach
 
     def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """m/s². Least and greatest from `now` on."""
-        swing = abs(self.side(body)) * self.between.strongest_from(elapsed(self.begun, now))
-        return self.drift[1] - swing, self.drift[1] + swing
+        """m/s². Least and greatest from `now` on: what it is now, and what its rate can add."""
+        bends = self.between.bends(elapsed(self.begun, now), horizon)
+        ends = [self.drift[1] + self.side(body) * bend for bend in bends]
+        return min(ends), max(ends)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt, of contact and springs: what moves the two besides constant forces."""

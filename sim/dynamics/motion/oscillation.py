@@ -66,6 +66,18 @@ class Oscillation:
             return start
         return min(start, greatest_bend(rate, *self.at(t)[2:]) * SLACK)
 
+    def bends(self, t: float, dt: float) -> tuple[float, float]:
+        """m/s². Least and greatest o'' in dt s from t on: what it is, and what its rate can add.
+
+        That rate, o''', swings as o does, and such a swing's energy never grows.
+        """
+        _, _, bend, growth = self.at(t)
+        w0, beta, most = self.rate.w0, self.rate.beta, self.strongest_from(t)
+        if w0 == 0.0:
+            return -most, most
+        reach = dt * math.hypot(growth, 2.0 * beta / w0 * growth + w0 * bend)
+        return max(bend - reach, -most), min(bend + reach, most)
+
     def deepest(self, t: float) -> float:
         """m. Greatest overlap up to t."""
         turn = first_turn(self.rate, self.o0 - self.centre, self.u)

@@ -130,6 +130,15 @@ class Record:
             places = {name: k for k, name in enumerate(["left", *speeds, "right"])}
             self.events.sort(key=lambda e: (e.t, ORDER.index(e.kind), places[e.bodies[0]]))
 
+    def forget_contact(self, gap: Gap) -> None:
+        """The last contact of a gap, which was none."""
+        self.counts["contact"] -= 1
+        names = self.scene.names_at(gap.index)
+        for k in range(len(self.events) - 1, -1, -1):
+            if self.events[k].kind == "contact" and self.events[k].bodies == names:
+                del self.events[k]
+                return
+
     def moment(self, kind: str, body: Body, now: Time) -> None:
         """A body stops or starts: every cart of it, on its own."""
         self.counts[kind] += 1

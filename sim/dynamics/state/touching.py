@@ -35,6 +35,11 @@ class Touching:
     peak: Peak | None = None
     pressing: bool = False  # a bumper at its greatest overlap that is about to be pressed further
 
+    @property
+    def has_pushed(self) -> bool:
+        """Did the two ever push each other?"""
+        return self.impulse > 0.0 or (self.peak is not None and self.peak.force > 0.0)
+
     def see(self, peak: Peak) -> None:
         """Keep the greater force; of equal ones the first."""
         if self.peak is None or peak.force > self.peak.force * (1.0 + HANDED_OVER):

@@ -92,9 +92,14 @@ class CurvedStep(Step):
         return Step.speeds(self, i, self.own.of(t))
 
     def accelerations(self, i: int, t: float, dt: float) -> tuple[float, float]:
-        """m/s². Least and greatest of body i in the step."""
-        bound = size(self.bends[i], self.own.of(t + dt))
-        return -bound, bound
+        """m/s². Least and greatest of body i from t s on: it grows by its rate at most.
+
+        Two that part side by side at 1e-17 m/s are told from two that touch by so little.
+        """
+        bend, begin, end = self.bends[i], self.own.of(t), self.own.of(t + dt)
+        here, reach = value(bend, begin), (end - begin) * size(slope(bend), end)
+        bound = size(bend, end)
+        return max(here - reach, -bound), min(here + reach, bound)
 
     def overlap(self, k: int, t: float) -> tuple[float, float]:
         """m and m/s."""
