@@ -187,8 +187,8 @@ def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
     else:
         for body in bodies:
             body.x += body.v * elapsed(body.time, end)
-    for gap in touching:
-        if gap.touching is not None and gap.law is not None:
+    for gap in sim.chain.gaps:  # also between two that stick to walls, which no solver moves
+        if gap is not None and gap.touching is not None and gap.law is not None:
             contacts.tell_peak(gap, record)
             ledger.stored_final += gap.law.stored(-gap.room, -gap.rate, gap.memory)
     if sim.forces is not None:
