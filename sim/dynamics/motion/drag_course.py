@@ -32,6 +32,9 @@ FAINT = 1e-20
 """Of the first terms. Two in a row that are smaller add nothing, nor do later ones; one alone may
 be nought where others are not, as every second one from rest."""
 
+KEPT = 8
+"""Times of which place, speed and acceleration are kept."""
+
 MOST_MARKS = 60
 """Stretches drawn: each twice as long as the one before."""
 
@@ -111,8 +114,9 @@ class Driven:
     turn: float = field(init=False)  # s
     back: OneWay = field(init=False)
     sparse: bool = False
-    seen: tuple[float, tuple[float, float, float]] | None = None
-    """The last time asked for: a search asks for place, speed and acceleration one by one."""
+    seen: dict[float, tuple[float, float, float]] = field(default_factory=dict)
+    """The last times asked for: a search asks for place, speed and acceleration one by one, and
+    for those at the end of the stretch that it looks at."""
 
     def __post_init__(self) -> None:
         first = self.first
@@ -126,9 +130,12 @@ class Driven:
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""
-        if self.seen is None or self.seen[0] != t:
-            self.seen = (t, self._at(t))
-        return self.seen[1]
+        if (known := self.seen.get(t)) is not None:
+            return known
+        if len(self.seen) >= KEPT:
+            self.seen.clear()
+        self.seen[t] = found = self._at(t)
+        return found
 
     def _at(self, t: float) -> tuple[float, float, float]:
         if t <= self.turn:
