@@ -196,6 +196,9 @@ def _halt(motion: Motion, k: int) -> None:
         last += 1
     for body in motion.bodies[first : last + 1]:
         body.v, body.slips = 0.0, 0
+    for gap in gaps:
+        if gap.left.v == 0.0 and gap.right.v == 0.0:
+            gap.rate = 0.0  # else a rate that rounding left would set the one that halts going
 
 
 def is_push(gap: Gap) -> bool:
