@@ -33,14 +33,16 @@ FLOOR = 2e-4
 """Noise of a cell is at least this share of the whole range: wobble is no change."""
 
 
-def change_points(x: Floats) -> list[int]:
-    """Cells at which segments begin, and len(x): [0, …, n]. `x` on a uniform grid, m."""
+def change_points(x: Floats, rounded: float = 0.0) -> list[int]:
+    """Cells at which segments begin, and len(x): [0, …, n]. `x` on a uniform grid, m; `rounded`: of
+    a cell by rounding, m, which rest does not show."""
     import numpy as np
 
     n = len(x)
     rss = _leavings(x)
     short = rss[np.arange(n - JUDGED + 1), np.arange(JUDGED, n + 1)] if n > JUDGED else np.zeros(1)
-    noise = max(float(np.median(short)) / (JUDGED - 3), (FLOOR * float(np.ptp(x))) ** 2, 1e-18)
+    least = max(FLOOR * float(np.ptp(x)), rounded, 1e-9)
+    noise = max(float(np.median(short)) / (JUDGED - 3), least**2)
     penalty = PRICE * np.log(n)
     best = np.full(n + 1, np.inf)
     best[0] = -penalty

@@ -75,8 +75,8 @@ def contacts(grid: Grid) -> list[Contact]:
     trace = np.sqrt(np.abs(push[0] * push[1]))
     left = trace.copy()
     left[: grid.half + 1] = left[-grid.half - 1 :] = 0.0
-    usual = float(np.percentile(trace, 25))
-    whole, spans = max(float(left.max()) * STANDS_OUT, LOUDER * usual), list[tuple[int, int]]()
+    usual, spans = grid.usual, list[tuple[int, int]]()
+    whole = max(float(left.max()) * STANDS_OUT, LOUDER * usual)
     ahead = max(grid.half, min(2 * grid.half, round(DIP / grid.step)))
     for _ in range(12):
         peak = int(np.argmax(left))

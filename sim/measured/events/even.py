@@ -29,7 +29,7 @@ def braked(grid: Grid) -> Floats:
     x, wide = coarse(grid)
     found = np.zeros_like(grid.a)
     for cart in (0, 1):
-        edges = [min(k * wide, len(grid.t)) for k in change_points(x[cart])]
+        edges = [min(k * wide, len(grid.t)) for k in change_points(x[cart], grid.rounded[cart])]
         for low, high in itertools.pairwise(edges):
             if grid.step * (high - low) < LONG or high - low < 4:
                 continue

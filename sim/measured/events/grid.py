@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sim.measured.refusal import FitError
+from sim.measured.rounding import EVEN, step_of
 from sim.measured.scatter import scatter_of
 from sim.measured.track import Track
 
@@ -33,6 +34,11 @@ which it is widened where noise hides the contact."""
 CLEAR = 20.0
 """Times the lower quartile of √|a_A a_B|: what a contact's peak should reach."""
 
+QUARTILE = 0.5
+"""Of what rounding alone makes of √|a_A a_B|, root mean square: the least quartile. Of two normal
+numbers √|n m| has 0.35; but errors of rounding come back in step, and four times this is passed in
+one cell of a hundred."""
+
 
 @dataclass(frozen=True, slots=True)
 class Grid:
@@ -45,6 +51,8 @@ class Grid:
     step: float
     half: int  # cells
     noise: tuple[float, float]  # m, of one cell of each cart
+    usual: float  # m/s², lower quartile of √|a_A a_B|, no less than rounding gives it
+    rounded: tuple[float, float]  # m, part of the noise; a resting cart does not show it
 
 
 def grid_of(tracks: tuple[Track, Track]) -> Grid:
@@ -62,12 +70,14 @@ def grid_of(tracks: tuple[Track, Track]) -> Grid:
     edges = np.linspace(begin - 0.5 * frame, end + 0.5 * frame, cells + 1)
     t, step = 0.5 * (edges[1:] + edges[:-1]), (end - begin + frame) / cells
     x = np.array([_averaged(one, edges, t) for one in tracks])
-    noise = _noise(x[0]), _noise(x[1])
+    rounded = _rounded(tracks[0]), _rounded(tracks[1])
+    noise = max(_noise(x[0]), rounded[0]), max(_noise(x[1]), rounded[1])
     half, most = max(HALF, round(SMOOTHED / step)), min(round(WIDEST / step), (cells - 2) // 2)
     tried: list[tuple[float, Grid]] = []
     while True:
         half = min(half, (cells - 2) // 2)
-        grid = Grid(t, x, *_slid(x, half, step), step, half, noise)
+        v, a = _slid(x, half, step)
+        grid = Grid(t, x, v, a, step, half, noise, _usual(a, half, step, rounded), rounded)
         tried.append((_contrast(grid), grid))
         if tried[-1][0] >= CLEAR or half >= most:
             return max(tried, key=lambda one: one[0])[1] if tried[-1][0] < CLEAR else grid
@@ -79,8 +89,31 @@ def _contrast(grid: Grid) -> float:
     import numpy as np
 
     trace = np.sqrt(np.abs(grid.a[0] * grid.a[1]))
-    usual = float(np.percentile(trace, 25))
-    return float(trace.max()) / usual if usual > 0.0 else CLEAR
+    return float(trace.max()) / grid.usual if grid.usual > 0.0 else CLEAR
+
+
+def _rounded(track: Track) -> float:
+    """m. Standard deviation of a reading by rounding."""
+    import numpy as np
+
+    return EVEN * step_of(np.array(track.value))
+
+
+def _usual(a: Floats, half: int, step: float, rounded: tuple[float, float]) -> float:
+    """m/s². Where a cart rests its rounded readings are all alike, and its trace is none."""
+    import numpy as np
+
+    through = float(np.linalg.norm(_through(half, step)[2]))
+    errors = 2.0 * through * math.sqrt(rounded[0] * rounded[1])
+    return max(float(np.percentile(np.sqrt(np.abs(a[0] * a[1])), 25)), QUARTILE * errors)
+
+
+def _through(half: int, step: float) -> Floats:
+    """What gives place, slope and bend of a quadratic from 2 half + 1 cells."""
+    import numpy as np
+
+    tau = np.arange(-half, half + 1) * step
+    return np.linalg.pinv(np.vander(tau, 3, increasing=True))
 
 
 def _averaged(track: Track, edges: Floats, t: Floats) -> Floats:
@@ -102,8 +135,7 @@ def _slid(x: Floats, half: int, step: float) -> tuple[Floats, Floats]:
     """v and a of a quadratic through 2 half + 1 cells; at the ends the first and last one's."""
     import numpy as np
 
-    tau = np.arange(-half, half + 1) * step
-    through = np.linalg.pinv(np.vander(tau, 3, increasing=True))
+    through = _through(half, step)
     windows = np.lib.stride_tricks.sliding_window_view(x, 2 * half + 1, axis=1)
     v, a = windows @ through[1], 2.0 * (windows @ through[2])
     pad = ((0, 0), (half, half))

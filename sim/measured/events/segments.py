@@ -48,7 +48,8 @@ def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:
     every: list[Segment] = []
     for cart in (0, 1):
         greatest = float(np.percentile(np.abs(grid.v[cart]), 98))
-        edges = [k * wide for k in change_points(x[cart])[:-1]]  # the last is the film's own end
+        found_at = change_points(x[cart], grid.rounded[cart])
+        edges = [k * wide for k in found_at[:-1]]  # the last is the film's own end
         cuts = _cut(grid, edges, found, max(grid.half, SHORTEST * wide - 1))
         listed: list[Segment] = []
         for low, high in cuts:
