@@ -75,7 +75,7 @@ def contacts(grid: Grid) -> list[Contact]:
     trace = np.sqrt(np.abs(push[0] * push[1]))
     left = trace.copy()
     left[: grid.half + 1] = left[-grid.half - 1 :] = 0.0
-    usual, spans = grid.usual, list[tuple[int, int]]()
+    usual, spans = grid.usual(trace), list[tuple[int, int]]()
     whole = max(float(left.max()) * STANDS_OUT, LOUDER * usual)
     ahead = max(grid.half, min(2 * grid.half, round(DIP / grid.step)))
     for _ in range(12):

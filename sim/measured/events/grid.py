@@ -51,8 +51,16 @@ class Grid:
     step: float
     half: int  # cells
     noise: tuple[float, float]  # m, of one cell of each cart
-    usual: float  # m/s², lower quartile of √|a_A a_B|, no less than rounding gives it
     rounded: tuple[float, float]  # m, part of the noise; a resting cart does not show it
+
+    def usual(self, trace: Floats) -> float:
+        """m/s². The lower quartile of a √|a_A a_B|, and no less than rounding gives it: where a
+        cart rests, its rounded readings are all alike and its trace is none."""
+        import numpy as np
+
+        through = float(np.linalg.norm(_through(self.half, self.step)[2]))
+        errors = 2.0 * through * math.sqrt(self.rounded[0] * self.rounded[1])
+        return max(float(np.percentile(trace, 25)), QUARTILE * errors)
 
 
 def grid_of(tracks: tuple[Track, Track]) -> Grid:
@@ -76,8 +84,7 @@ def grid_of(tracks: tuple[Track, Track]) -> Grid:
     tried: list[tuple[float, Grid]] = []
     while True:
         half = min(half, (cells - 2) // 2)
-        v, a = _slid(x, half, step)
-        grid = Grid(t, x, v, a, step, half, noise, _usual(a, half, step, rounded), rounded)
+        grid = Grid(t, x, *_slid(x, half, step), step, half, noise, rounded)
         tried.append((_contrast(grid), grid))
         if tried[-1][0] >= CLEAR or half >= most:
             return max(tried, key=lambda one: one[0])[1] if tried[-1][0] < CLEAR else grid
@@ -89,7 +96,8 @@ def _contrast(grid: Grid) -> float:
     import numpy as np
 
     trace = np.sqrt(np.abs(grid.a[0] * grid.a[1]))
-    return float(trace.max()) / grid.usual if grid.usual > 0.0 else CLEAR
+    usual = grid.usual(trace)
+    return float(trace.max()) / usual if usual > 0.0 else CLEAR
 
 
 def _rounded(track: Track) -> float:
@@ -97,15 +105,6 @@ def _rounded(track: Track) -> float:
     import numpy as np
 
     return EVEN * step_of(np.array(track.value))
-
-
-def _usual(a: Floats, half: int, step: float, rounded: tuple[float, float]) -> float:
-    """m/s². Where a cart rests its rounded readings are all alike, and its trace is none."""
-    import numpy as np
-
-    through = float(np.linalg.norm(_through(half, step)[2]))
-    errors = 2.0 * through * math.sqrt(rounded[0] * rounded[1])
-    return max(float(np.percentile(np.sqrt(np.abs(a[0] * a[1])), 25)), QUARTILE * errors)
 
 
 def _through(half: int, step: float) -> Floats:
