@@ -26,7 +26,7 @@ from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.known import Untold
-from sim.measured.model.unknowns import EFFECTS, Effect
+from sim.measured.model.unknowns import EFFECTS, RUBS, Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between
@@ -228,7 +228,7 @@ def _at_the_turn(made: Fit) -> bool:
     it turns the cart round, at an instant that goes as a root: a descent comes to lie there, and no
     derivative tells an interval."""
     p = made.parameters
-    if made.asked.effect != "friction" or not p.approach > 0.0:
+    if made.asked.effect not in RUBS or not p.approach > 0.0:
         return False
     middle, push = (p.v[0] + p.ratio * p.v[1]) / (1.0 + p.ratio), p.e * p.approach / (1.0 + p.ratio)
     after = middle - p.ratio * push, middle + push

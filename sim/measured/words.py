@@ -17,7 +17,7 @@ from sim.measured.model.effects import (
 )
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known
-from sim.measured.model.unknowns import Effect
+from sim.measured.model.unknowns import RUBS, Effect
 
 LAWS = {
     "bumper": "the bumper law: the force starts from zero and never pulls",
@@ -27,6 +27,7 @@ EFFECTS = {
     "none": "nothing but the contact",
     "friction": "friction on each cart",
     "tilt": "a tilt of the track",
+    "both": "friction on each cart and a tilt of the track",
 }
 FASTEST = 10.0
 """m/s. Carts in a school are slower."""
@@ -110,7 +111,7 @@ def of_fit(
             "do (friction, a tilt, a second contact, a hand), and the real uncertainty is larger "
             "than printed."
         )
-    if fit.asked.effect == "friction":
+    if fit.asked.effect in RUBS:
         for name, rests in zip(names, fit.parameters.rests, strict=True):
             if rests:
                 said.append(f"{name} stands still before the touch: its velocity there is 0.")

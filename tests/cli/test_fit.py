@@ -108,7 +108,6 @@ def test_of_two_files_the_bad_one_is_named(tracker: Path, tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (("--friction", "--tilt"), "does not tell both apart"),
         (("--mass", "A"), "write NAME=MASS"),
         (("--mass", "C=1kg"), "there is no cart “C”"),
         (("--mass", "A=-1kg"), "more than 0"),

@@ -132,8 +132,6 @@ def command(
     """
     if len(files) > 2:
         raise click.UsageError("One file with both carts, or two files with one cart each.")
-    if friction and tilt:
-        raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
     low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
     if low is not None and high is not None and low >= high:
         raise click.UsageError(f"--from {begin} is not before --until {end}.")
@@ -155,6 +153,7 @@ def command(
         report = _forces(files[0], measured)
     else:
         effect: Effect | None = "friction" if friction else "tilt" if tilt else None
+        effect = "both" if friction and tilt else effect
         found = analysed(
             measured,
             Wanted(

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-Step = Literal["nothing", "friction", "tilt", "drag"]
-STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag")
+Step = Literal["nothing", "friction", "tilt", "drag", "both"]
+STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag", "both")
 HUBER = 1.5
 """Robust standard deviations beyond which a reading counts less."""
 
@@ -40,7 +40,7 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
     """A row for each reading: place and velocity of its side, and what brakes."""
     import numpy as np
 
-    extra = {"nothing": 0, "friction": 2, "tilt": 1, "drag": 2}[step]
+    extra = {"nothing": 0, "friction": 2, "tilt": 1, "drag": 2, "both": 3}[step]
     total = sum(len(tau) for tau, _ in sides)
     fastest = max(map(abs, slopes))
     # Friction does not brake what stands, and the sign of a velocity that is noise is chance.
@@ -52,10 +52,12 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
         bend = 0.5 * tau * tau
         if step == "tilt":
             matrix[rows, 8] = bend
-        elif step == "friction":
+        elif step in ("friction", "both"):
             matrix[rows, 8 + cart] = -ways[k] * bend
         elif step == "drag":
             matrix[rows, 8 + cart] = -slopes[k] * bend
+        if step == "both":  # friction holds what rests
+            matrix[rows, 10] = abs(ways[k]) * bend
         row += len(tau)
     return matrix
 

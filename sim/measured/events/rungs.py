@@ -48,7 +48,7 @@ def rungs_of(
     without = missed(near, bare)
     found = []
     for step, places in predicted.items():
-        if step == "nothing":
+        if step in ("nothing", "both"):  # each effect alone
             continue
         changes, error = _size(places - bare), missed(near, places)
         better = error < min(BETTER, 1.0 - chance) * without

@@ -7,6 +7,7 @@ contact, and what brakes the carts, in steps of a ladder:
     friction    − g_k sign(v) τ²/2   one g for each cart
     tilt        + a τ²/2             one a for all
     drag        − c_k v τ²/2         one c for each cart (to first order in τ)
+    both        friction and a tilt, which pushes no cart that rests
 
 A step is judged by readings it has not seen (`rungs`). Least squares with Huber's loss, linear in
 all numbers (`brakes`).
@@ -18,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from sim.measured.events.brakes import STEPS, Side, Step, solved
+from sim.measured.events.brakes import STEPS, Side, Step, design, solved
 from sim.measured.events.contacts import Contact
 from sim.measured.events.rungs import (
     BETTER,
@@ -62,6 +63,10 @@ SHARES = (1.0, 0.75, 0.5)
 AS_GOOD = 1.08
 """A step that predicts nearly as well might be the true one: its velocities count too. Of few
 readings the errors themselves are uncertain, see `_chance`."""
+
+HALVED = 0.5
+"""Both take three numbers; of less than half of what a single step misses, drag or a track that is
+not even may be the cause. Else they only widen what is told."""
 
 UNSEEN = 0.7
 """Of what brakes a cart from the edge of a contact to its middle: taken as a standard deviation,
@@ -155,7 +160,8 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     errors = [(step, missed(near, predicted[step])) for step in STEPS]
     best, chance = STEPS[0], chance_of(sides)
     for step, error in errors:
-        if error < min(BETTER, 1.0 - chance) * dict(errors)[best]:
+        clearly = HALVED if step == "both" else min(BETTER, 1.0 - chance)
+        if error < clearly * dict(errors)[best]:
             best = step
     least = dict(errors)[best]
     found = [solved([_nearest(side, share) for side in sides], best) for share in SHARES]
@@ -170,7 +176,9 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     ]
     apart = np.array([solved(sides, step)[0][1:8:2] - whole[1:8:2] for step in others])
     total = covariance[1:8:2, 1:8:2] + spread.T @ spread / (len(SHARES) - 1)
-    total += 0.25 * apart.T @ apart / len(others) if others else 0.0  # as likely as the best
+    # As likely as the best; both hold friction and a tilt, and are no further chance beside these.
+    likely = 0.25 / max(1, len({*others} - {"both"}))
+    total += likely * apart.T @ apart if others else 0.0
     total[np.diag_indices(4)] += (UNSEEN * _braked(sides, best, whole)) ** 2
     return Speeds(
         v=tuple(map(float, mean)),  # type: ignore[arg-type]
@@ -188,13 +196,10 @@ def _braked(sides: Sequence[Side], step: Step, numbers: Floats) -> Floats:
     """m/s. What each velocity changes by from the edge of the contact to its middle."""
     import numpy as np
 
-    slopes = numbers[1:8:2]
-    brakes = {
-        "nothing": np.zeros(4),
-        "friction": -np.sign(slopes) * np.tile(numbers[8:10], 2) if step == "friction" else 0.0,
-        "tilt": np.full(4, numbers[8]) if step == "tilt" else 0.0,
-        "drag": -slopes * np.tile(numbers[8:10], 2) if step == "drag" else 0.0,
-    }[step]
+    if step == "nothing":
+        return np.zeros(4)
+    bends = [(np.array([1.0]), np.zeros(1))] * 4  # of the design: what brakes times τ²/2, at 1 s
+    brakes = 2.0 * design(bends, step, list(numbers[1:8:2]))[:, 8:] @ numbers[8:]
     return np.asarray(brakes * np.array([np.min(np.abs(tau)) for tau, _ in sides]))
 
 

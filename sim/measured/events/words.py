@@ -18,7 +18,8 @@ OUTCOMES = {
     "explosion": "An explosion: the carts were together and push each other apart. There is no "
     "bounciness.",
 }
-STEPS = {"nothing": "nothing that brakes", "friction": "friction", "tilt": "a tilt", "drag": "drag"}
+STEPS = {"nothing": "nothing that brakes", "friction": "friction", "tilt": "a tilt", "drag": "drag",
+         "both": "friction and a tilt"}  # fmt: skip
 
 
 def of_story(story: Story, names: tuple[str, str]) -> list[str]:

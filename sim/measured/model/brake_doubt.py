@@ -32,7 +32,9 @@ def form_told(effect: Step, held_out: Iterable[tuple[Step, float]]) -> bool:
     """Whether the velocities' ladder (each step with what it misses, m) tells the form of the brake
     from the other ones."""
     missed: dict[Step, float] = {step: error for step, error in held_out if step != "nothing"}
-    return all(error > TOLD * missed[effect] for step, error in missed.items() if step != effect)
+    # both hold either, and always do as well
+    others = {step for step in missed if step not in (effect, "both")}
+    return all(missed[step] > TOLD * missed[effect] for step in others)
 
 
 def doubted(made: Fit, velocities: Iterable[Known], *, told: bool) -> Fit:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from sim.measured.model.motion import Motion
+from sim.measured.model.motion import Motion, pull
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,20 +26,18 @@ def places(motion: Motion, cart: int, t: Floats) -> Floats:
     x = np.empty_like(tau)
     start = p.x + (p.distance if cart else 0.0)
     first = 0.0 if p.rests[cart] else p.v[cart]
-    x[before] = _braked(start, first, tau[before], p.friction[cart])
+    x[before] = _flown(start, first, tau[before], p.friction[cart], p.tilt)
     (ends, speeds), gone = motion.after, tau[after] - motion.duration
-    x[after] = _braked(ends[cart], speeds[cart], gone, p.friction[cart])
+    x[after] = _flown(ends[cart], speeds[cart], gone, p.friction[cart], p.tilt)
     inside = np.flatnonzero(~before & ~after)
     if inside.size:
-        tilt = 0.5 * p.tilt
-        x[inside] = [motion.state(float(t[k]))[0][cart] - tilt * float(tau[k]) ** 2 for k in inside]
-    return x + 0.5 * p.tilt * tau * tau if p.tilt else x
+        x[inside] = [motion.state(float(t[k]))[0][cart] for k in inside]
+    return x
 
 
-def _braked(x: float, v: float, tau: Any, g: float) -> Any:
+def _flown(x: float, v: float, tau: Any, friction: float, tilt: float) -> Any:
     import numpy as np
 
-    if g <= 0.0 or v == 0.0:
-        return x + v * tau
-    tau = np.minimum(tau, abs(v) / g)
-    return x + (v - np.copysign(0.5 * g, v) * tau) * tau
+    a, stands = pull(v, friction, tilt)
+    tau = np.minimum(tau, stands) if stands >= 0.0 else np.maximum(tau, stands)
+    return x + (v + 0.5 * a * tau) * tau

@@ -1,8 +1,9 @@
 """Which effects do these readings call for? The residuals say.
 
-The model is fitted without anything, with friction and with a tilt. An effect is called for when
-the sum of squares falls by more than chance would make it fall (F-test, 1 of 1000; where noise
-lasts, what is gained is divided by how much more such noise gains). Residuals that follow each
+The model is fitted without anything, with friction, with a tilt, and where either is called for
+with both. An effect is called for when the sum of squares falls by more than chance would make it
+fall (F-test, 1 of 1000; where noise lasts, what is gained is divided by how much more such noise
+gains), both when it falls so beside the better one. Residuals that follow each
 other (neighbours alike) tell that something may still be missing; then no interval that takes the
 residuals for chance, lasting or not, is wide enough.
 """
@@ -31,7 +32,8 @@ ALIKE = 0.35
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """One effect beside the model without any. `chance`: that luck alone does as well."""
+    """One effect beside the model without any, both beside the better one. `chance`: that luck
+    alone does as well."""
 
     effect: Effect
     noise: float  # m, standard deviation of the residuals
@@ -41,7 +43,7 @@ class Compared:
 
 
 def compare(
-    measured: Measured, plain: Fit, effects: Sequence[Effect] = ("friction", "tilt")
+    measured: Measured, plain: Fit, effects: Sequence[Effect] = ("friction", "tilt", "both")
 ) -> list[Compared]:
     """The plain fit, and the same with each effect that can be fitted."""
     import numpy as np
@@ -50,13 +52,18 @@ def compare(
     rows = [Compared("none", plain.noise, None, neighbours(plain), plain)]
     for effect in effects:
         asked = Asked(law=plain.asked.law, effect=effect, distance=plain.asked.distance)
+        simpler = plain
+        if effect == "both":
+            if (one := called_for(rows)) == "none":
+                continue
+            simpler = next(row.fit for row in rows if row.effect == one)
         try:
-            start = plain.parameters if effect == "tilt" else _braking(plain)
+            start = simpler.parameters if effect == "tilt" else _braking(simpler)
             with_it = fit(measured, asked, start)
         except FitError:
             continue
-        more = plain.freedom - with_it.freedom
-        gained = (plain.squares - with_it.squares) / max(more, 1)
+        more = simpler.freedom - with_it.freedom
+        gained = (simpler.squares - with_it.squares) / max(more, 1)
         variance = with_it.squares / with_it.freedom
         chance = 1.0
         # Noise that lasts bends a track as friction does: it gains more by chance than white noise.
@@ -64,7 +71,7 @@ def compare(
         gained /= lasting
         if gained > 0.0 and variance > 0.0 and more > 0:
             chance = float(fdtrc(more, with_it.freedom, gained / variance))
-        elif with_it.squares < plain.squares:
+        elif with_it.squares < simpler.squares:
             chance = 0.0
         rows.append(Compared(effect, with_it.noise, chance, neighbours(with_it), with_it))
     return rows
@@ -73,7 +80,8 @@ def compare(
 def _braking(plain: Fit) -> Parameters:
     """A start with a little friction, so that it is not on the edge."""
     p = plain.parameters
-    return replace(p, friction=(0.01, 0.01))
+    first, second = (max(one, 0.01) for one in p.friction)
+    return replace(p, friction=(first, second))
 
 
 def called_for(rows: list[Compared]) -> Effect:
@@ -90,8 +98,10 @@ def standing(rows: Sequence[Compared]) -> tuple[bool, bool]:
 
 def undecided(rows: Sequence[Compared]) -> bool:
     """Whether friction and a tilt are both no chance and leave nearly the same."""
-    real = [row.noise for row in rows if row.chance is not None and row.chance < CHANCE]
-    return len(real) > 1 and max(real) < AS_GOOD * min(real)
+    real = {r.effect: r.noise for r in rows if r.chance is not None and r.chance < CHANCE}
+    if "both" in real:
+        return False
+    return len(real) > 1 and max(real.values()) < AS_GOOD * min(real.values())
 
 
 def left_over(fit: Fit) -> float:

@@ -1,8 +1,8 @@
 """Least squares of the model on readings of two carts, with intervals.
 
 Fitted are touch, x, distance, v of both, ln(mass ratio), e, ln(w0), and on request a constant
-deceleration for each cart or a tilt. Logarithms keep ratio and w0 positive and make their intervals
-honest. Every reading counts alike. Of white noise the covariance would be
+deceleration for each cart, a tilt or both. Logarithms keep ratio and w0 positive and make their
+intervals honest. Every reading counts alike. Of white noise the covariance would be
 
     s² (JᵀJ)⁻¹ ,   s² = sum of squares / (readings − unknowns) ,   with Student's t;
 
@@ -29,7 +29,7 @@ from sim.measured.model.curves import places
 from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
 from sim.measured.model.standing import sizes_of
-from sim.measured.model.unknowns import READ, Effect, names_of, with_values
+from sim.measured.model.unknowns import READ, RUBS, Effect, names_of, with_values
 from sim.measured.refusal import FitError
 from sim.measured.rounding import EVEN, step_of
 from sim.measured.scatter import scatter_of
@@ -120,7 +120,7 @@ def fit(measured: Measured, asked: Asked = Asked(), start: Parameters | None = N
         return float(np.sum(_residuals(parameters, asked.law, times, values) ** 2))
 
     tried = [start] if start else guesses(times, values, asked.law, asked.distance, score)
-    if asked.effect == "friction":
+    if asked.effect in RUBS:
         tried = [_with_rest(one, times, values) for one in tried]
     solved = [_solve(one, asked, times, values) for one in tried]
     best = min(solved, key=lambda one: one[0])

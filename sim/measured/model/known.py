@@ -11,7 +11,9 @@ import math
 from dataclasses import dataclass
 
 from sim.measured.model.fit import Fit
+from sim.measured.model.lasting import by_any_law
 from sim.measured.model.motion import GRAVITY
+from sim.measured.model.unknowns import LEANS, RUBS
 
 WIDEST = 0.5
 """Standard deviation of ln w0, or of any logarithm, above which no number is printed."""
@@ -64,14 +66,17 @@ def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
     found.append(_plain(fit, "touch", "first touch at t", p.touch, {"touch": 1.0}, "s"))
     stiff = {"ln_w0": 1.0}
     duration = {"ln_w0": -1.0, "e": _duration_by_e(fit)}
-    _add(found, untold, _log(fit, "duration", "the contact lasts", fit.duration, duration, "s"))
+    lasts = _log(fit, "duration", "the contact lasts", fit.duration, duration, "s")
+    if isinstance(lasts, Known):
+        lasts = by_any_law(lasts, p.e, p.e + fit.factor * fit.sd("e"))
+    _add(found, untold, lasts)
     _add(found, untold, _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s"))
-    for k, name in enumerate(names) if fit.asked.effect == "friction" else ():
+    for k, name in enumerate(names) if fit.asked.effect in RUBS else ():
         slopes = {f"friction{k + 1}": 1.0}
         what = f"deceleration of {name} by friction"
         brake = _plain(fit, f"friction_{'ab'[k]}", what, p.friction[k], slopes, "m/s²")
         found += [brake, _coefficient(brake, name)]
-    if fit.asked.effect == "tilt":
+    if fit.asked.effect in LEANS:
         slopes = {"tilt": 1.0}
         found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
     _masses(fit, names, mass, found, untold)

@@ -5,8 +5,8 @@
     after     straight on with v' = V ± e u m_other/M
 
 `friction` brakes a cart by a constant deceleration until it stands, and then it stays; `tilt`
-accelerates both alike (+ to the right). Only the ratio of the masses is in it: a motion does not
-show the masses themselves. Standard library only.
+accelerates both alike (+ to the right), but for a cart that friction holds. Only the ratio of the
+masses is in it: a motion does not show the masses themselves. Standard library only.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Motion:
         object.__setattr__(self, "duration", duration)
         after: State = ((p.x, p.x + p.distance), p.v)
         if pieces and math.isfinite(duration):
-            after = self._touching(duration)
+            after = _tilted(self._touching(duration), duration, p.tilt)
         object.__setattr__(self, "after", after)
 
     def state(self, t: float) -> State:
@@ -85,16 +85,10 @@ class Motion:
         p, tau = self.parameters, t - self.parameters.touch
         if tau <= 0.0:
             first = ((p.x, p.x + p.distance), p.v)
-            found = _flown(first, tau, p.friction, p.rests)
-        elif tau < self.duration:
-            found = self._touching(tau)
-        else:
-            found = _flown(self.after, tau - self.duration, p.friction, (False, False))
-        if not p.tilt:
-            return found
-        (x1, x2), (v1, v2) = found
-        more, faster = 0.5 * p.tilt * tau * tau, p.tilt * tau
-        return (x1 + more, x2 + more), (v1 + faster, v2 + faster)
+            return _flown(first, tau, p, p.rests)
+        if tau < self.duration:
+            return _tilted(self._touching(tau), tau, p.tilt)
+        return _flown(self.after, tau - self.duration, p, (False, False))
 
     def overlap(self, t: float) -> float:
         """m. How far the bumpers are pressed in; 0 outside of the contact."""
@@ -122,21 +116,35 @@ class Motion:
         )
 
 
-def _flown(state: State, tau: float, friction: tuple[float, float], rests: tuple[bool, bool]
-           ) -> State:  # fmt: skip
-    """Both carts tau seconds on (or back) from a state, braked."""
+def _tilted(state: State, tau: float, tilt: float) -> State:
+    """A state that a tilt has changed for tau seconds."""
     (x1, x2), (v1, v2) = state
-    x1, v1 = _braked(x1, 0.0 if rests[0] else v1, tau, friction[0])
-    x2, v2 = _braked(x2, 0.0 if rests[1] else v2, tau, friction[1])
+    more, faster = 0.5 * tilt * tau * tau, tilt * tau
+    return (x1 + more, x2 + more), (v1 + faster, v2 + faster)
+
+
+def _flown(state: State, tau: float, p: Parameters, rests: tuple[bool, bool]) -> State:
+    """Both carts tau seconds on (or back) from a state, braked and tilted."""
+    flown = []
+    for k, (x, moved) in enumerate(zip(*state, strict=True)):
+        v = 0.0 if rests[k] else moved
+        a, stands = pull(v, p.friction[k], p.tilt)
+        since = min(tau, stands) if stands >= 0.0 else max(tau, stands)
+        flown.append((x + (v + 0.5 * a * since) * since, v + a * since))
+    (x1, v1), (x2, v2) = flown
     return (x1, x2), (v1, v2)
 
 
-def _braked(x: float, v: float, tau: float, g: float) -> tuple[float, float]:
-    if g <= 0.0 or v == 0.0:
-        return x + v * tau, v
-    tau = min(tau, abs(v) / g)  # then it stands
-    a = -math.copysign(g, v)
-    return x + (v + 0.5 * a * tau) * tau, v + a * tau
+def pull(v: float, friction: float, tilt: float) -> tuple[float, float]:
+    """Acceleration in m/s² of a cart with velocity v, and after which time in s it stands (below 0:
+    until then it stood) and is held; inf: never."""
+    if friction <= 0.0:
+        return tilt, math.inf
+    holds = abs(tilt) <= friction
+    if v == 0.0:
+        return (0.0, math.inf) if holds else (tilt - math.copysign(friction, tilt), math.inf)
+    a = tilt - math.copysign(friction, v)
+    return a, -v / a if holds and a != 0.0 else math.inf
 
 
 def _contact(p: Parameters, law: Law) -> tuple[_Piece, ...]:

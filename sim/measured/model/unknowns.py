@@ -8,8 +8,11 @@ from typing import Literal
 
 from sim.measured.model.motion import Parameters
 
-Effect = Literal["none", "friction", "tilt"]
-EFFECTS: tuple[Effect, ...] = ("none", "friction", "tilt")
+Effect = Literal["none", "friction", "tilt", "both"]
+EFFECTS: tuple[Effect, ...] = ("none", "friction", "tilt", "both")
+RUBS: tuple[Effect, ...] = ("friction", "both")
+LEANS: tuple[Effect, ...] = ("tilt", "both")
+"""Effects with a friction of each cart, and those with a tilt of the track."""
 
 
 def names_of(p: Parameters, effect: Effect, distance: float | None) -> tuple[str, ...]:
@@ -17,7 +20,8 @@ def names_of(p: Parameters, effect: Effect, distance: float | None) -> tuple[str
     names = ["touch", "x", "ln_ratio", "e", "ln_w0"]
     names += ["distance"] if distance is None else []
     names += [f"v{k + 1}" for k in range(2) if not p.rests[k]]
-    names += {"none": [], "friction": ["friction1", "friction2"], "tilt": ["tilt"]}[effect]
+    names += ["friction1", "friction2"] if effect in RUBS else []
+    names += ["tilt"] if effect in LEANS else []
     return tuple(names)
 
 

@@ -1,0 +1,43 @@
+"""How long a contact lasts, by whatever law its bumpers push.
+
+A film shows how wide in time a push is, hardly its shape: that of the law which is fitted (about
+half a sine) is one of many. Pushes with the same impulse and the same root mean square of the time
+around their middle move carts nearly alike, and last as long as half a sine times
+
+    0.75              an even push
+    1.2               one that begins and ends softly (1 − cos)
+    up to e^(−1/2)    bumpers that spring back from all of their overlap, e² times as strongly:
+                      weak and long (the bumper law gives back what is left, strongly and shortly)
+    up to 2.5         magnets, which begin to push from afar
+
+Counted as halves of 95 % intervals of the logarithm, the last one where carts lose so little that
+they may be magnets.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sim.measured.model.known import Known
+
+SHAPES = 0.29
+"""ln 0.75 and more than ln 1.2."""
+
+MAGNETS = math.log(2.5)
+LOSSLESS = 0.95
+"""e that magnets have at least, as nothing rubs between them."""
+
+
+def by_any_law(lasts: Known, e: float, highest: float) -> Known:
+    """The length of a contact in s with its interval by one law, no surer than the law is; `e` of
+    this contact, and the `highest` that its interval allows."""
+    longer = max(SHAPES, -0.5 * math.log(min(max(e, 1e-3), 1.0)))
+    if highest >= LOSSLESS:
+        longer = max(longer, MAGNETS)
+    low = math.exp(-math.hypot(math.log(lasts.value / lasts.low), SHAPES))
+    high = math.exp(math.hypot(math.log(lasts.high / lasts.value), longer))
+    sd = lasts.sd * math.log(high / low) / math.log(lasts.high / lasts.low)
+    return replace(lasts, low=lasts.value * low, high=lasts.value * high, sd=sd)
