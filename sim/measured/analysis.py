@@ -87,7 +87,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
         try:
             rows = _whole_model(story, wanted)
         except (FitError, ReadingError) as error:
-            if refused and refused.code in ("no-contact", "no-fit"):
+            if refused and refused.code == "no-fit":
                 refused = _plainer(refused, error)
             rows = []
     made = _chosen(rows, wanted) if rows else None
@@ -111,7 +111,8 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
 
 
 def _plainer(refused: FitError, error: FitError | ReadingError) -> FitError:
-    """Why the model could not be fitted, if that says more than that no contact was found."""
+    """Why the model could not be fitted, if that says more. Not of carts that were never seen to
+    push each other: the model takes a contact for granted."""
     if isinstance(error, ReadingError) or error.code == "no-contact":
         return refused
     return FitError(error.reason, error.hint, refused.code)

@@ -45,6 +45,11 @@ def refuse(line: int, reason: str, hint: str = "") -> ReadingError:
     return ReadingError([Fault(line, reason, hint)])
 
 
+def of_readings(count: int) -> str:
+    """1 reading, 2 readings."""
+    return "1 reading" if count == 1 else f"{count} readings"
+
+
 def shown(text: str) -> str:
     """What stood in the file, as a message shows it: one line of printable characters, short."""
     text = "".join(c if c.isprintable() else "·" for c in text.strip())

@@ -13,6 +13,7 @@ from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared, called_for, left_over
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known, Untold, told
+from sim.measured.model.lasting import smoothed
 from sim.measured.model.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
@@ -36,7 +37,7 @@ def motion_report(
     masses = masses or {}
     names = measured.names
     mass = next(iter(masses.items()), None)
-    known, untold = believable(*told(fit, names, mass))
+    known, untold = believable(*told(fit, names, mass, smoothed(measured)))
     judged = [
         with_loss(one, share) if share and one.key in ("mass_ratio", "mass") else one
         for one in known

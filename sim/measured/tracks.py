@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from sim.measured.readers import read_text
-from sim.measured.refusal import ReadingError, refuse, shown
+from sim.measured.refusal import ReadingError, of_readings, refuse, shown
 from sim.measured.track import FEWEST, Content, Track
 from sim.measured.units import Units
 
@@ -129,7 +129,7 @@ def between(measured: Measured, begin: float | None, end: float | None) -> Measu
         kept = [k for k, t in enumerate(track.t) if low <= t <= high]
         if len(kept) < FEWEST:
             line = track.lines[kept[-1]] if kept else track.lines[-1]
-            count = f"{len(kept)} readings of “{shown(track.name)}” in this span of time"
+            count = f"{of_readings(len(kept))} of “{shown(track.name)}” in this span of time"
             raise refuse(line, count, f"at least {FEWEST} are needed: choose a longer span")
         tracks.append(
             Track(

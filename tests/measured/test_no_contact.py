@@ -6,6 +6,8 @@ import pytest
 
 from sim.measured.analysis import analysed
 from sim.measured.made import filmed
+from sim.measured.refusal import of_readings
+from sim.measured.tracks import read_measured
 from sim.scene import read_scene
 
 APART = 0.6
@@ -33,3 +35,16 @@ def test_a_run_without_a_contact_is_refused_as_one(
     }
     found = analysed(filmed(read_scene(scene), rate=rate, noise=5e-4, seed=seed))
     assert found.refused and found.refused.code == "no-contact"
+
+
+def test_carts_that_never_met_are_not_told_what_the_model_takes_for_granted() -> None:
+    """The refusal was the model's: “the carts do not come closer to each other”."""
+    t = [k / 30 for k in range(60)]
+    rows = "".join(f"{x:.4f}\t{0.2 + 0.1 * x:.5f}\t{0.9 + 0.25 * x:.5f}\n" for x in t)
+    refused = analysed(read_measured(["t\tx_A\tx_B\n" + rows])).report["refused"]
+    assert refused["code"] == "no-contact"
+    assert refused["sentence"].startswith("no contact is found: at no time do the readings show")
+
+
+def test_one_reading_is_no_readings() -> None:
+    assert [of_readings(count) for count in (0, 1, 2)] == ["0 readings", "1 reading", "2 readings"]

@@ -62,9 +62,12 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
     return matrix
 
 
-def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
+def solved(
+    sides: Sequence[Side], step: Step, likely: float = math.inf
+) -> tuple[Floats, Floats, float]:
     """Numbers, covariance and correlation of neighbours; Huber's loss by weights. No reading counts
-    less, and no interval is narrower, than its rounding allows."""
+    less, and no interval is narrower, than its rounding allows. `likely`: m/s², standard deviation
+    of what brakes, known beforehand."""
     import numpy as np
 
     matrix = design(sides, step, slopes_of(sides))
@@ -74,15 +77,19 @@ def solved(sides: Sequence[Side], step: Step) -> tuple[Floats, Floats, float]:
     steps = [of_cart[k % 2] for k in range(len(sides))]
     even = EVEN * np.repeat(steps, lengths)
     weight, numbers = np.ones(len(x)), np.zeros(matrix.shape[1])
+    known = np.diag(np.repeat([0.0, 1.0 / likely], [8, matrix.shape[1] - 8]))
+    held, nought = np.zeros_like(known), np.zeros(len(known))
     for _ in range(8):
         root = np.sqrt(weight)
-        numbers = np.linalg.lstsq(matrix * root[:, None], x * root, rcond=None)[0]
+        rows, right = np.vstack([matrix * root[:, None], held]), np.concatenate([x * root, nought])
+        numbers = np.linalg.lstsq(rows, right, rcond=None)[0]
         left = x - matrix @ numbers
         scale = np.maximum(max(scatter_of(left), 1e-12), even)
         weight = np.minimum(1.0, HUBER * scale / np.maximum(np.abs(left), 1e-300))
+        held = float(np.sqrt(np.mean(scale**2))) * known
     freedom = max(len(x) - matrix.shape[1], 1)
     noise = max(float(np.sum(weight * left**2)) / freedom, float(np.mean(even**2)))
-    inverse = np.linalg.pinv((matrix * weight[:, None]).T @ matrix)
+    inverse = np.linalg.pinv((matrix * weight[:, None]).T @ matrix + held.T @ held)
     cuts = np.cumsum(lengths)[:-1]
     each = np.split(left, cuts)
     alike, more = inflation(each)

@@ -32,7 +32,7 @@ from sim.measured.events.rungs import (
     scatter_of,
 )
 from sim.measured.events.stretch import Segment
-from sim.measured.refusal import FitError
+from sim.measured.refusal import FitError, of_readings
 from sim.measured.track import Track
 
 if TYPE_CHECKING:
@@ -67,6 +67,9 @@ readings the errors themselves are uncertain, see `_chance`."""
 HALVED = 0.5
 """Both take three numbers; of less than half of what a single step misses, drag or a track that is
 not even may be the cause. Else they only widen what is told."""
+
+FAINT = 0.03
+"""m/s². What a track brakes by when nobody sees it: an air track 0.003 to 0.02, bearings 0.05."""
 
 UNSEEN = 0.7
 """Of what brakes a cart from the edge of a contact to its middle: taken as a standard deviation,
@@ -103,9 +106,10 @@ def sides_of(
             kept &= t > contact.end + INSTANT if after else t < contact.begin - INSTANT
             if int(kept.sum()) < FEWEST:
                 when = "after" if after else "before"
+                lie = "lies" if int(kept.sum()) == 1 else "lie"
                 raise FitError(
-                    f"only {int(kept.sum())} readings of {track.name} lie {when} the contact and "
-                    "free of hands and stops",
+                    f"only {of_readings(int(kept.sum()))} of {track.name} {lie} {when} the contact "
+                    "and free of hands and stops",
                     "let the carts run on for half a second, or choose another contact",
                     "after-too-short" if after else "before-too-short",
                 )
@@ -179,6 +183,8 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     # As likely as the best; both hold friction and a tilt, and are no further chance beside these.
     likely = 0.25 / max(1, len({*others} - {"both"}))
     total += likely * apart.T @ apart if others else 0.0
+    if best == "nothing":
+        total += _faint(sides, whole, covariance)
     total[np.diag_indices(4)] += (UNSEEN * _braked(sides, best, whole)) ** 2
     return Speeds(
         v=tuple(map(float, mean)),  # type: ignore[arg-type]
@@ -190,6 +196,17 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
         scatter=scatter,
         alike=alike,
     )
+
+
+def _faint(sides: Sequence[Side], numbers: Floats, covariance: Floats) -> Floats:
+    """m²/s². What a friction that the readings do not call for may do to the four velocities: it
+    always slows the carts, and a straight line tells how fast they are half a second later."""
+    import numpy as np
+
+    braked, wider, _ = solved(sides, "friction", FAINT)
+    apart = braked[1:8:2] - numbers[1:8:2]
+    more = np.maximum(np.diag(wider)[1:8:2] - np.diag(covariance)[1:8:2], 0.0)
+    return np.asarray(np.diag(more) + 0.25 * np.outer(apart, apart))
 
 
 def _braked(sides: Sequence[Side], step: Step, numbers: Floats) -> Floats:

@@ -11,6 +11,7 @@ from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
+from sim.measured.events.pushed_off import by_hands
 from sim.measured.events.segments import segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
 from sim.measured.events.stretch import Segment
@@ -51,16 +52,27 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
     story = Story(measured)
     try:
         grid = grid_of(measured.tracks)
-        found = contacts(grid)
-        found = found if measured.own else where_near(grid, found)
+        every = contacts(grid)
+        hands = by_hands(grid, every)
+        found = [one for one in every if one not in hands]
+        found = found if measured.own or hands else where_near(grid, found)
         found = with_contacts(grid, found, hints.segments)
         contact = chosen(found, _at(hints))
         named = with_segments(grid, segments(grid, found), hints.segments, found)
         story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
+        if contact is None and hands:
+            raise FitError(
+                "both carts set out from rest, each away from its sensor: they are pushed towards "
+                "each other, by hands, and the readings end before they meet",
+                "let the recording go on until the carts have met and parted",
+                "no-contact",
+            )
         if contact is None:
             raise FitError(
-                "no contact is found: at no time do both carts change their velocity together",
-                "choose the seconds around one contact in which nobody holds a cart",
+                "no contact is found: at no time do the readings show that both carts change "
+                "their velocity together",
+                "choose the seconds around one contact in which nobody holds a cart; after a weak "
+                "push, push harder or take finer readings",
                 "no-contact",
             )
         step = in_step(grid, contact.begin, contact.end)

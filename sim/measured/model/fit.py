@@ -30,7 +30,7 @@ from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
 from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, RUBS, Effect, names_of, with_values
-from sim.measured.refusal import FitError
+from sim.measured.refusal import FitError, of_readings
 from sim.measured.rounding import EVEN, step_of
 from sim.measured.scatter import scatter_of
 from sim.measured.tracks import Measured
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
 SHARE = 0.95
 CLOSE = 1e-8
 """Relative. A descent ends when its steps, or what they gain, are smaller."""
-
 
 WILD = 4.0
 """Standard deviations: of 600 normal readings one is farther off in 4 of 100 films."""
@@ -212,7 +211,8 @@ def _made(
     for cart, (before, after) in enumerate(sides, 1):
         if before < EACH_SIDE or after < EACH_SIDE:
             when, count = ("before", before) if before < EACH_SIDE else ("after", after)
-            reason = f"only {count} readings of cart {cart} lie {when} the contact"
+            lie = "lies" if count == 1 else "lie"
+            reason = f"only {of_readings(count)} of cart {cart} {lie} {when} the contact"
             code = "no-fit" if count else "no-contact"
             raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}", code)
     counted = np.clip(residuals, -limit, limit)

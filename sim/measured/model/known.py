@@ -19,6 +19,12 @@ WIDEST = 0.5
 """Standard deviation of ln w0, or of any logarithm, above which no number is printed."""
 
 
+BY_DEVICE = (
+    "few readings lie inside the contact, and a logger that gives means of its readings makes any "
+    "contact look as long. Take more readings per second, or film it"
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Known:
     """A quantity with its 95 % interval, in `unit`."""
@@ -48,9 +54,14 @@ class Untold:
     reason: str
 
 
-def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
-         ) -> tuple[list[Known], list[Untold]]:  # fmt: skip
-    """Everything that this fit says, and what it does not. `mass`: of one cart, in kg."""
+def told(
+    fit: Fit,
+    names: tuple[str, str],
+    mass: tuple[str, float] | None = None,
+    smoothed: float = 0.0,
+) -> tuple[list[Known], list[Untold]]:
+    """Everything that this fit says, and what it does not. `mass`: of one cart, in kg; `smoothed`:
+    in s, how long a logger may make a contact look by itself."""
     p = fit.parameters
     found: list[Known] = []
     untold: list[Untold] = []
@@ -69,8 +80,10 @@ def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
     lasts = _log(fit, "duration", "the contact lasts", fit.duration, duration, "s")
     if isinstance(lasts, Known):
         lasts = by_any_law(lasts, p.e, p.e + fit.factor * fit.sd("e"))
-    _add(found, untold, lasts)
-    _add(found, untold, _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s"))
+    swing = _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s")
+    for one in (lasts, swing):
+        short = isinstance(one, Known) and fit.duration < smoothed
+        _add(found, untold, Untold(one.key, one.name, BY_DEVICE) if short else one)
     for k, name in enumerate(names) if fit.asked.effect in RUBS else ():
         slopes = {f"friction{k + 1}": 1.0}
         what = f"deceleration of {name} by friction"
@@ -80,6 +93,9 @@ def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
         slopes = {"tilt": 1.0}
         found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
     _masses(fit, names, mass, found, untold)
+    if fit.duration < smoothed and any(one.key == "k" for one in found):
+        untold.append(next(Untold(one.key, one.name, BY_DEVICE) for one in found if one.key == "k"))
+        found = [one for one in found if one.key != "k"]
     return found, untold
 
 

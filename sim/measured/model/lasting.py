@@ -12,16 +12,20 @@ around their middle move carts nearly alike, and last as long as half a sine tim
 
 Counted as halves of 95 % intervals of the logarithm, the last one where carts lose so little that
 they may be magnets.
+
+A logger that gives means of its readings makes a push as wide as these means, however short it was.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from sim.measured.model.known import Known
+    from sim.measured.tracks import Measured
 
 SHAPES = 0.29
 """ln 0.75 and more than ln 1.2."""
@@ -29,6 +33,20 @@ SHAPES = 0.29
 MAGNETS = math.log(2.5)
 LOSSLESS = 0.95
 """e that magnets have at least, as nothing rubs between them."""
+
+
+MEANS = 7.0
+"""Readings. An instant push in means over five of them looks like half a sine of so many."""
+
+FILM = 1.0 / 23.5
+"""s. Films have 24 frames a second at least; what is read more seldom is a logger."""
+
+
+def smoothed(measured: Measured) -> float:
+    """s. A contact that seems shorter may be the logger's own smoothing; 0 for a film."""
+    gaps = sorted(b - a for one in measured.tracks for a, b in itertools.pairwise(one.t))
+    frame = gaps[len(gaps) // 2]
+    return MEANS * frame if measured.own or frame > FILM else 0.0
 
 
 def by_any_law(lasts: Known, e: float, highest: float) -> Known:

@@ -14,7 +14,7 @@ import re
 from collections.abc import Sequence
 
 from sim.measured.readers.idle import are_idle
-from sim.measured.refusal import Fault, ReadingError, refuse, shown
+from sim.measured.refusal import Fault, ReadingError, of_readings, refuse, shown
 from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import MOST_FAULTS, Column, Table, read_table
@@ -208,7 +208,7 @@ def _track(
         raise ReadingError(faults[:MOST_FAULTS])
     if len(kept) < FEWEST:
         line = kept[-1][2] if kept else table.lines[-1]
-        count = f"{len(kept)} readings of “{shown(name)}”: at least {FEWEST} are needed"
+        count = f"{of_readings(len(kept))} of “{shown(name)}”: at least {FEWEST} are needed"
         raise refuse(line, count, "mark the cart in every frame, also before and after the contact")
     return Track(
         name,

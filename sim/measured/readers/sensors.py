@@ -16,7 +16,7 @@ import re
 from dataclasses import replace
 
 from sim.measured.readers import plain
-from sim.measured.refusal import refuse, shown
+from sim.measured.refusal import of_readings, refuse, shown
 from sim.measured.sheet.heads import Quantity, has_speeds, is_time, quantity_of
 from sim.measured.sheet.prefixes import parted
 from sim.measured.sheet.runs import of_one_run, run_place
@@ -131,7 +131,7 @@ def _track(
         notes.append(f"{name}: {missing} rows without a reading, left out")
     if len(rows) < FEWEST:
         line = rows[-1][2] if rows else table.lines[-1]
-        reason = f"{len(rows)} readings of “{shown(name)}”: at least {FEWEST} are needed"
+        reason = f"{of_readings(len(rows))} of “{shown(name)}”: at least {FEWEST} are needed"
         raise refuse(line, reason, "let both sensors run during the whole contact")
     _gaps(rows, name, notes)
     x = _summed(rows) if by_speed else tuple(value for _, value, _ in rows)
