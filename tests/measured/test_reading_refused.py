@@ -28,7 +28,7 @@ def body(change: dict[int, str]) -> str:
 REFUSED = {
     "nothing": ("", 1, "nothing in it"),
     "words only": ("hello\nworld\n", 1, "no row of numbers"),
-    "one frame": (HEAD + GOOD[0], 2, "1 readings of “A”: at least 8"),
+    "one frame": (HEAD + GOOD[0], 2, "1 reading of “A”: at least 8"),
     "a word": (body({3: "0.1\tnear\t0.2"}), 5, "“near” is not a number"),
     "a unit in a cell": (body({3: "0.1\t0.3 m\t0.2"}), 5, "a unit stands in a cell"),
     "the same time twice": (body({4: GOOD[3]}), 6, "stands in line 5 already"),

@@ -15,6 +15,7 @@ from sim.measured.events.pushed_off import by_hands
 from sim.measured.events.segments import segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
 from sim.measured.events.stretch import Segment
+from sim.measured.events.tails import with_tail
 from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -58,7 +59,12 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         found = found if measured.own or hands else where_near(grid, found)
         found = with_contacts(grid, found, hints.segments)
         contact = chosen(found, _at(hints))
-        named = with_segments(grid, segments(grid, found), hints.segments, found)
+        named = segments(grid, found)
+        if contact is not None and not hints.segments:
+            longer = with_tail(contact, named)
+            found = [longer if one == contact else one for one in found]
+            named, contact = segments(grid, found) if longer != contact else named, longer
+        named = with_segments(grid, named, hints.segments, found)
         story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
         if contact is None and hands:
             raise FitError(
