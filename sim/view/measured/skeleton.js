@@ -91,7 +91,7 @@ function model({ id, law }) {
   return html`<div class="carts-measured-model" hidden>
 <p class="carts-heading">Set the model by hand, or let it be fitted</p>
 <div class="carts-measured-hands">${hands}</div>
-<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option><option value="called">what the readings call for</option></select></label></p>
+<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option><option value="both">friction and a tilt</option><option value="called">what the readings call for</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
 <p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
 <p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
