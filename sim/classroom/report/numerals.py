@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from sim.scene.said import counted
 
@@ -17,6 +17,13 @@ def signed(value: float, places: int = 2) -> str:
     """The same with its sign."""
     text = number(value, places)
     return text if text.startswith("−") or float(text) == 0 else f"+{text}"
+
+
+def mean_and_sd(row: Mapping[str, float] | None) -> str:
+    """`mean ± sd` on one line, or a dash where too few students have one."""
+    if not row or "mean" not in row:
+        return "–"
+    return "\N{NO-BREAK SPACE}±\N{NO-BREAK SPACE}".join(number(row[k]) for k in ("mean", "sd"))
 
 
 def students(count: int) -> str:

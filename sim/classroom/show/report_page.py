@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.report import sentences as say
-from sim.classroom.report.numerals import number, signed
+from sim.classroom.report.numerals import mean_and_sd, number, signed
 from sim.classroom.report.sentences import TITLES, unmarked
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import Tell, listed, person, table, telling, text
@@ -127,9 +127,8 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
         for group in form["groups"]:
             if not group["n"] and len(report["groups"]) > 1:
                 continue
-            mean = f"{number(group['mean'])} ± {number(group['sd'])}" if "mean" in group else "–"
             rows.append([tell(TITLES.get(form["form"], form["form"])), person(group["group"], tell),
-                         str(group["n"]), mean, tell(interval(group, form["of"])),
+                         str(group["n"]), mean_and_sd(group), tell(interval(group, form["of"])),
                          "–" if form["of"] is None else f"{form['of']}"])  # fmt: skip
             if sentence := group.get("sentence"):
                 says.append(of_group(group_in_form(form["form"], group["group"]), sentence))
@@ -188,11 +187,9 @@ def _gains(rows: Sequence[Row], tell: Tell) -> str:
     says: list[str] = []
     for row in rows:
         change = row.get("change")
-        pre, post = row["pre"], row["post"]
         cells.append([
             person(row["group"], tell), str(row["n"]),
-            f"{number(pre['mean'])} ± {number(pre['sd'])}" if pre else "–",
-            f"{number(post['mean'])} ± {number(post['sd'])}" if post else "–",
+            mean_and_sd(row["pre"]), mean_and_sd(row["post"]),
             number(row["gain"]) if row.get("gain") is not None else "–",
             tell(_changed(change)) if change else "–",
             signed(row["d"]) if row.get("d") is not None else "–",
@@ -220,7 +217,7 @@ def _topics(rows: Sequence[Row], tell: Tell) -> str:
     cells = [
         [
             text(row["topic"]), str(row["questions"]), person(row["group"], tell), str(row["n"]),
-            *(f"{number(row[k]['mean'])} ± {number(row[k]['sd'])}" for k in ("pre", "post")),
+            mean_and_sd(row["pre"]), mean_and_sd(row["post"]),
             "–" if row["gain"] is None else number(row["gain"]),
         ]
         for row in rows
