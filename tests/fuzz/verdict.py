@@ -81,7 +81,7 @@ def judge(plain: Plain, *, oracle: bool = True, seconds: float = BUDGET) -> Verd
     except Exception as error:
         return Verdict("crash", f"{type(error).__name__}: {error}")
     if done.stopped is not None:
-        return Verdict("many", done.stopped)
+        return Verdict("many", str(done.stopped))
     imbalance = done.ledger.imbalance()
     if imbalance > CLOSES:
         return Verdict("account", f"energy open by {imbalance:.1e}")

@@ -3,7 +3,8 @@
 A bumper with e = 0 that has not cleared is rigid where it is pressed again: at its remembered
 overlap d the force jumps from nought to k d, which ends an approach w after m w/(k d), at once as
 far as a clock can tell. Three bodies (a wall is one) with two such gaps between them hit each other
-in turn for ever, and each round leaves a fixed part of the speeds, as in `collapse`. Once an
+in turn for ever, and each round leaves a fixed part of the speeds, as in `collapse`; so do two of
+which one gap is hit without a duration, even where that gives all back. Once an
 approach is `AT_REST` of the fastest one so far, all that were hit at that instant and move alike
 go on with the velocity of their centre of mass.
 """
@@ -55,7 +56,8 @@ def _is_rigid(gap: Gap) -> bool:
 
 def _belongs(gap: Gap, now: Time, instant: float, slowest: float) -> bool:
     """Was this gap hit at the same instant, and do its bodies move alike by now?"""
-    if gap.solver is not None or gap.joined or not _is_rigid(gap):
+    rigid = _is_rigid(gap) or (gap.law is None and not gap.contact.joins)
+    if gap.solver is not None or gap.joined or not rigid:
         return False
     alike = abs(velocity(gap.right, now) - velocity(gap.left, now)) <= slowest
     return alike and elapsed(gap.changed, now) <= instant

@@ -17,6 +17,7 @@ from sim.dynamics.loop.simulation import Simulation
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError, refuse_written
 from sim.dynamics.result.record import Record
+from sim.dynamics.result.stopped import Stopped
 from sim.dynamics.state.clock import ZERO, Time, elapsed
 from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
@@ -157,13 +158,14 @@ def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress
         if void or (key < 0 and bodies[-1 - key].turn != turn):
             continue
         if sim.happened >= max_events:
-            return _result(sim, now, stopped=f"{max_events} events")
+            return _result(sim, now, stopped=Stopped(f"{max_events} events", more=True))
         if hits.endless:
-            stopped = f"{sim.happened} events, without room between what is hit in turn for ever"
-            return _result(sim, now, stopped=stopped)
+            what = f"{sim.happened} events, without room between what is hit in turn for ever"
+            return _result(sim, now, stopped=Stopped(what, more=False))
         if sim.steps >= most_steps:
-            stopped = f"{sim.steps} short steps of contacts that push each other"
-            return _result(sim, now, stopped=stopped)
+            what = f"{sim.steps} short steps of contacts that push each other"
+            more = most_steps < max_steps
+            return _result(sim, now, stopped=Stopped(what, more=more, steps=True))
         told += 1
         if progress is not None and told % TELL_EVERY == 0:
             progress(hi, sim.happened)
@@ -176,7 +178,7 @@ def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress
     return _result(sim, sim.end, stopped=None)
 
 
-def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
+def _result(sim: Simulation, end: Time, *, stopped: Stopped | None) -> Run:
     """Bring everything to the end."""
     scene, record, ledger = sim.scene, sim.record, sim.ledger
     bodies = list(dict.fromkeys(sim.chain.bodies))

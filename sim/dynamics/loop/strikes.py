@@ -90,8 +90,9 @@ class Strikes:
         """Where an approach is more than rounding, nothing at this time was an alternation."""
         for gap in block:
             if gap.rate < 0.0 and not collapse.is_over(self.chain, gap, now, self.instant):
+                moves = -gap.rate > impacts.AT_REST * self.fastest
                 for other in (gap, *self.chain.neighbours(gap)):
                     if other is not None:
-                        flips.jump(other, now)
+                        flips.jump(other, now, moves=moves)
                 for body in (gap.left, gap.right):
-                    flips.jump(body, now)
+                    flips.jump(body, now, moves=moves)

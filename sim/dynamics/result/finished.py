@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.outcome import Outcome
 from sim.dynamics.result.record import Record
+from sim.dynamics.result.stopped import Stopped
 from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
 
@@ -34,7 +35,7 @@ class Run:
     effects: dict[str, int]
     """How often the formulas of each effect were evaluated."""
     forces: Forces | None
-    stopped: str | None
+    stopped: Stopped | None
     """What there was too much of, if the run was stopped."""
 
     @property
@@ -42,12 +43,7 @@ class Run:
         """Why the run ended; made when asked for."""
         t = self.t
         if self.stopped is not None:
-            return Outcome(
-                "too-many-events",
-                f"The run was stopped at t = {t:.6g} s after {self.stopped}. Ask for an earlier "
-                "end (until), more events (--max-events), a larger restitution, or stiffnesses "
-                "and masses that differ less.",
-            )
+            return Outcome("too-many-events", self.stopped.sentence(self.scene, t))
         to_come = self.forces is not None and self.forces.switches_after(t)
         if self._rests() and not to_come:
             return Outcome("came-to-rest", f"Every cart is at rest at t = {t:.6g} s.")

@@ -18,7 +18,9 @@ it. No other event is touched.
 Impacts without a duration that come in turn at one time open and close the gaps between them, too,
 dozens of times before a collapse (`collapse`). None of that is an alternation of rounding: each of
 them leaves other velocities, and they end by themselves. As long as an approach is more than
-rounding, a time at which several come counts as one change.
+rounding, a time at which several come counts as one change; one that is more than what counts as
+rest has moved its bodies, and what changed before, a moment earlier too, was no alternation: a
+cart between a wall and a dead bumper makes dozens of rounds in one instant.
 
 Theory: Filippov, Differential Equations with Discontinuous Righthand Sides (1988); Acary &
 Brogliato, Numerical Methods for Nonsmooth Dynamical Systems (2008), on hysteresis at a switching
@@ -81,9 +83,14 @@ def note(one: Changing, now: Time, instant: float) -> None:
     one.changed = now
 
 
-def jump(one: Changing, now: Time) -> None:
-    """An impact changes its velocity by more than rounding: see above."""
-    if elapsed(one.changed, now) == 0.0:
+def jump(one: Changing, now: Time, *, moves: bool) -> None:
+    """An impact changes its velocity by more than rounding: see above.
+
+    `moves`: by more than what counts as rest, so that nothing before it alternated by rounding.
+    """
+    if moves:
+        one.alternates = one.before = 0
+    elif elapsed(one.changed, now) == 0.0:
         one.alternates = one.before
 
 
