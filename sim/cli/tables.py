@@ -104,7 +104,8 @@ def _account(run: Run) -> str:
     lines.append(f"From outside: {', '.join(given)}." if given else "No impulse from outside.")
     works = [f"{by} {number(work)} J" for by, work in ledger.works.items()]
     lines += [f"Work: {', '.join(works)}."] if works else []
-    lines.append(f"{number(ledger.warmed)} J warmed the bumpers.")
+    sudden = all(contact is None or contact.sudden for contact in run.scene.contacts)
+    lines.append(f"{number(ledger.warmed)} J {'became heat' if sudden else 'warmed the bumpers'}.")
     return "\n".join(lines)
 
 

@@ -114,6 +114,15 @@ def test_the_readable_forms_tell_the_story():
     assert "Not simulated: friction" in carts("plan", PAPER).stdout
 
 
+def test_where_no_bumper_is_pressed_none_is_warmed():
+    text = registry.PATHS["light-meets-heavy"].read_text(encoding="utf-8")
+    sudden = "carts: {A: {mass: 1, position: 0.2, velocity: 1}, B: {mass: 1, position: 0.5}}\n"
+    sudden += "contact: {law: instant, restitution: 0.5}\nuntil: 1\n"
+    assert "J warmed the bumpers." in carts("run", "-", stdin=text).stdout
+    story = carts("run", "-", stdin=sudden).stdout
+    assert "0.1875 J became heat." in story and "bumpers" not in story
+
+
 def test_two_runs_print_the_same_bytes():
     assert carts("run", PAPER, "--json").stdout == carts("run", PAPER, "--json").stdout
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.stopped import Stopped
+from sim.dynamics.stepping.adaptive_events import AdaptiveStepper
 from sim.scene import Scene, read_scene
 
 
@@ -79,3 +82,16 @@ def test_what_is_hit_for_ever_without_room_is_told_to_leave_some() -> None:
     carts["B"]["position"] = 0.31
     walls["length"] = 0.42
     assert run(read_scene(scene), max_events=50_000).stopped is None
+
+
+@pytest.mark.parametrize(
+    ("contact", "hint"),
+    [(PAPER, "a softer contact, or a larger --rtol"), (INSTANT, "a larger --rtol")],
+)
+def test_no_contact_is_to_be_softer_where_none_has_a_stiffness(
+    contact: dict[str, Any], hint: str
+) -> None:
+    failed = SimpleNamespace(step=lambda: None, status="failed", t=0.5)
+    with pytest.raises(UnsolvedError) as refused:
+        AdaptiveStepper(two(contact))._one(failed)
+    assert refused.value.hint == hint

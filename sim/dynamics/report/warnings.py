@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
+from sim.laws.contact_law import ContactLaw
 from sim.laws.lookup import contact_law
+from sim.scene.effects import kinds
 from sim.scene.laws import law_kind
+from sim.scene.model import Scene
 from sim.scene.said import said, template
 from sim.scene.track import body_name
 
@@ -20,8 +23,13 @@ BOTH = (
         "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
         "or let them meet at {speed} or less."
     ),
+    template(
+        "The bumpers between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to {stiffness} or more."
+    ),
 )
-"""Of two carts: what happens, and the same with what would help."""
+"""Of two carts: what happens, and the same with what would help where they meet too fast, and where
+something presses them together."""
 
 ALONE = (
     template(
@@ -32,6 +40,10 @@ ALONE = (
         "The bumper between {one} and {other} would be squeezed by {depth}, "
         "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
         "or let them meet at {speed} or less."
+    ),
+    template(
+        "The bumper between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to {stiffness} or more."
     ),
 )
 """The same of a cart at a wall."""
@@ -54,6 +66,9 @@ def warnings(run: Run) -> tuple[Remark, ...]:
     """
     found = []
     scene = run.scene
+    acts = any(
+        e.active and (kinds()[e.kind].stores or kinds()[e.kind].gives) for e in scene.effects
+    )
     for gap, (deepest, speed) in run.record.deepest.items():
         names = scene.names_at(gap)
         bumpers = [cart.bumper_length for cart in scene.carts if cart.name in names]
@@ -61,7 +76,7 @@ def warnings(run: Run) -> tuple[Remark, ...]:
         if deepest <= room or (len(bumpers) == 1 and room == 0.0):
             continue  # at a wall, a cart without a bumper asks the wall to give way
         one, other = (body_name(name, scene.track) for name in names)
-        squeezed, advised = ALONE if len(bumpers) == 1 else BOTH
+        squeezed, advised, pressed = ALONE if len(bumpers) == 1 else BOTH
         told = {"one": one, "other": other, "depth": f"{100 * deepest:.3g} cm"}
         told["room"] = f"{100 * room:.3g} cm"
         message = said(squeezed, **told)
@@ -69,15 +84,34 @@ def warnings(run: Run) -> tuple[Remark, ...]:
         law = None if contact is None else contact_law(contact)
         kind = None if contact is None else law_kind(contact.law)
         field = None if kind is None else kind.stiffness
-        if room > 0.0 and speed > 0.0 and law is not None and field is not None:
+        helps = room > 0.0 and scene.gaps[gap] > -room and (speed > 0.0 or acts)
+        if helps and law is not None and field is not None:
             harder, faster = law.grows
             stiffness = law.stiffness * (deepest / room) ** harder
             slower = speed * (room / deepest) ** faster
             told["stiffness"] = f"{_up(stiffness)} {field.dimension.si}"
             message = said(advised, **told, speed=f"{_down(slower)} m/s")
+            if acts and _is_pressed(scene, gap, law, deepest, speed):
+                message = said(pressed, **told)
         found.append((deepest - room, Remark("bumper-bottoms", message)))
     found = sorted(found, key=lambda item: -item[0])
     return (*(warning for _, warning in found), *_idle(run), *_nearly_rigid(run))
+
+
+MORE = 1.0 + 1e-6
+"""Of the energy of an approach. What a bumper takes up beyond that comes from something else."""
+
+
+def _is_pressed(scene: Scene, gap: int, law: ContactLaw, deepest: float, speed: float) -> bool:
+    """Does what acts press the two together by more than the energy of their approach?
+
+    Up to an overlap d a bumper takes up k d^p/p, p = 2 (hertz 2.5). A stiffness that is as much
+    greater as for an impact alone is enough for these, too, and no lower speed need be.
+    """
+    power = law.grows[0]
+    inverse = sum(1.0 / cart.mass for cart in scene.carts if cart.name in scene.names_at(gap))
+    came = 0.5 * speed * speed / inverse
+    return bool(law.stiffness * deepest**power / power > MORE * came)
 
 
 def _nearly_rigid(run: Run) -> list[Remark]:

@@ -43,6 +43,7 @@ class AdaptiveStepper(LocatedStepper):
         super().__init__(scene)
         self.solver = SCIPY[name]
         self.rtol, self.longest = rtol, scene.until / LOOKS
+        self.soft = any(one is not None and not one.sudden for one in scene.contacts)
         speeds = [abs(cart.velocity) for cart in scene.carts]
         self.speed = max(*speeds, *(abs(w) for w in scene.approaches if math.isfinite(w)), 1e-3)
 
@@ -131,7 +132,7 @@ class AdaptiveStepper(LocatedStepper):
         if solver.status == "failed":
             raise UnsolvedError(
                 "the step became too small",
-                "a softer contact, or a larger --rtol",
+                f"{'a softer contact, or ' if self.soft else ''}a larger --rtol",
                 float(solver.t),
                 (),
             )
