@@ -95,7 +95,7 @@ ENDLESS = [
 def test_a_run_without_an_end_is_stopped_and_says_what_to_change(text):
     document = json.loads(carts("run", "-", "--json", "--max-events", 2000, stdin=text).stdout)
     assert document["outcome"]["kind"] == "too-many-events"
-    assert "--max-events" in document["outcome"]["sentence"]
+    assert "Ask for an earlier end (until)" in document["outcome"]["sentence"]
     assert document["final"]["v"]["A"] is not None
 
 

@@ -186,7 +186,7 @@ def test_impacts_at_one_time_count_as_one_change_and_changes_by_rounding_each() 
     hit, rounding = Mode(), Mode()
     for _ in range(60):
         flips.note(hit, ZERO, instant)
-        flips.jump(hit, ZERO)
+        flips.jump(hit, ZERO, moves=False)
         flips.note(rounding, ZERO, instant)
     assert hit.flips == rounding.flips == 59
     assert flips.margin(hit, ZERO, step) == 0.0
@@ -195,5 +195,7 @@ def test_impacts_at_one_time_count_as_one_change_and_changes_by_rounding_each() 
     for _ in range(60):  # each at its own time: what the margin lets pass is no motion yet
         now = later(now, 1e-13)
         flips.note(hit, now, instant)
-        flips.jump(hit, now)
+        flips.jump(hit, now, moves=False)
     assert flips.margin(hit, now, step) == flips.MARGIN * flips.GROWS**flips.MOST
+    flips.jump(hit, now, moves=True)  # an impact that moves its bodies: nothing before alternated
+    assert flips.margin(hit, now, step) == 0.0

@@ -32,10 +32,10 @@ class Stopped:
         helps = []
         if t > 0.0:
             helps.append("an earlier end (until)")
+        elif not self.more and not self.steps:
+            helps.append("room between those that touch")
         if self.more:
             helps.append("more events (--max-events)")
-        elif not self.steps:
-            helps.append("room between those that touch")
         contacts = [contact for contact in scene.contacts if contact is not None]
         if any((contact.restitution or 0.0) < 1.0 for contact in contacts if not contact.joins):
             helps.append("a larger restitution")
