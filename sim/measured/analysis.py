@@ -136,7 +136,8 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     effect, speeds, made = made.asked.effect, story.speeds, averaged(made, rows)
     if effect == "none" or not (story.outcome and speeds and story.contact and story.step):
         return made
-    seen = told_of(story.outcome, speeds, story.contact, story.step, story.measured.names)[0]
+    seen, _ = told_of(story.outcome, speeds, story.contact, story.step, story.measured.names,
+                      beside=story.together)  # fmt: skip
     return doubted(made, seen, told=form_told(effect, speeds.held_out))
 
 
@@ -154,7 +155,7 @@ def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
     cut = _thinned(_free(story), MOST_SKETCHED if smooth else MOST_FITTED)
     plain = fit(cut, Asked(law=wanted.law, distance=wanted.hints.distance))
     # of smooth readings the model is for the scene alone
-    return compare(cut, plain, [] if smooth else [one for one in EFFECTS if one != "none"])
+    return compare(cut, plain, () if smooth else EFFECTS[1:], wanted.effect)
 
 
 def _free(story: Story) -> Measured:
@@ -197,11 +198,9 @@ def _thinned(measured: Measured, readings: int) -> Measured:
     k = -(-most // readings)
     if k == 1:
         return measured
-    tracks = [
-        replace(one, t=one.t[::k], value=one.value[::k], lines=one.lines[::k])
-        for one in measured.tracks
-    ]
-    return replace(measured, tracks=(tracks[0], tracks[1]))
+    a, b = (replace(one, t=one.t[::k], value=one.value[::k], lines=one.lines[::k])
+            for one in measured.tracks)  # fmt: skip
+    return replace(measured, tracks=(a, b))
 
 
 def _chosen(rows: list[Compared], wanted: Wanted) -> Fit | None:

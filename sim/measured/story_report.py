@@ -63,7 +63,7 @@ def by_velocities(
     names = measured.names
     known, untold = believable(*told_of(
         story.outcome, story.speeds, story.contact, story.step, names, masses,
-        story.frames.joined,
+        story.frames.joined, story.together,
     ))  # fmt: skip
     base = base_report(measured, story, story.outcome, None)
     ratio = next((one for one in known if one.key == "mass_ratio"), None)

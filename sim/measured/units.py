@@ -9,10 +9,10 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-from sim.scene.quantity import FORCE, LENGTH, TIME, Dimension
+from sim.scene.quantity import FORCE, LENGTH_READ, TIME, Dimension
 
 Kind = Literal["time", "length", "force"]
-DIMENSIONS: dict[Kind, Dimension] = {"time": TIME, "length": LENGTH, "force": FORCE}
+DIMENSIONS: dict[Kind, Dimension] = {"time": TIME, "length": LENGTH_READ, "force": FORCE}
 OFFERED: dict[Kind, tuple[str, ...]] = {
     "time": ("s", "ms"),
     "length": ("m", "cm", "mm"),
@@ -22,6 +22,8 @@ OFFERED: dict[Kind, tuple[str, ...]] = {
 _WRITTEN = {
     "sec": "s", "secs": "s", "second": "s", "seconds": "s", "sekunden": "s", "с": "s", "秒": "s",
     "saat": "s", "мс": "ms", "毫秒": "ms", "meter": "m", "metre": "m", "meters": "m", "metres": "m",
+    "centimeters": "cm", "centimetres": "cm", "millimeters": "mm", "millimetres": "mm",
+    "inch": "in", "inches": "in", "foot": "ft", "feet": "ft",
     "м": "m", "米": "m", "см": "cm", "厘米": "cm", "мм": "mm", "毫米": "mm",
     "м/с": "m/s", "米/秒": "m/s", "mps": "m/s", "m s-1": "m/s", "m·s⁻¹": "m/s", "m s⁻¹": "m/s",
     "m·s-1": "m/s", "cm s-1": "cm/s", "kmh": "km/h", "kph": "km/h",
@@ -66,6 +68,9 @@ def head(text: str) -> tuple[str, str]:
     for pattern in _HEAD:
         if match := pattern.fullmatch(text.strip()):
             return match["name"].strip(), match["unit"].strip()
+    name, _, unit = text.strip().rpartition(" in ")
+    if name and kind_of_unit(unit):  # written out: “x in inches”
+        return name.strip(), unit.strip()
     return text.strip(), ""
 
 

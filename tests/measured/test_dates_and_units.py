@@ -74,3 +74,17 @@ def test_units_between_spaces_are_told_not_to_stand_in_cells() -> None:
     with pytest.raises(ReadingError) as caught:
         read_measured([film("{:.6f}", " ", "{:.4f} m")])
     assert "no cell a unit" in caught.value.faults[0].hint
+
+
+@pytest.mark.parametrize(("head", "metres"), [
+    ("x_{} (in)", 0.0254), ("x_{}/in", 0.0254), ("x_{} (inches)", 0.0254),
+    ("x_{} in inches", 0.0254), ("x_{} (ft)", 0.3048), ("x_{} in feet", 0.3048),
+    ("x_{} in centimetres", 0.01), ("x_{} in millimeters", 1e-3),
+])  # fmt: skip
+def test_inches_feet_and_units_written_out_are_read(head: str, metres: float) -> None:
+    rows = "\n".join(f"{t:.9f},{a:.9f},{b:.9f}" for t, a, b in zip(T, A, B, strict=True))
+    text = f"t (s),{head.format('A')},{head.format('B')}\n{rows}\n"
+    first, second = read_measured([text]).tracks
+    assert first.value == pytest.approx([metres * a for a in A])
+    assert second.value == pytest.approx([metres * b for b in B])
+    assert (first.name, second.name) == ("A", "B")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sim.measured.analysis import analysed
+from sim.measured.analysis import Wanted, analysed
 from sim.measured.events.sides import speeds_of
 from sim.measured.model.curves import places
 from sim.measured.model.effects import called_for, compare
@@ -83,3 +83,12 @@ def test_velocities_count_both_where_either_alone_misses_readings() -> None:
     speeds = speeds_of(sides)
     assert speeds.step == "both"
     assert speeds.v == pytest.approx((0.5, -0.4, -0.3, 0.35), abs=0.004)
+
+
+def test_both_are_fitted_where_a_reader_asks_for_them_though_nothing_calls_for_them() -> None:
+    plain = truth(mass=0.25, ratio=1.4, e=0.65, v=(0.75, -0.2))
+    found = analysed(film(plain, 60, 5e-4), Wanted(effect="both")).report
+    assert found["effect"] == "both" and found["calls_for"] == "none"
+    told = {one["key"]: one for one in found["known"]}
+    assert {"friction_a", "friction_b", "tilt"} <= told.keys()
+    assert told["tilt"]["low"] < 0.0 < told["tilt"]["high"]

@@ -19,6 +19,7 @@ from sim.measured.events.contacts import Contact
 from sim.measured.events.in_step import Step
 from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
 from sim.measured.events.sides import Speeds
+from sim.measured.events.together import Together
 from sim.measured.model.known import Known, Untold
 
 LOSS = 0.018
@@ -106,8 +107,10 @@ def told_of(
     names: tuple[str, str],
     masses: Mapping[str, float] | None = None,
     two: bool = False,
+    beside: Together | None = None,
 ) -> tuple[list[Known], list[Untold]]:
-    """Known and untold quantities; every interval is finite and has a width."""
+    """Known and untold quantities; every interval is finite and has a width. `beside`: how the
+    distance grows afterwards, where the velocities alone tell no parting."""
     known: list[Known] = []
     untold: list[Untold] = []
 
@@ -115,7 +118,7 @@ def told_of(
         known.append(_plain(speeds, key, name, function, unit))
 
     if outcome == "bounce":
-        untold += _bounciness(speeds, known)
+        untold += _bounciness(speeds, known, beside)
     ratio = mass_ratio(speeds, step, outcome, names, two)
     (known if isinstance(ratio, Known) else untold).append(ratio)  # type: ignore[arg-type]
     if outcome != "explosion":
@@ -125,7 +128,11 @@ def told_of(
         add("v_common", "common velocity after", lambda v: 0.5 * (v[2] + v[3]), "m/s")
         add("energy_lost", "energy lost per reduced mass", lambda v: 0.5 * (v[0] - v[1]) ** 2,
             "J/kg")  # fmt: skip
-        untold.append(Untold("e", "bounciness e", "the carts stay together: there is no rebound"))
+        limit = beside and beside.below(speeds.v[0] - speeds.v[1])
+        reason = "the carts stay together: there is no rebound"
+        if limit:
+            reason = f"the carts stay together as far as readings show: e is below {limit:.2f}"
+        untold.append(Untold("e", "bounciness e", reason))
     else:
         for k, name in enumerate(names):
             add(f"v_{'ab'[k]}_after", f"velocity of {name} after", _velocity(k + 2), "m/s")
@@ -163,9 +170,15 @@ def _plain(
     return Known(key, name, value, value - HALF * sd, value + HALF * sd, sd, unit)
 
 
-def _bounciness(speeds: Speeds, known: list[Known]) -> list[Untold]:
-    """e within 0 and 1; the best value is the nearest possible one."""
+def _bounciness(speeds: Speeds, known: list[Known], beside: Together | None) -> list[Untold]:
+    """e within 0 and 1; the best value is the nearest possible one. Where only the distance tells
+    that the carts part, its e, and all that either allows."""
     one = _plain(speeds, "e", "bounciness e", lambda v: (v[3] - v[2]) / (v[0] - v[1] or 1e-12), "")
+    if beside:
+        e, least, most = (w / (speeds.v[0] - speeds.v[1])
+                          for w in (beside.value, beside.low, beside.high))  # fmt: skip
+        one = replace(one, value=e, low=min(one.low, least), high=max(one.high, most))
+        one = replace(one, sd=0.5 * (one.high - one.low) / HALF)
     low, high = max(one.low, 0.0), min(one.high, 1.0)
     if not low < high:
         return [Untold("e", "bounciness e", "it comes out above 1: the carts would gain energy")]

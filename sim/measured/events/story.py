@@ -12,10 +12,12 @@ from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
 from sim.measured.events.pushed_off import by_hands
+from sim.measured.events.quantities import SCALES
 from sim.measured.events.segments import segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
 from sim.measured.events.stretch import Segment
 from sim.measured.events.tails import with_tail
+from sim.measured.events.together import Together, together
 from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -44,6 +46,7 @@ class Story:
     speeds: Speeds | None = None
     step: Step | None = None
     outcome: Outcome | None = None
+    together: Together | None = None  # where the velocities alone tell a stick
     refused: FitError | None = None
     aside: tuple[Aside, ...] = ()
 
@@ -83,17 +86,24 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
             )
         step = in_step(grid, contact.begin, contact.end)
         story = replace(story, step=step)
-        raw = speeds_of(sides_of(measured.tracks, contact, named))
+        sides = sides_of(measured.tracks, contact, named)
+        raw = speeds_of(sides)
         frames = frames_of(measured, raw, hints.flips, hints.zeros, hints.distance)
         plain = frames.axes == (Axis(1, 0.0), Axis(1, 0.0))
         axis = measured if plain else moved(measured, frames)
-        speeds = raw if plain else speeds_of(sides_of(axis.tracks, contact, named))
+        sides = sides if plain else sides_of(axis.tracks, contact, named)
+        speeds = raw if plain else speeds_of(sides)
         story = replace(story, frames=frames, speeds=speeds, measured=axis)
         check_push(speeds, step, contact, _frame(measured), measured.names)
-        outcome = outcome_of(speeds)
-        if (measured.own or frames.joined) and outcome == "bounce":
+        outcome, two, beside = outcome_of(speeds), measured.own or frames.joined, None
+        if two and outcome == "bounce":
             check_seen(speeds, measured.names)
-        return replace(story, outcome=outcome)
+        if outcome == "stick":
+            scale = SCALES * max(map(abs, speeds.v[2:])) if two else 0.0
+            beside = together(sides, scale)
+            if beside and not two and beside.opens(speeds.v[0] - speeds.v[1]):
+                outcome = "bounce"
+        return replace(story, outcome=outcome, together=beside)
     except FitError as error:
         return replace(story, refused=error)
 

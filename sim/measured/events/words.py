@@ -18,6 +18,10 @@ OUTCOMES = {
     "explosion": "An explosion: the carts were together and push each other apart. There is no "
     "bounciness.",
 }
+STUCK_PERHAPS = (
+    "After the contact the carts move on together, as far as these readings show: bounciness e is "
+    "below "
+)
 STEPS = {"nothing": "nothing that brakes", "friction": "friction", "tilt": "a tilt", "drag": "drag",
          "both": "friction and a tilt"}  # fmt: skip
 
@@ -25,6 +29,9 @@ STEPS = {"nothing": "nothing that brakes", "friction": "friction", "tilt": "a ti
 def of_story(story: Story, names: tuple[str, str]) -> list[str]:
     """Outcome, axes, other contacts, what brakes."""
     said = [OUTCOMES[story.outcome]] if story.outcome else []
+    if story.outcome == "stick" and story.together and story.speeds:
+        limit = story.together.below(story.speeds.v[0] - story.speeds.v[1])
+        said = [STUCK_PERHAPS + number(limit, 2) + "."] if limit else said
     said += story.frames.said if story.frames else ()
     others = [one for one in story.contacts if one != story.contact]
     if others and story.contact:

@@ -43,9 +43,13 @@ class Compared:
 
 
 def compare(
-    measured: Measured, plain: Fit, effects: Sequence[Effect] = ("friction", "tilt", "both")
+    measured: Measured,
+    plain: Fit,
+    effects: Sequence[Effect] = ("friction", "tilt", "both"),
+    wanted: Effect | None = None,
 ) -> list[Compared]:
-    """The plain fit, and the same with each effect that can be fitted."""
+    """The plain fit, and the same with each effect that can be fitted; both where either is called
+    for, or where they are `wanted`."""
     import numpy as np
     from scipy.special import fdtrc
 
@@ -54,7 +58,7 @@ def compare(
         asked = Asked(law=plain.asked.law, effect=effect, distance=plain.asked.distance)
         simpler = plain
         if effect == "both":
-            if (one := called_for(rows)) == "none":
+            if (one := called_for(rows)) == "none" and wanted != "both":
                 continue
             simpler = next(row.fit for row in rows if row.effect == one)
         try:
