@@ -47,14 +47,6 @@ def test_where_noise_hides_a_parting_e_is_told_as_below_a_limit(e: float) -> Non
     assert f"e is below {limit:.2f}" in next(o for o in told["untold"] if o["key"] == "e")["reason"]
 
 
-def test_a_parting_that_comes_later_counts_whole() -> None:
-    tau = np.linspace(0.05, 0.85, 41)
-    still = tau, np.zeros(41)
-    found = together([still, still, still, (tau, 0.2 + 0.05 * tau**2)])
-    assert found and found.low <= 0.006 and found.high >= 0.08
-    assert not found.opens(0.5)
-
-
 def test_too_few_common_instants_tell_nothing() -> None:
     early, late = np.array([0.1, 0.2, 0.3, 0.4]), np.array([0.35, 0.4, 0.5, 0.6])
     side = early, np.zeros(4)

@@ -13,6 +13,7 @@ import click
 
 from sim.cli.measured.given import cut, readings
 from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
+from sim.cli.measured.printed import ladder, strip
 from sim.cli.measured.units_said import units_said
 from sim.cli.measured.unused import OF_UNITS, only_of_positions, warn_of_model, warn_of_units
 from sim.cli.tables import table
@@ -20,7 +21,6 @@ from sim.cli.typed_options import typed
 from sim.cli.write_out import write_out
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.events.story import Hints
-from sim.measured.events.words import ladder, strip
 from sim.measured.model.fit import Fit
 from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 from sim.measured.events.momentum import Momentum
 from sim.measured.events.rungs import Rung
 from sim.measured.events.sides import Speeds
 from sim.measured.events.story import Story
-from sim.measured.events.stretch import Segment
 from sim.measured.words import number, places_for, with_half
 
 OUTCOMES = {
@@ -74,16 +70,6 @@ def of_rung(rung: Rung) -> str:
     return f"{begin}: your readings do not bear it out. They are missed {errors}."
 
 
-def ladder(rungs: Mapping[str, Any] | None) -> list[str]:
-    """The `rungs` of a report as text: the line stands where readings can no longer show it."""
-    if not rungs:
-        return []
-    shown = [row["sentence"] for row in rungs["rows"] if row["verdict"] != "not-shown"]
-    hidden = [row["sentence"] for row in rungs["rows"] if row["verdict"] == "not-shown"]
-    rows = [f"  {sentence}" for sentence in (*shown, rungs["line"], *hidden, rungs["taken"])]
-    return ["What do these readings call for? Each effect alone, largest first:", *rows]
-
-
 def _millimetres(metres: float) -> str:
     return f"{number(1e3 * metres, 2)} mm"
 
@@ -107,15 +93,3 @@ def of_momentum(found: Momentum) -> str:
         "uncertainty and what friction may take while the carts touch. Something else pushed, or a "
         "mass or a scale is wrong."
     )
-
-
-def strip(segments: tuple[Segment, ...], names: tuple[str, str]) -> list[str]:
-    """A line for each cart: rest 0.00–0.78 s, hand …"""
-    lines = []
-    for cart, name in enumerate(names):
-        parts = [
-            f"{one.kind} {one.begin:.2f}–{one.end:.2f} s" for one in segments if one.cart == cart
-        ]
-        if parts:
-            lines.append(f"{name}: {', '.join(parts)}")
-    return lines
