@@ -10,7 +10,7 @@ from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
 from sim.measured.as_tracker import tracker_text
 from sim.measured.events.quantities import with_loss
 from sim.measured.model.believable import believable
-from sim.measured.model.effects import Compared, called_for, left_over
+from sim.measured.model.effects import Compared, called_for, left_over, neighbours
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import Known, Untold, told
 from sim.measured.model.lasting import smoothed
@@ -37,7 +37,7 @@ def motion_report(
     masses = masses or {}
     names = measured.names
     mass = next(iter(masses.items()), None)
-    known, untold = believable(*told(fit, names, mass, smoothed(measured)))
+    known, untold = believable(*told(fit, names, mass, smoothed(measured, neighbours(fit))))
     judged = [
         with_loss(one, share) if share and one.key in ("mass_ratio", "mass") else one
         for one in known

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from sim.measured.analysis import analysed
 from sim.measured.model.known import Known
 from sim.measured.model.lasting import MAGNETS, SHAPES, by_any_law, smoothed
 from sim.measured.track import Track
 from sim.measured.tracks import Measured
+from tests.measured.makers import film, truth
 
 SURE = Known("duration", "the contact lasts", 0.1, 0.0999, 0.1001, 5e-5, "s")
 
@@ -41,11 +44,27 @@ def test_carts_that_lose_nothing_may_be_magnets_which_push_from_afar() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rate", "own", "least"), [(30, False, 0.0), (20, False, 0.35), (50, True, 0.14)]
+    ("rate", "own", "alike", "least"),
+    [(30, False, 0.1, 0.0), (20, False, 0.1, 0.35), (50, True, 0.1, 0.14), (50, False, 0.6, 0.14)],
 )
-def test_a_logger_may_have_made_a_contact_long_and_a_film_has_not(
-    rate: int, own: bool, least: float
+def test_a_logger_or_smoothing_may_have_made_a_contact_long_and_a_film_has_not(
+    rate: int, own: bool, alike: float, least: float
 ) -> None:
     t = tuple(k / rate for k in range(40))
     first, second = (Track(name, t, t, tuple(range(40))) for name in "AB")
-    assert smoothed(Measured("length", (first, second), (), own)) == pytest.approx(least)
+    assert smoothed(Measured("length", (first, second), (), own), alike) == pytest.approx(least)
+
+
+def means(track: Track) -> Track:
+    """The same with means over five readings, as loggers give them."""
+    whole = np.pad(np.array(track.value), 2, mode="edge")
+    return replace(track, value=tuple(np.convolve(whole, np.ones(5) / 5, "valid").tolist()))
+
+
+def test_of_smoothed_readings_under_a_films_heads_no_length_of_a_contact_is_told() -> None:
+    wanted = truth(mass=0.25, ratio=1.1, e=0.6, v=(0.5, 0.1), contact=0.03, after=1.0)
+    plain = film(wanted, 25, 5e-4, seed=3)
+    a, b = map(means, plain.tracks)
+    report = analysed(replace(plain, tracks=(a, b))).report
+    assert report["outcome"] == "bounce"
+    assert "duration" not in {one["key"] for one in report["known"]}

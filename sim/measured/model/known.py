@@ -20,8 +20,8 @@ WIDEST = 0.5
 
 
 BY_DEVICE = (
-    "few readings lie inside the contact, and a logger that gives means of its readings makes any "
-    "contact look as long. Take more readings per second, or film it"
+    "few readings lie inside the contact, and means of readings (a logger's, or of a film that was "
+    "smoothed) make any contact look as long. Take more readings per second, and do not smooth them"
 )
 
 
@@ -80,9 +80,11 @@ def told(
     lasts = _log(fit, "duration", "the contact lasts", fit.duration, duration, "s")
     if isinstance(lasts, Known):
         lasts = by_any_law(lasts, p.e, p.e + fit.factor * fit.sd("e"))
+    shortest = lasts.low if isinstance(lasts, Known) else fit.duration
+    by_device = min(shortest, fit.duration) < smoothed
     swing = _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s")
     for one in (lasts, swing):
-        short = isinstance(one, Known) and fit.duration < smoothed
+        short = isinstance(one, Known) and by_device
         _add(found, untold, Untold(one.key, one.name, BY_DEVICE) if short else one)
     for k, name in enumerate(names) if fit.asked.effect in RUBS else ():
         slopes = {f"friction{k + 1}": 1.0}
@@ -93,7 +95,7 @@ def told(
         slopes = {"tilt": 1.0}
         found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
     _masses(fit, names, mass, found, untold)
-    if fit.duration < smoothed and any(one.key == "k" for one in found):
+    if by_device and any(one.key == "k" for one in found):
         untold.append(next(Untold(one.key, one.name, BY_DEVICE) for one in found if one.key == "k"))
         found = [one for one in found if one.key != "k"]
     return found, untold

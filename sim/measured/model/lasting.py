@@ -42,11 +42,22 @@ FILM = 1.0 / 23.5
 """s. Films have 24 frames a second at least; what is read more seldom is a logger."""
 
 
-def smoothed(measured: Measured) -> float:
-    """s. A contact that seems shorter may be the logger's own smoothing; 0 for a film."""
+ALIKE = 0.35
+"""Correlation of neighbouring residuals from which readings may be means of several, also those of
+a film that somebody smoothed (as `effects.ALIKE`; means of three white errors have 0.67)."""
+
+
+def smoothed(measured: Measured, alike: float) -> float:
+    """s. A contact that is not surely longer may be smoothing alone; 0 for a film whose residuals
+    are not `alike` (correlation of neighbours)."""
+    frame = frame_of(measured)
+    return MEANS * frame if measured.own or frame > FILM or alike > ALIKE else 0.0
+
+
+def frame_of(measured: Measured) -> float:
+    """s. From one reading to the next."""
     gaps = sorted(b - a for one in measured.tracks for a, b in itertools.pairwise(one.t))
-    frame = gaps[len(gaps) // 2]
-    return MEANS * frame if measured.own or frame > FILM else 0.0
+    return gaps[len(gaps) // 2]
 
 
 def by_any_law(lasts: Known, e: float, highest: float) -> Known:
