@@ -52,3 +52,29 @@ def test_a_log_that_ends_before_they_meet_says_so() -> None:
 def test_carts_that_come_closer_to_their_sensors_are_an_explosion() -> None:
     found = analysed(read_measured([log(1, until=1.9, apart=True)])).report
     assert found["outcome"] == "explosion"
+
+
+def zeroed(seed: int, sign: int) -> str:
+    """Each sensor counts from its cart's start; the hands push to 0.5 and 0.1 m/s at one time, and
+    the carts, equals, meet and stick. `sign`: the way in which the second sensor counts."""
+    t = np.arange(0.0, 3.0, 0.025)
+    dice = np.random.default_rng(seed)
+    since = np.clip(t - 0.5, 0.0, None)
+    moved = np.where(since < PUSH, since**2 / (2 * PUSH), since - PUSH / 2)
+    after = np.clip(since - MEET, 0.0, None)
+    a, b = 0.5 * moved - 0.3 * after, sign * (0.1 * moved - 0.3 * after)
+    lines = ["Time (s),Position 1 (m),Position 2 (m)"]
+    for row in zip(t, a, b, strict=True):
+        noisy = (row[0], *(x + 3e-4 * dice.standard_normal() for x in row[1:]))
+        lines.append(",".join(f"{value:.4f}" for value in noisy))
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_carts_that_set_out_and_meet_unturned_were_not_parted_before(sign: int) -> None:
+    found = analysed(read_measured([zeroed(2, sign)])).report
+    assert found["outcome"] == "stick"
+    told = {row["key"]: row for row in found["known"]}
+    assert told["mass_ratio"]["low"] < 1.0 < told["mass_ratio"]["high"]
+    (contact,) = (row for row in found["contacts"] if row["chosen"])
+    assert contact["from"] < 0.5 + MEET < contact["until"]
