@@ -25,6 +25,7 @@ from sim.measured.model.brake_doubt import doubted, form_told
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
+from sim.measured.model.instant import perhaps_instant
 from sim.measured.model.known import Untold
 from sim.measured.model.unknowns import EFFECTS, RUBS, Effect
 from sim.measured.refusal import FitError, ReadingError
@@ -133,7 +134,8 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     """The model, no surer than its effect and the velocities; the reader's is theirs to judge."""
     if wanted.effect is not None:
         return made
-    effect, speeds, made = made.asked.effect, story.speeds, averaged(made, rows)
+    made = averaged(perhaps_instant(made, _thinned(_free(story), MOST_FITTED)), rows)
+    effect, speeds = made.asked.effect, story.speeds
     if effect == "none" or not (story.outcome and speeds and story.contact and story.step):
         return made
     seen, _ = told_of(story.outcome, speeds, story.contact, story.step, story.measured.names,
@@ -194,8 +196,7 @@ def _smooth(story: Story) -> bool:
 
 
 def _thinned(measured: Measured, readings: int) -> Measured:
-    most = max(len(track.t) for track in measured.tracks)
-    k = -(-most // readings)
+    k = -(-max(len(track.t) for track in measured.tracks) // readings)
     if k == 1:
         return measured
     a, b = (replace(one, t=one.t[::k], value=one.value[::k], lines=one.lines[::k])
@@ -211,9 +212,8 @@ def _chosen(rows: list[Compared], wanted: Wanted) -> Fit | None:
 def _white(made: Fit, story: Story) -> bool:
     """Whether the residuals are chance that lasts a few readings at most, or mere rounding."""
     reach = max(max(track.value) - min(track.value) for track in story.measured.tracks)
-    if made.noise < ROUNDING * reach:
-        return True
-    return neighbours(made) <= LASTING and not _smooth(story)
+    rounded = made.noise < ROUNDING * reach
+    return rounded or (neighbours(made) <= LASTING and not _smooth(story))
 
 
 def _brake_right(made: Fit | None) -> bool:
