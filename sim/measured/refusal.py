@@ -50,6 +50,13 @@ def of_readings(count: int) -> str:
     return "1 reading" if count == 1 else f"{count} readings"
 
 
+def only(count: int, whose: str, when: str) -> str:
+    """Of too few readings before or after a contact."""
+    return (
+        f"only {of_readings(count)} of {whose} {'lies' if count == 1 else 'lie'} {when} the contact"
+    )
+
+
 def shown(text: str) -> str:
     """What stood in the file, as a message shows it: one line of printable characters, short."""
     text = "".join(c if c.isprintable() else "·" for c in text.strip())

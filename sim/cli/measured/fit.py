@@ -31,6 +31,10 @@ from sim.measured.units import OFFERED, Units
 from sim.scene.quantity import LENGTH, TIME
 
 FILE = click.Path(dir_okay=False, path_type=Path)
+ASKED: dict[tuple[bool, bool], Effect] = {
+    (True, False): "friction", (False, True): "tilt", (True, True): "both",
+}  # fmt: skip
+"""By --friction and --tilt."""
 
 
 @click.command("fit")
@@ -152,8 +156,7 @@ def command(
     if measured.kind != "length":
         report = _forces(files[0], measured)
     else:
-        effect: Effect | None = "friction" if friction else "tilt" if tilt else None
-        effect = "both" if friction and tilt else effect
+        effect = ASKED.get((friction, tilt))
         found = analysed(
             measured,
             Wanted(

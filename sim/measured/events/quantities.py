@@ -128,7 +128,7 @@ def told_of(
         add("v_common", "common velocity after", lambda v: 0.5 * (v[2] + v[3]), "m/s")
         add("energy_lost", "energy lost per reduced mass", lambda v: 0.5 * (v[0] - v[1]) ** 2,
             "J/kg")  # fmt: skip
-        limit = beside and beside.below(speeds.v[0] - speeds.v[1])
+        limit = beside and beside.below(speeds.approach)
         reason = "the carts stay together: there is no rebound"
         if limit:
             reason = f"the carts stay together as far as readings show: e is below {limit:.2f}"
@@ -175,8 +175,7 @@ def _bounciness(speeds: Speeds, known: list[Known], beside: Together | None) -> 
     that the carts part, its e, and all that either allows."""
     one = _plain(speeds, "e", "bounciness e", lambda v: (v[3] - v[2]) / (v[0] - v[1] or 1e-12), "")
     if beside:
-        e, least, most = (w / (speeds.v[0] - speeds.v[1])
-                          for w in (beside.value, beside.low, beside.high))  # fmt: skip
+        e, least, most = (w / speeds.approach for w in (beside.value, beside.low, beside.high))
         one = replace(one, value=e, low=min(one.low, least), high=max(one.high, most))
         one = replace(one, sd=0.5 * (one.high - one.low) / HALF)
     low, high = max(one.low, 0.0), min(one.high, 1.0)

@@ -32,7 +32,7 @@ from sim.measured.events.rungs import (
     scatter_of,
 )
 from sim.measured.events.stretch import Segment
-from sim.measured.refusal import FitError, of_readings
+from sim.measured.refusal import FitError, only
 from sim.measured.track import Track
 
 if TYPE_CHECKING:
@@ -89,6 +89,11 @@ class Speeds:
     scatter: float  # m, root mean square of the readings beside the step that is taken
     alike: float  # correlation of neighbouring residuals
 
+    @property
+    def approach(self) -> float:
+        """m/s. How fast A came nearer to B."""
+        return self.v[0] - self.v[1]
+
 
 def sides_of(
     tracks: tuple[Track, Track], contact: Contact, named: Sequence[Segment]
@@ -106,10 +111,8 @@ def sides_of(
             kept &= t > contact.end + INSTANT if after else t < contact.begin - INSTANT
             if int(kept.sum()) < FEWEST:
                 when = "after" if after else "before"
-                lie = "lies" if int(kept.sum()) == 1 else "lie"
                 raise FitError(
-                    f"only {of_readings(int(kept.sum()))} of {track.name} {lie} {when} the contact "
-                    "and free of hands and stops",
+                    f"{only(int(kept.sum()), track.name, when)} and free of hands and stops",
                     "let the carts run on for half a second, or choose another contact",
                     "after-too-short" if after else "before-too-short",
                 )

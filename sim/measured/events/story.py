@@ -101,7 +101,7 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         if outcome == "stick":
             scale = SCALES * max(map(abs, speeds.v[2:])) if two else 0.0
             beside = together(sides, scale)
-            if beside and not two and beside.opens(speeds.v[0] - speeds.v[1]):
+            if beside and not two and beside.opens(speeds.approach):
                 outcome = "bounce"
         return replace(story, outcome=outcome, together=beside)
     except FitError as error:

@@ -26,7 +26,7 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
     """Outcome, axes, other contacts, what brakes."""
     said = [OUTCOMES[story.outcome]] if story.outcome else []
     if story.outcome == "stick" and story.together and story.speeds:
-        limit = story.together.below(story.speeds.v[0] - story.speeds.v[1])
+        limit = story.together.below(story.speeds.approach)
         said = [STUCK_PERHAPS + number(limit, 2) + "."] if limit else said
     said += story.frames.said if story.frames else ()
     others = [one for one in story.contacts if one != story.contact]

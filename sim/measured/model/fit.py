@@ -30,7 +30,7 @@ from sim.measured.model.guess import CALM, EACH_SIDE, guesses
 from sim.measured.model.motion import Motion, Parameters
 from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, RUBS, Effect, names_of, with_values
-from sim.measured.refusal import FitError, of_readings
+from sim.measured.refusal import FitError, only
 from sim.measured.rounding import EVEN, step_of
 from sim.measured.scatter import scatter_of
 from sim.measured.tracks import Measured
@@ -211,10 +211,10 @@ def _made(
     for cart, (before, after) in enumerate(sides, 1):
         if before < EACH_SIDE or after < EACH_SIDE:
             when, count = ("before", before) if before < EACH_SIDE else ("after", after)
-            lie = "lies" if count == 1 else "lie"
-            reason = f"only {of_readings(count)} of cart {cart} {lie} {when} the contact"
             code = "no-fit" if count else "no-contact"
-            raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}", code)
+            raise FitError(
+                only(count, f"cart {cart}", when), f"at least {EACH_SIDE} are needed; {CALM}", code
+            )
     counted = np.clip(residuals, -limit, limit)
     squares = float(counted @ counted)
     noise = math.sqrt(squares / freedom)

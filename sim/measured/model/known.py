@@ -83,9 +83,8 @@ def told(
     shortest = lasts.low if isinstance(lasts, Known) else fit.duration
     by_device = min(shortest, fit.duration) < smoothed
     swing = _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s")
-    for one in (lasts, swing):
-        short = isinstance(one, Known) and by_device
-        _add(found, untold, Untold(one.key, one.name, BY_DEVICE) if short else one)
+    _add(found, untold, _no_device(lasts, by_device))
+    _add(found, untold, _no_device(swing, by_device))
     for k, name in enumerate(names) if fit.asked.effect in RUBS else ():
         slopes = {f"friction{k + 1}": 1.0}
         what = f"deceleration of {name} by friction"
@@ -94,10 +93,7 @@ def told(
     if fit.asked.effect in LEANS:
         slopes = {"tilt": 1.0}
         found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
-    _masses(fit, names, mass, found, untold)
-    if by_device and any(one.key == "k" for one in found):
-        untold.append(next(Untold(one.key, one.name, BY_DEVICE) for one in found if one.key == "k"))
-        found = [one for one in found if one.key != "k"]
+    _masses(fit, names, mass, found, untold, by_device=by_device)
     return found, untold
 
 
@@ -114,6 +110,8 @@ def _masses(
     mass: tuple[str, float] | None,
     found: list[Known],
     untold: list[Untold],
+    *,
+    by_device: bool,
 ) -> None:
     """The other mass and k if one mass is given, else why they are not there."""
     if mass is None:
@@ -136,7 +134,12 @@ def _masses(
     slope = 1.0 / (1.0 + q) if other == 1 else -q / (1.0 + q)
     k = _log(fit, "k", "stiffness k", mu * fit.parameters.w0**2,
              {"ln_w0": 2.0, "ln_ratio": slope}, "N/m")  # fmt: skip
-    _add(found, untold, k)
+    _add(found, untold, _no_device(k, by_device))
+
+
+def _no_device(one: Known | Untold, by_device: bool) -> Known | Untold:
+    """What a logger may have made by itself is not told."""
+    return Untold(one.key, one.name, BY_DEVICE) if by_device and isinstance(one, Known) else one
 
 
 def _add(found: list[Known], untold: list[Untold], one: Known | Untold) -> None:

@@ -23,6 +23,8 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from sim.measured.model.effects import ALIKE
+
 if TYPE_CHECKING:
     from sim.measured.model.known import Known
     from sim.measured.tracks import Measured
@@ -42,14 +44,10 @@ FILM = 1.0 / 23.5
 """s. Films have 24 frames a second at least; what is read more seldom is a logger."""
 
 
-ALIKE = 0.35
-"""Correlation of neighbouring residuals from which readings may be means of several, also those of
-a film that somebody smoothed (as `effects.ALIKE`; means of three white errors have 0.67)."""
-
-
 def smoothed(measured: Measured, alike: float) -> float:
     """s. A contact that is not surely longer may be smoothing alone; 0 for a film whose residuals
-    are not `alike` (correlation of neighbours)."""
+    are not `alike` (correlation of neighbours): a film may have been smoothed, too, and means of
+    three white errors have 0.67."""
     frame = frame_of(measured)
     return MEANS * frame if measured.own or frame > FILM or alike > ALIKE else 0.0
 
