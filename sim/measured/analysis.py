@@ -26,7 +26,7 @@ from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.instant import perhaps_instant
-from sim.measured.model.known import Untold
+from sim.measured.model.quantity import Untold
 from sim.measured.model.unknowns import EFFECTS, RUBS, Effect
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.story_report import base_report, by_model, by_velocities

@@ -12,9 +12,10 @@ from sim.measured.events.quantities import with_loss
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared, called_for, left_over, neighbours
 from sim.measured.model.fit import Fit
-from sim.measured.model.known import Known, Untold, told
+from sim.measured.model.known import told
 from sim.measured.model.lasting import smoothed
 from sim.measured.model.motion import Motion
+from sim.measured.model.quantity import Known, Untold
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
 from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_loss

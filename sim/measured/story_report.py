@@ -14,7 +14,7 @@ from sim.measured.events.words import of_momentum, of_rung, of_scatter, of_story
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared
 from sim.measured.model.fit import Fit
-from sim.measured.model.known import Untold
+from sim.measured.model.quantity import Untold
 from sim.measured.refusal import FitError
 from sim.measured.report import FORMAT, motion_report, row_of
 from sim.measured.tracks import Measured

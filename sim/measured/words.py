@@ -16,7 +16,7 @@ from sim.measured.model.effects import (
     undecided,
 )
 from sim.measured.model.fit import Fit
-from sim.measured.model.known import Known
+from sim.measured.model.quantity import Known
 from sim.measured.model.unknowns import RUBS, Effect
 
 LAWS = {

@@ -8,8 +8,9 @@ from pathlib import Path
 import click
 import pytest
 
-from sim.cli.site.pack import LONGEST, pack_site, write_zip
+from sim.cli.site.pack import pack_site
 from sim.cli.site.site_folder import read
+from sim.cli.site.zip_file import LONGEST, write_zip
 from sim.pages.offline.open_me import _WORDS, NAME, open_me
 from tests.hosting.conftest import CACHE, ROOT
 from tests.web.conftest import OpenPage

@@ -11,7 +11,7 @@ from sim.measured.model.averaged import averaged
 from sim.measured.model.brake_doubt import doubted
 from sim.measured.model.effects import Compared, compare
 from sim.measured.model.fit import Asked, fit
-from sim.measured.model.known import Known
+from sim.measured.model.quantity import Known
 from tests.measured.makers import film, truth
 
 FAINT = truth(

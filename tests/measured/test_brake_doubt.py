@@ -9,7 +9,7 @@ import pytest
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.model.brake_doubt import HALF, TOLD, doubted, form_told
 from sim.measured.model.fit import Asked, Fit, fit
-from sim.measured.model.known import Known
+from sim.measured.model.quantity import Known
 from tests.measured.makers import film, truth
 
 DRAGGED = truth(

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from sim.measured.analysis import analysed
-from sim.measured.model.known import Known
 from sim.measured.model.lasting import MAGNETS, SHAPES, by_any_law, smoothed
+from sim.measured.model.quantity import Known
 from sim.measured.track import Track
 from sim.measured.tracks import Measured
 from tests.measured.makers import film, truth

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sim.measured.events.quantities import NOT_IN_STEP, TOO_WIDE, WIDEST, with_loss
-from sim.measured.model.known import Known, Untold
+from sim.measured.model.quantity import Known, Untold
 
 RATIO = Known("mass_ratio", "mass of B ÷ mass of A", 2.0, 1.9, 2.0 * 2.0 / 1.9, 0.05, "")
 OPEN = Known("mass_ratio", "mass of B ÷ mass of A", 2.0, 1.1, 2.0 * 2.0 / 1.1, 0.4, "")

@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 import tempfile
-import zipfile
-from contextlib import suppress
 from pathlib import Path
 
 import click
 
 from sim.cli.site import site_folder
 from sim.cli.site.build import build_site, mistakes_told
-from sim.cli.write_out import unwritten
+from sim.cli.site.zip_file import size_of, write_zip
 from sim.pages.classroom.scorm import scorm_files
 from sim.pages.language import of_page
 from sim.pages.offline.files import WORKER
 from sim.pages.offline.open_me import NAME as OPEN_ME
 from sim.pages.offline.open_me import open_me
-
-DATE = (1980, 1, 1, 0, 0, 0)  # equal sites give equal zips
-LONGEST = 120
-"""Characters of a path in the zip. Windows takes 260 with the folders around it."""
 
 KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.zip"}
 
@@ -106,11 +100,6 @@ def command(
         click.echo("Unpack it into a folder of a web server; any address will do.")
 
 
-def size_of(path: Path) -> str:
-    """The size as it is printed."""
-    return f"{path.stat().st_size / 1e6:.1f} MB"
-
-
 def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:
     """Write the zip of a built site; `scorm`: title and identifier of the package.
 
@@ -122,26 +111,3 @@ def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:
     if scorm:
         files |= scorm_files(*scorm, files)
     write_zip(files, out)
-
-
-def write_zip(files: dict[str, bytes], out: Path) -> None:
-    """Write the files; a path too long for Windows, or a place that is not ours, is a sentence."""
-    long = [name for name in files if len(name) > LONGEST]
-    if long:
-        raise click.ClickException(
-            f"{len(long[0])} characters are too long for Windows ({LONGEST} at most): {long[0]}\n"
-            "Give that file a shorter name."
-        )
-    whole = out.with_name(f"{out.name}.part")  # a full disk must leave no zip that is cut off
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
-            for name, content in files.items():
-                entry = zipfile.ZipInfo(name, DATE)
-                entry.external_attr = 0o644 << 16
-                archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
-        whole.replace(out)
-    except OSError as error:
-        with suppress(OSError):
-            whole.unlink(missing_ok=True)
-        raise unwritten(out, error, "carts pack --out FILE.zip") from None

@@ -11,6 +11,7 @@ import click
 from sim.cli.check import report
 from sim.cli.site.build import build_site
 from sim.cli.site.site_folder import SiteFolder
+from sim.cli.site.zip_file import size_of, write_zip
 
 if TYPE_CHECKING:
     from sim.pages.site.build import SiteBuild
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     """Build the site and write its lessons, one file each, into the zip `out`."""
-    from sim.cli.site.pack import size_of, write_zip
     from sim.pages.findings import Finding, SiteError
     from sim.pages.single.all_inside import runtime_scripts
     from sim.pages.single.of_lesson import single_lesson

@@ -20,7 +20,7 @@ from sim.measured.events.in_step import Step
 from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
 from sim.measured.events.sides import Speeds
 from sim.measured.events.together import Together
-from sim.measured.model.known import Known, Untold
+from sim.measured.model.quantity import Known, Untold
 
 LOSS = 0.018
 """Share of the push that friction in the contact takes at most. From nine weighed collisions on an

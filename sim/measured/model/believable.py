@@ -10,7 +10,8 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim.measured.model.known import WIDEST, Known, Untold
+from sim.measured.model.known import WIDEST
+from sim.measured.model.quantity import Known, Untold
 
 OPEN = "the readings leave it open"
 TOO_WIDE = f"{OPEN}: the interval is too wide"

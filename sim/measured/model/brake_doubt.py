@@ -17,8 +17,8 @@ from dataclasses import replace
 
 from sim.measured.events.brakes import Step
 from sim.measured.model.fit import Fit
-from sim.measured.model.known import Known
 from sim.measured.model.motion import Parameters
+from sim.measured.model.quantity import Known
 
 HALF = 0.5
 """Of a difference that is an error of form: as likely the one's as the other's."""

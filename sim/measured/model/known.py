@@ -8,11 +8,11 @@ comes out. With one mass from a balance both masses and k follow.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from sim.measured.model.fit import Fit
 from sim.measured.model.lasting import by_any_law
 from sim.measured.model.motion import GRAVITY
+from sim.measured.model.quantity import Known, Untold
 from sim.measured.model.unknowns import LEANS, RUBS
 
 WIDEST = 0.5
@@ -23,35 +23,6 @@ BY_DEVICE = (
     "few readings lie inside the contact, and means of readings (a logger's, or of a film that was "
     "smoothed) make any contact look as long. Take more readings per second, and do not smooth them"
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Known:
-    """A quantity with its 95 % interval, in `unit`."""
-
-    key: str
-    name: str
-    value: float
-    low: float
-    high: float
-    sd: float
-    unit: str
-    alone: tuple[float, float] | None = None
-    """The interval that the readings alone give, where more is counted."""
-
-    @property
-    def half(self) -> float:
-        """Half of the interval: what stands behind ±."""
-        return 0.5 * (self.high - self.low)
-
-
-@dataclass(frozen=True, slots=True)
-class Untold:
-    """A quantity that is not printed, and why."""
-
-    key: str
-    name: str
-    reason: str
 
 
 def told(

@@ -24,9 +24,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from sim.measured.model.effects import ALIKE
+from sim.measured.model.quantity import Known
 
 if TYPE_CHECKING:
-    from sim.measured.model.known import Known
     from sim.measured.tracks import Measured
 
 SHAPES = 0.29

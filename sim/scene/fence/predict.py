@@ -108,7 +108,7 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
                 Problem((*path, kind), "not-a-list", "choice lists two or more texts", HINT)
             )
             return None
-        _no_twins(body, (*path, kind), problems)
+        _all_differ(body, (*path, kind), problems)
         return Predict(kind="choice", ask=ask or said("What will happen?"), options=tuple(body))
     if not isinstance(body, str) or not body.strip():
         problems.append(Problem((*path, kind), "not-text", "text is the question to answer", HINT))
@@ -116,7 +116,7 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
     return Predict(kind="text", ask=body)
 
 
-def _no_twins(options: Sequence[str], path: Path, problems: list[Problem]) -> None:
+def _all_differ(options: Sequence[str], path: Path, problems: list[Problem]) -> None:
     """Two buttons with one text cannot be told apart, nor can what was predicted."""
     plain = [" ".join(option.split()) for option in options]
     for k, option in enumerate(plain):

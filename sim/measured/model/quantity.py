@@ -1,0 +1,34 @@
+"""A quantity that readings tell, or the reason why they do not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """A quantity with its 95 % interval, in `unit`."""
+
+    key: str
+    name: str
+    value: float
+    low: float
+    high: float
+    sd: float
+    unit: str
+    alone: tuple[float, float] | None = None
+    """The interval that the readings alone give, where more is counted."""
+
+    @property
+    def half(self) -> float:
+        """Half of the interval: what stands behind ±."""
+        return 0.5 * (self.high - self.low)
+
+
+@dataclass(frozen=True, slots=True)
+class Untold:
+    """A quantity that is not printed, and why."""
+
+    key: str
+    name: str
+    reason: str
