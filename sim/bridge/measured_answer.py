@@ -5,7 +5,8 @@
      "own": true}            whether the reader brought them; a lesson's own may be a question
     {"id": 9, "kind": "measured", "do": "model", …as read…, "law": "bumper", "hand": {…}}
     {"id": 10, "kind": "measured", "do": "fit", …as read…, "law": …, "effect": "friction",
-     "distance": null, "masses": {"A": 0.5}}     effect "called": what the readings call for
+     "distance": null, "together": false, "masses": {"A": 0.5}}
+                                    effect "called": what the readings call for
     {"id": 11, "kind": "measured", "do": "tracker", …as fit…}
     {"id": 12, "kind": "measured", "do": "segments", …as read…, "segments": […]}
     {"id": 13, "kind": "measured", "do": "unzip", "zip": "UEsDB…"}      base64
@@ -128,7 +129,8 @@ def _analysed(request: Mapping[str, Any]) -> tuple[Measured, Analysis]:
     masses = {name: float(weighed[name]) for name in measured.names if weighed.get(name)}
     # Of a lesson's readings they are named on request only: which one is missing is to be found.
     every = _named(request)
-    hints = Hints(distance=request.get("distance"), segments=_given(request, measured.names))
+    hints = Hints(distance=request.get("distance"), together=bool(request.get("together")),
+                  segments=_given(request, measured.names))  # fmt: skip
     found = analysed(measured, Wanted(
         law=_law(request), effect=effect, every=every, masses=masses, hints=hints,
     ))  # fmt: skip

@@ -85,6 +85,8 @@ ASKED: dict[tuple[bool, bool], Effect] = {
     metavar="LENGTH",
     help="Distance of the two marks when the bumpers just touch, for example 21.5 cm.",
 )
+@click.option("--together", is_flag=True, help="You saw that the carts stayed together: where a "
+              "sensor lost one of them, the other one tells its velocity.")  # fmt: skip
 @click.option("--run", metavar="NUMBER", default="",
               help="Of several runs in a log, this one; default: the first.")  # fmt: skip
 @click.option("--from", "begin", metavar="TIME", help="Leave readings before this time out.")
@@ -112,6 +114,7 @@ def command(
     zeros: tuple[str, ...],
     masses: tuple[str, ...],
     touch: str | None,
+    together: bool,
     begin: str | None,
     end: str | None,
     length: str,
@@ -149,6 +152,7 @@ def command(
         flips=named("--flip", flips, measured.names),
         zeros=of_names("--zero", zeros, measured.names, LENGTH, "A=12.5cm"),
         distance=quantity("--touch", touch, LENGTH),
+        together=together,
         segments=segments("--segment", spans, measured.names),
     )
     refused: FitError | None = None

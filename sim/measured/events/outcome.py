@@ -51,6 +51,11 @@ loss."""
 AT_REST = 0.06
 """Share of the greatest velocity below which a cart stands still."""
 
+SAY_TOGETHER = (
+    "let the carts meet nearer to the middle, so that both run on within reach; or, if you saw "
+    "that they stayed together, say so (--together, or the box on the page)"
+)
+
 
 def outcome_of(speeds: Speeds) -> Outcome:
     """What happened; raises FitError where no contact gives such velocities."""
@@ -91,9 +96,15 @@ def spread(speeds: Speeds, slopes: Sequence[float]) -> float:
 
 
 def check_push(
-    speeds: Speeds, step: Step, contact: Contact, frame: float, names: tuple[str, str]
+    speeds: Speeds,
+    step: Step,
+    contact: Contact,
+    frame: float,
+    names: tuple[str, str],
+    lost: int | None = None,
 ) -> None:
-    """Raises FitError if something else pushed, or a sensor lost its cart. `frame`: s."""
+    """Raises FitError if something else pushed, or a sensor lost its cart. `frame`: s; `lost`: the
+    cart of which the reader says so."""
     v = speeds.v
     for k, name in enumerate(names):
         sd = spread(speeds, [(-1.0, 0, 1.0, 0), (0, -1.0, 0, 1.0)][k])
@@ -103,7 +114,8 @@ def check_push(
                 "a faster push, or more readings beside the contact",
                 "no-change",
             )
-    _in_time(speeds, step, contact, frame, names)
+    if lost is None:
+        _in_time(speeds, step, contact, frame, names)
 
 
 def _in_time(
@@ -121,7 +133,7 @@ def _in_time(
             f"{names[late]} stands still after the contact, but stops {abs(step.lag):.2f} s later "
             f"than the other cart's velocity changes: its sensor lost it (the end of what it can "
             "read), or something else held it. Its velocity after the contact is not in the file",
-            "let the carts meet nearer to the middle, so that both run on within reach",
+            SAY_TOGETHER,
             "lost-after",
         )
     if sure > 2.0 * least or step.surely > APART:
@@ -133,21 +145,25 @@ def _in_time(
         )
 
 
-def check_seen(speeds: Speeds, names: tuple[str, str]) -> None:
-    """Of two sensors: raises FitError where a standing cart may as well be one that is not seen.
-
-    A cart that comes and then stands still has met one of 1/e times its mass, or has left
-    what its sensor can read, as a cart that sticks does while it moves on with the other.
-    """
+def perhaps_lost(speeds: Speeds) -> int | None:
+    """Which cart comes and then stands still while the other moves on. It has met one of 1/e times
+    its mass, or has left what its sensor can read, as a cart that sticks does."""
     v, greatest = speeds.v, max(map(abs, speeds.v))
-    e = (v[3] - v[2]) / (v[0] - v[1])
-    for k, name in enumerate(names):
+    for k in (0, 1):
         rests = abs(v[k + 2]) < AT_REST * greatest < abs(v[k])
-        if rests and abs(v[3 - k]) > AT_REST * greatest and e < ELASTIC:
-            raise FitError(
-                f"{name} comes, and after the contact its readings stand still while the other "
-                "cart moves on: it may have stopped, or its sensor has lost it while both move on "
-                "together. These readings do not tell which",
-                "let the carts meet nearer to the middle, so that both run on within reach",
-                "perhaps-lost",
-            )
+        if rests and abs(v[3 - k]) > AT_REST * greatest:
+            return k
+    return None
+
+
+def check_seen(speeds: Speeds, names: tuple[str, str]) -> None:
+    """Of two sensors: raises FitError where a standing cart may as well be one that is not seen."""
+    v, lost = speeds.v, perhaps_lost(speeds)
+    if lost is not None and (v[3] - v[2]) / (v[0] - v[1]) < ELASTIC:
+        raise FitError(
+            f"{names[lost]} comes, and after the contact its readings stand still while the other "
+            "cart moves on: it may have stopped, or its sensor has lost it while both move on "
+            "together. These readings do not tell which",
+            SAY_TOGETHER,
+            "perhaps-lost",
+        )

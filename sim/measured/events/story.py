@@ -10,14 +10,14 @@ from sim.measured.events.contacts import Contact, chosen, contacts, where_near
 from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
-from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
+from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of, perhaps_lost
 from sim.measured.events.pushed_off import by_hands
 from sim.measured.events.quantities import SCALES
 from sim.measured.events.segments import segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
 from sim.measured.events.stretch import Segment
 from sim.measured.events.tails import with_tail
-from sim.measured.events.together import Together, together
+from sim.measured.events.together import Together, seen_by_one, together
 from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -31,6 +31,7 @@ class Hints:
     flips: tuple[str, ...] = ()
     zeros: Mapping[str, float] = field(default_factory=dict)
     distance: float | None = None
+    together: bool = False  # the carts stayed together, whatever a sensor that lost one tells
     segments: tuple[Given, ...] = ()
 
 
@@ -47,6 +48,7 @@ class Story:
     step: Step | None = None
     outcome: Outcome | None = None
     together: Together | None = None  # where the velocities alone tell a stick
+    lost: int | None = None  # the cart of which a reader says that the other tells its velocity
     refused: FitError | None = None
     aside: tuple[Aside, ...] = ()
 
@@ -93,12 +95,21 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         axis = measured if plain else moved(measured, frames)
         sides = sides if plain else sides_of(axis.tracks, contact, named)
         speeds = raw if plain else speeds_of(sides)
-        story = replace(story, frames=frames, speeds=speeds, measured=axis)
-        check_push(speeds, step, contact, _frame(measured), measured.names)
-        outcome, two, beside = outcome_of(speeds), measured.own or frames.joined, None
+        two = measured.own or frames.joined
+        lost = perhaps_lost(speeds) if two and hints.together else None
+        speeds = speeds if lost is None else seen_by_one(speeds, lost)
+        story = replace(story, frames=frames, speeds=speeds, measured=axis, lost=lost)
+        check_push(speeds, step, contact, _frame(measured), measured.names, lost)
+        outcome, beside = outcome_of(speeds), None
+        if hints.together and outcome != "stick":
+            raise FitError(
+                "you say that the carts stayed together, but both are seen to part",
+                "leave that out",
+                "parted",
+            )
         if two and outcome == "bounce":
             check_seen(speeds, measured.names)
-        if outcome == "stick":
+        if outcome == "stick" and lost is None:
             scale = SCALES * max(map(abs, speeds.v[2:])) if two else 0.0
             beside = together(sides, scale)
             if beside and not two and beside.opens(speeds.approach):

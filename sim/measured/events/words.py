@@ -28,6 +28,12 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
     if story.outcome == "stick" and story.together and story.speeds:
         limit = story.together.below(story.speeds.approach)
         said = [STUCK_PERHAPS + number(limit, 2) + "."] if limit else said
+    if story.lost is not None:
+        said.append(
+            f"The velocity of {names[story.lost]} after the contact is that of "
+            f"{names[1 - story.lost]}: you say that they stayed together. So these readings do not "
+            "test that."
+        )
     said += story.frames.said if story.frames else ()
     others = [one for one in story.contacts if one != story.contact]
     if others and story.contact:

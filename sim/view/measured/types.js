@@ -25,6 +25,6 @@
  *
  * What a reader has done here, as it is kept:
  * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, run?: string, from: string, until: string,
- *   law: string, effect: string, distance: string, masses: string[], segments?: Given[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
+ *   law: string, effect: string, distance: string, masses: string[], together?: boolean, segments?: Given[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
  */
 export {};

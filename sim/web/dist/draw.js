@@ -11272,6 +11272,7 @@ ${table3(facts)}
 <p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option><option value="both">friction and a tilt</option><option value="called">what the readings call for</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
 <p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
+<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> I saw that the carts stayed together</label> <span class="carts-quiet">where a sensor lost one of them</span></p>
 <p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
 </div>`;
   }

@@ -1606,6 +1606,7 @@
       this.law = find("law");
       this.effect = find("effect");
       this.distance = find("distance");
+      this.together = find("together");
       this.run = /** @type {HTMLSelectElement} */
       need(root, ".carts-measured-run");
       this.place = need(root, ".carts-measured-masses");
@@ -1619,7 +1620,7 @@
       for (const input of [...this.units, this.run, this.from, this.until]) {
         input.addEventListener("change", () => changed(true));
       }
-      for (const input of [this.law, this.effect, this.distance]) {
+      for (const input of [this.law, this.effect, this.distance, this.together]) {
         input.addEventListener("change", () => changed(false));
       }
     }
@@ -1665,6 +1666,7 @@
     clear(effect) {
       this.effect.value = effect;
       for (const box of [...this.#masses, this.distance]) box.value = "";
+      this.together.checked = false;
       this.#wanted = "";
       this.run.replaceChildren();
       this.from.value = "";
@@ -1684,6 +1686,7 @@
       this.law.value = kept.law;
       this.effect.value = kept.effect;
       this.distance.value = kept.distance;
+      this.together.checked = kept.together ?? false;
       this.named(this.#names);
       for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
     }
@@ -1717,6 +1720,7 @@
         law: this.law.value,
         effect: this.effect.value,
         distance: this.distance.value,
+        together: this.together.checked,
         masses: this.#masses.map((box) => box.value)
       };
     }
@@ -1735,6 +1739,7 @@
         law: this.law.value,
         effect: this.effect.value,
         distance: number(this.distance),
+        together: this.together.checked,
         masses
       };
     }

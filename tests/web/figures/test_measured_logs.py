@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
+from tests.measured.device_reports import lost_at_the_touch
 from tests.measured.devices import Motion, phone, sensor_carts
 from tests.measured.several_runs import below
 from tests.web.conftest import OpenPage
@@ -71,3 +72,19 @@ def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPa
     expect(run).to_have_value("2")  # a span is of the run that was chosen
     choose(page, "one.csv", logs[0].removeprefix("\ufeff"))
     expect(run).to_be_hidden()
+
+
+@pytest.mark.one_browser
+def test_who_saw_that_the_carts_stayed_together_gets_the_ratio_all_the_same(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    choose(page, "log.csv", lost_at_the_touch(1.6).removeprefix("\ufeff"))
+    page.locator(".carts-measured-fit").click()
+    refusal = page.locator(".carts-measured-faults")
+    expect(refusal).to_contain_text("its sensor", timeout=STARTS)
+    page.get_by_label("I saw that the carts stayed together").check()
+    page.locator(".carts-measured-fit").click()
+    expect(page.locator(".carts-measured-result")).to_contain_text("The carts stick")
+    expect(refusal).to_be_hidden()

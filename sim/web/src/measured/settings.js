@@ -28,6 +28,7 @@ export class Settings {
     this.law = find("law");
     this.effect = find("effect");
     this.distance = find("distance");
+    this.together = find("together");
     this.run = /** @type {HTMLSelectElement} */ (need(root, ".carts-measured-run"));
     this.place = need(root, ".carts-measured-masses");
     /** @type {HTMLSelectElement[]} */
@@ -38,7 +39,7 @@ export class Settings {
     for (const input of [...this.units, this.run, this.from, this.until]) {
       input.addEventListener("change", () => changed(true));
     }
-    for (const input of [this.law, this.effect, this.distance]) {
+    for (const input of [this.law, this.effect, this.distance, this.together]) {
       input.addEventListener("change", () => changed(false));
     }
   }
@@ -83,6 +84,7 @@ export class Settings {
   clear(effect) {
     this.effect.value = effect;
     for (const box of [...this.#masses, this.distance]) box.value = "";
+    this.together.checked = false;
     this.#wanted = "";
     this.run.replaceChildren();
     this.from.value = "";
@@ -101,6 +103,7 @@ export class Settings {
     this.law.value = kept.law;
     this.effect.value = kept.effect;
     this.distance.value = kept.distance;
+    this.together.checked = kept.together ?? false;
     this.named(this.#names);
     for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
   }
@@ -137,6 +140,7 @@ export class Settings {
       law: this.law.value,
       effect: this.effect.value,
       distance: this.distance.value,
+      together: this.together.checked,
       masses: this.#masses.map((box) => box.value),
     };
   }
@@ -159,6 +163,7 @@ export class Settings {
       law: this.law.value,
       effect: this.effect.value,
       distance: number(this.distance),
+      together: this.together.checked,
       masses,
     };
   }
