@@ -11253,7 +11253,7 @@ ${table3(facts)}
 <p class="carts-measured-row">${choices}</p>
 <p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
 <p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
-<div role="alert"><ul class="carts-measured-faults"></ul></div>
+<div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
   }
   function film() {
@@ -11273,6 +11273,7 @@ ${table3(facts)}
 <p class="carts-measured-row carts-measured-masses"></p>
 <p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
 <p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> I saw that the carts stayed together</label> <span class="carts-quiet">where a sensor lost one of them</span></p>
+<div role="alert"><ul class="carts-measured-faults carts-measured-unfitted"></ul></div>
 <p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
 </div>`;
   }

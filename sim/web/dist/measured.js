@@ -1551,16 +1551,19 @@
       );
       fence.value = report.fence;
     }
-    refuse(name, faults, unread) {
+    refuse(name, faults, { unread = false, fit = false } = {}) {
       const whose = unread ? Source.notRead(name) : "";
-      this.#part("faults").replaceChildren(
-        ...faults.map(({ line, reason, hint: hint2 }, k) => {
-          const row = document.createElement("li");
-          const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
-          row.textContent = `${where}${Source.told(name, reason)}${hint2 ? ` (${hint2})` : ""}`;
-          return row;
-        })
-      );
+      const rows = faults.map(({ line, reason, hint: hint2 }, k) => {
+        const row = document.createElement("li");
+        const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
+        row.textContent = `${where}${Source.told(name, reason)}${hint2 ? ` (${hint2})` : ""}`;
+        return row;
+      });
+      this.#part("unfitted").replaceChildren(...fit ? rows : []);
+      if (!fit) this.#part("unread").replaceChildren(...rows);
+    }
+    turn() {
+      this.#part("unfitted").firstElementChild?.scrollIntoView({ block: "center" });
     }
     note(textContent) {
       Object.assign(need(this.root, ".carts-note"), { hidden: !textContent, textContent });
@@ -2154,7 +2157,7 @@
         try {
           const found = await this.#asking.newest(what, more);
           if (!found) return false;
-          this.#refuse(found.refused ?? [], what === "read");
+          this.#refuse(found.refused ?? [], { unread: what === "read", fit: what !== "read" });
           const story = found.report ?? found;
           if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
           if (found.refused) return false;
@@ -2217,7 +2220,7 @@
         });
       }
       fit(compare = false) {
-        this.complete = this.#fit(compare);
+        this.complete = this.#fit(compare).then(() => this.picture?.turn());
         return this.complete;
       }
       async #fit(compare) {
@@ -2253,8 +2256,8 @@
         );
         this.picture?.told(found.report);
       }
-      #refuse(faults, unread = false) {
-        this.picture?.refuse(this.#name, faults, unread);
+      #refuse(faults, what = {}) {
+        this.picture?.refuse(this.#name, faults, what);
       }
       #note(text2) {
         this.picture?.note(`Python cannot do this here: ${text2}`);

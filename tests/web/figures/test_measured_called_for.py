@@ -84,6 +84,6 @@ def test_a_workbook_that_is_dropped_is_called_one(benches: Path, open_page: Open
     page.locator(".carts-measured-file").set_input_files(
         [{"name": "ours.xlsx", "mimeType": "application/zip", "buffer": book.getvalue()}]
     )
-    faults = page.locator(".carts-measured-faults")
+    faults = page.locator(".carts-measured-unread")
     expect(faults).to_contain_text("ours.xlsx was not read: this is a workbook", timeout=STARTS)
     expect(faults).to_contain_text("as CSV")

@@ -48,7 +48,7 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
     page = opened(open_page, benches / "empty.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     choose(page, "our film.txt", TRACKER)
-    faults = page.locator(".carts-measured-faults")
+    faults = page.locator(".carts-measured-unread")
     expect(faults).to_contain_text(
         "Choose what times are in and what lengths are in", timeout=STARTS
     )
@@ -155,7 +155,7 @@ def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
     units(page)
     page.locator(".carts-measured-grid tr").nth(4).locator("input").nth(1).fill("near")
     page.locator(".carts-measured-typed-take").click()
-    faults = page.locator(".carts-measured-faults")
+    faults = page.locator(".carts-measured-unread")
     expect(faults).to_contain_text("row 4: “near” is not a number", timeout=STARTS)
     page.locator(".carts-measured-grid tr").nth(4).locator("input").nth(1).fill("0,5")
     page.locator(".carts-measured-typed-take").click()

@@ -138,7 +138,7 @@ export function measuredElement(client, base) {
       try {
         const found = await this.#asking.newest(what, more);
         if (!found) return false;
-        this.#refuse(found.refused ?? [], what === "read");
+        this.#refuse(found.refused ?? [], { unread: what === "read", fit: what !== "read" });
         const story = found.report ?? found; // a refused fit has one too
         if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
         if (found.refused) return false;
@@ -200,7 +200,7 @@ export function measuredElement(client, base) {
 
     /** Fits the model and shows what it says. @param {boolean} compare with every effect */
     fit(compare = false) {
-      this.complete = this.#fit(compare);
+      this.complete = this.#fit(compare).then(() => this.picture?.turn());
       return this.complete;
     }
 
@@ -234,9 +234,9 @@ export function measuredElement(client, base) {
       this.picture?.told(found.report);
     }
 
-    /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread */
-    #refuse(faults, unread = false) {
-      this.picture?.refuse(this.#name, faults, unread);
+    /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {{unread?: boolean, fit?: boolean}} what */
+    #refuse(faults, what = {}) {
+      this.picture?.refuse(this.#name, faults, what);
     }
 
     /** @param {string} text */

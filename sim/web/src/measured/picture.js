@@ -122,17 +122,22 @@ export class Picture {
     fence.value = report.fence;
   }
 
-  /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {boolean} unread the picture is still that of earlier ones */
-  refuse(name, faults, unread) {
+  /** Readings that cannot be read say so where they come from, a fit that cannot be made where it was asked for. @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {{unread?: boolean, fit?: boolean}} what unread: the picture is still that of earlier ones */
+  refuse(name, faults, { unread = false, fit = false } = {}) {
     const whose = unread ? Source.notRead(name) : "";
-    this.#part("faults").replaceChildren(
-      ...faults.map(({ line, reason, hint }, k) => {
-        const row = document.createElement("li");
-        const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
-        row.textContent = `${where}${Source.told(name, reason)}${hint ? ` (${hint})` : ""}`;
-        return row;
-      }),
-    );
+    const rows = faults.map(({ line, reason, hint }, k) => {
+      const row = document.createElement("li");
+      const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
+      row.textContent = `${where}${Source.told(name, reason)}${hint ? ` (${hint})` : ""}`;
+      return row;
+    });
+    this.#part("unfitted").replaceChildren(...(fit ? rows : []));
+    if (!fit) this.#part("unread").replaceChildren(...rows);
+  }
+
+  /** To a refused fit, if there is one: what was found above may have pushed it out of sight. */
+  turn() {
+    this.#part("unfitted").firstElementChild?.scrollIntoView({ block: "center" });
   }
 
   /** @param {string} textContent "" where there is nothing to say (any more) */
