@@ -51,7 +51,8 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
         problems += _misspelt(table, path)
         return None
     known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
-    unknown_keys(table, known, path, problems, a_list=_missing_list(kind, table))
+    a_list = _missing_list(kind, table)
+    unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=kind.ELSEWHERE)
     question = kind.read(table, common, path, problems)
     return question if len(problems) == before else None
 

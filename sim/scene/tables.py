@@ -22,7 +22,8 @@ def mapping(
     """`value` if it is a table of keys, else None and a problem."""
     if isinstance(value, Mapping):
         return value
-    shown = "nothing" if value is None else f"“{str(value)[:40]}”"
+    a_list = isinstance(value, (list, tuple))
+    shown = "nothing" if value is None else "a list" if a_list else f"“{str(value)[:40]}”"
     problems.append(Problem(path, "not-a-table", f"expected keys here, found {shown}", hint))
     return None
 
@@ -34,9 +35,11 @@ def unknown_keys(
     problems: list[Problem],
     *,
     a_list: str = "",
+    elsewhere: Mapping[str, str] | None = None,
 ) -> None:
     """One problem for each key of `table` that is not in `known`. `a_list`: the one key whose list
-    is missing: an unknown list is meant to be that one, whatever it is called."""
+    is missing: an unknown list is meant to be that one, whatever it is called. `elsewhere`: hints
+    for what is said in another way here."""
     empty = ""  # the known key above that has nothing: what belongs below it may stand too far left
     for key in table:
         if key in known:
@@ -55,7 +58,9 @@ def unknown_keys(
             listed = f"known keys: {', '.join(known)}"
             home = empty or _home_of(table[key], table, known)
             further = f"what belongs to “{home}:” begins two spaces further right"
-            hint = did_you_mean(key, known, further if home else listed)
+            hint = (elsewhere or {}).get(key) or did_you_mean(
+                key, known, further if home else listed
+            )
             if a_list and isinstance(table[key], (list, tuple)):
                 hint = meant(a_list)
             if ":" in str(key):

@@ -1,13 +1,14 @@
 """A list under a wrong name is the one that its question needs. Before, `items:` in an ordering was
-answered “did you mean minutes?”.
+answered “did you mean minutes?”. And what a hint shows can be copied.
 """
 
 from __future__ import annotations
 
 import pytest
+import yaml
 
 from sim.lesson.problems import LessonError
-from sim.lesson.read import read_question
+from sim.lesson.read import KINDS, read_question
 
 
 def hints(**keys: object) -> list[str]:
@@ -31,3 +32,13 @@ def test_so_are_answers_and_pairs() -> None:
 def test_where_the_list_is_there_another_one_is_a_misspelt_key() -> None:
     assert hints(type="ordering", order=["a", "b", "c"], hint=["x"]) == ["did you mean “hints”?"]
     assert hints(type="long", minute=["a"]) == ["did you mean “minutes”?"]
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in {"confidence", "idea"}])
+def test_what_the_hints_show_makes_a_question_without_a_mistake(kind: str) -> None:
+    bare = {"id": "q", "ask": "?", "type": kind}
+    with pytest.raises(LessonError) as caught:
+        read_question(bare)
+    for problem in caught.value.problems:
+        bare |= yaml.safe_load(problem.hint)
+    assert kind == read_question(bare).KIND

@@ -8,9 +8,11 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson.keys import Key
 from sim.lesson.kinds.options import (
+    ELSEWHERE,
     OPTIONS,
     Option,
     beliefs_of,
+    nothing_right,
     options_of_key,
     read_options,
     texts_of,
@@ -27,6 +29,7 @@ class Single(Question):
     KIND: ClassVar[str] = "single"
     SAYS: ClassVar[str] = "choose one answer"
     KEYS: ClassVar[tuple[Key, ...]] = (OPTIONS,)
+    ELSEWHERE: ClassVar[Mapping[str, str]] = ELSEWHERE
     options: tuple[Option, ...]
 
     @classmethod
@@ -36,7 +39,7 @@ class Single(Question):
         """Two or more options, exactly one of them right."""
         options = read_options(table, path, problems)
         count = sum(option.correct for option in options)
-        if options and count != 1:
+        if count > 1 or nothing_right(options, path, problems):
             what = "no option is right" if not count else f"{count} options are right"
             problems.append(
                 Problem(
@@ -114,7 +117,7 @@ class Multiple(Single):
     ) -> Self:
         """Two or more options, at least one of them right."""
         options = read_options(table, path, problems)
-        if options and not any(option.correct for option in options):
+        if nothing_right(options, path, problems):
             problems.append(
                 Problem(
                     (*path, "options"),

@@ -24,6 +24,8 @@ OPTION_KEYS = (
     Key("id", "name of the answer; default: its letter", "b"),
 )  # fmt: skip
 _HINT = "options:\n    - {text: They are equal., correct: true}\n    - {text: A pushes harder.}"
+RIGHT = "write correct: true at the right option: {text: They are equal., correct: true}"
+ELSEWHERE = dict.fromkeys(("answer", "correct", "right", "solution"), RIGHT)
 OPTIONS = Key(
     "options",
     "the answers, in the order in which they stand there: A, B, C …",
@@ -95,12 +97,18 @@ def read_options(
     return tuple(options)
 
 
+def nothing_right(options: tuple[Option, ...], path: Path, problems: list[Problem]) -> bool:
+    """Whether no option is right, and it was not said in another place either."""
+    said = any(one.hint == RIGHT and one.path[: len(path)] == path for one in problems)
+    return bool(options) and not said and not any(option.correct for option in options)
+
+
 def _option(entry: object, letter: str, path: Path, problems: list[Problem]) -> Option | None:
     table = {"text": entry} if isinstance(entry, (str, int)) else entry
     if not isinstance(table, Mapping):
         problems.append(Problem(path, "not-a-table", "an option is a text or a table", _HINT))
         return None
-    unknown_keys(table, keys.names(OPTION_KEYS), path, problems)
+    unknown_keys(table, keys.names(OPTION_KEYS), path, problems, elsewhere=ELSEWHERE)
     belief = read_belief(table, path, problems)
     correct = keys.flag(table, "correct", path, problems, default=False)
     if correct and belief:

@@ -89,6 +89,7 @@ class Table(Question):
         if not 2 <= len(set(columns)) == len(columns) <= MOST:
             message = f"columns lists 2 to {MOST} different heads"
             problems.append(Problem((*path, "columns"), "not-a-list", message, "columns: [a, b]"))
+            return cls(common=common, columns=columns, rows=(), plot=None)
         rows = []
         for k, row in enumerate(listed):
             here = (*path, "rows", k)
@@ -97,7 +98,9 @@ class Table(Question):
                 problems.append(Problem(here, "wrong-count", message, HINT))
                 continue
             rows.append(tuple(_cell(cell, (*here, c), problems) for c, cell in enumerate(row)))
-        if listed and not any(isinstance(cell, Open) for row in rows for cell in row):
+        if len(rows) == len(listed) > 0 and not any(
+            isinstance(cell, Open) for row in rows for cell in row
+        ):
             message = "no cell is left to fill in"
             problems.append(Problem((*path, "rows"), "missing", message, HINT))
         plot = _plot(table, columns, rows, path, problems)

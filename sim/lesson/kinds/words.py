@@ -101,6 +101,7 @@ class Short(Long):
     """A few words. With `accept` the page can tell right from wrong, else a person reads it."""
 
     KIND: ClassVar[str] = "short"
+    ELSEWHERE: ClassVar[Mapping[str, str]] = {"answer": "write accept: [zero, 0 N]"}
     SAYS: ClassVar[str] = "write a few words"
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("accept", "right answers; capitals, spaces and punctuation do not count, but for the "
@@ -125,7 +126,7 @@ class Short(Long):
         accept = read_accept(table, path, problems)
         return cls(
             common=common,
-            rubric=_rubric(table, path, problems, required=not accept),
+            rubric=_rubric(table, path, problems, required=not accept and "answer" not in table),
             start=keys.text(table, "start", path, problems) or "",
             words=keys.texts(table, "words", path, problems, "words: [equal, pair]"),
             accept=accept,
@@ -193,13 +194,15 @@ def _rubric_of_key(row: Mapping[str, Any], common: Common) -> Mapping[int, str]:
 def _rubric(
     table: Mapping[str, Any], path: Path, problems: list[Problem], *, required: bool
 ) -> Mapping[int, str]:
-    hint = "rubric:\n    2: names both forces and says that they are equal\n    0: anything else"
+    hint = "rubric:\n    1: says that the two forces are equal\n    0: anything else"
     if "rubric" not in table:
         if required:
             message = "rubric is missing: every text question says what its marks are given for"
             problems.append(Problem(path, "missing", message, hint))
         return {}
-    rows = mapping(table["rubric"], (*path, "rubric"), problems, hint) or {}
+    rows = mapping(table["rubric"], (*path, "rubric"), problems, hint)
+    if rows is None:
+        return {}
     found = {}
     for key, value in rows.items():
         if not str(key).isdecimal() or not isinstance(value, (str, int)):
