@@ -7,6 +7,7 @@ from typing import Any
 
 from sim.classroom.files.keyed import read_key_file
 from sim.classroom.files.reading import Reading
+from sim.classroom.handouts.paper import Handout, handout
 from sim.classroom.report.report import Asked, class_report
 from sim.lesson.key_file import key_file
 from sim.lesson.read import read_question
@@ -55,3 +56,12 @@ def test_one_that_tells_no_run_is_read_by_the_teacher() -> None:
     assert after["unread"] == []
     assert [row["total"] for row in after["students"]] == [2, 2, 1]
     assert [row["marks"] for row in after["words"][0]["answers"]] == [0]  # to be changed again
+
+
+def test_a_slip_with_right_answers_tells_what_the_students_own_run_says() -> None:
+    key = read_key_file(json.dumps(key_file("tests", "carts", [SPEED], [])))
+    (file, *_) = files(3)
+    file["items"][-1]["value"] = 0.5
+    read = [(one, "class") for one in Reading.of(sources([file])).files]
+    slip = handout(read, key, Asked(), Handout(what="slips", words={}, answers=True))
+    assert "You answered: 0.5 m/s" in slip and "Right: 0.2 m/s" in slip

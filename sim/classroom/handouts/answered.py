@@ -26,9 +26,14 @@ def answer_words(keyed: KeyedItem, value: object) -> str:
     return value if isinstance(value, str) else ""
 
 
-def right_words(keyed: KeyedItem) -> str:
-    """The right answer; empty where a person judges, or where it takes more than a line."""
+def right_words(keyed: KeyedItem, own: float | None = None) -> str:
+    """The right answer; empty where a person judges, or where it takes more than a line.
+
+    `own`: what the student's own run says, where it is known.
+    """
     question = keyed.question
+    if isinstance(question, Reading):
+        return "" if own is None else _number(own, question.unit)
     if isinstance(question, Single):
         right = [option.text for option in question.options if option.correct]
         return "; ".join(right)

@@ -154,7 +154,7 @@ def _look(number: int, item: KeyedItem, answer: Answer) -> Look:
         answer=answer_words(item, answer.value),
         sure=answer.sure == "sure",
         hints=tuple(texts[name] for name in shown if name in texts),
-        right=right_words(item),
+        right=right_words(item, answer.item.own if answer.item else None),
         explain=item.question.common.explain,
     )
 
