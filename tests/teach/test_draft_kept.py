@@ -62,3 +62,16 @@ def test_no_published_text_can_be_typed_over_while_the_draft_comes_back(
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
     assert saved(page).decode() == draft
     assert page.evaluate("[...window.shown]") == ["Text An hour of work changed"]
+
+
+def test_a_draft_that_was_put_aside_is_no_longer_said_to_be_back(
+    lessons: Path, open_page: OpenPage
+) -> None:
+    page, _ = with_draft(open_page, lessons)
+    page.reload()
+    page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
+    expect(page.locator(".carts-teach-status")).to_contain_text("is back")
+    page.click(".carts-teach-reset")
+    page.get_by_role("button", name="Yes, go back").click()
+    settled(page)
+    expect(page.locator(".carts-teach-status")).to_have_text("")

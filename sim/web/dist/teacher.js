@@ -4331,6 +4331,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       });
     }
     #changed(pause = PAUSE2) {
+      if (!this.changed) this.panel.status("");
       this.panel.follow();
       void this.#keep();
       clearTimeout(this.#timer);

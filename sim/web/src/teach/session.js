@@ -151,6 +151,7 @@ export class Session {
   }
 
   #changed(pause = PAUSE) {
+    if (!this.changed) this.panel.status(""); // a draft that was said to be back has gone
     this.panel.follow();
     void this.#keep();
     clearTimeout(this.#timer);
