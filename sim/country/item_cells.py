@@ -13,6 +13,9 @@ from sim.country.cells import Cell
 from sim.country.rows import BETWEEN
 from sim.lesson.csv_text import safe_text
 
+NEVER_READ = frozenset({"idea", "drawn", "confidence"})
+"""Kinds that nobody marks; what else is open, in an optional part too, is to be read."""
+
 
 def item_sums_of(
     cells: Sequence[Cell], meta: Mapping[str, Any], listed: int, *, counted: bool, keyed: bool
@@ -44,7 +47,7 @@ def _counts(
         "n": n, "answered": answered, "right": verdicts["right"], "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],
         "empty": verdicts["empty"] if keyed else listed - n,
-        "unread": verdicts["open"] if meta["worth"] else 0,
+        "unread": 0 if meta["type"] in NEVER_READ else verdicts["open"],
         "sure_right": sure["right"] if meta["sure"] else 0,
         "sure_wrong": sure["wrong"] + sure["partly"] + sure["unclear"] if meta["sure"] else 0,
     }  # fmt: skip

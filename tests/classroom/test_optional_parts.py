@@ -8,6 +8,7 @@ from typing import Any
 
 from sim.classroom.files.keyed import read_key_file
 from sim.classroom.files.reading import Reading, Source
+from sim.classroom.handouts.paper import Handout, handout
 from sim.classroom.handouts.slip import slips
 from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import WHOLE, Asked, class_report, sorted_files
@@ -32,6 +33,12 @@ LESSON = f"""# Newton's carts
 
 ### One of them
 {QUESTION.format("may")}
+```question
+id: why
+type: long
+ask: Why?
+rubric: {{1: a reason, 0: none}}
+```
 ## At the end
 {QUESTION.format("again")}"""
 
@@ -47,7 +54,8 @@ def answered(student: str, **values: str) -> dict[str, Any]:
     (form,) = read_key_file(key_text())
     time = TIME.format(day=1, minute=0, second=0)
     rows = [
-        {"id": name, "hash": form.items[name].hash, "type": "single", "value": value,
+        {"id": name, "hash": form.items[name].hash, "type": form.items[name].question.KIND,
+         "value": value,
          "first": time, "last": time, "tries": 1}
         for name, value in values.items()
     ]  # fmt: skip
@@ -56,6 +64,7 @@ def answered(student: str, **values: str) -> dict[str, Any]:
             "saved": time, "page": "worksheets/carts", "items": rows}  # fmt: skip
 
 
+SHEET = Handout(what="sheet", words={})
 CLASS = [
     answered("FOX-1", must="b", again="b"),
     answered("FOX-2", must="b", again="b", may="a"),
@@ -70,7 +79,7 @@ def test_an_optional_question_gives_no_marks_and_is_never_left_open() -> None:
     (form,) = report["lessons"][0]["forms"]
     assert form["of"] == 2
     assert [row["open"] for row in form["students"]] == [[], [], []]
-    assert [item.get("optional", False) for item in form["items"]] == [False, True, False]
+    assert [item.get("optional", False) for item in form["items"]] == [False, True, True, False]
     html = report_html(report)
     assert "1 of 2, optional" in html
     of_files = Keys(reading.keys)
@@ -79,6 +88,16 @@ def test_an_optional_question_gives_no_marks_and_is_never_left_open() -> None:
     assert (told["FOX-1"].marks, told["FOX-1"].of, told["FOX-1"].open) == (2, 2, ())
     assert told["FOX-3"].right == (1, 2)  # what was answered is told
     assert [look.number for look in told["FOX-2"].look] == [2]
+
+
+def test_an_optional_answer_in_words_is_to_be_read_and_not_wrong() -> None:
+    files = [*CLASS, answered("FOX-4", must="b", again="b", why="They are a pair.")]
+    reading = Reading.of([*sources(files), Source("key.json", key_text().encode())])
+    read = [(one, WHOLE) for one in reading.files]
+    (form,) = (report := class_report(read, reading.keys, [], Asked()))["lessons"][0]["forms"]
+    assert (form["of"], form["unread"], form["items"][2]["unread"]) == (2, [], 1)
+    assert "1 to read" in report_html(report) and "0 of 1, optional" not in report_html(report)
+    assert "To be read by you: 3" in handout(read, reading.keys, Asked(), SHEET)
 
 
 def test_a_report_calls_a_lesson_as_its_key_does() -> None:

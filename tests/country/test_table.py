@@ -17,6 +17,7 @@ from click.testing import CliRunner
 from sim.classroom.files.reading import Reading, Source
 from sim.cli import main
 from sim.country.from_files import Written, write_table
+from sim.country.item_cells import item_sums_of
 from sim.country.refusal import CountryError
 from sim.country.rows import rows_of
 from sim.country.schema import COLUMNS, NAMES, arrow_schema, reference
@@ -196,3 +197,13 @@ def test_groups_and_typed_codes_stand_in_the_table(tmp_path: Path) -> None:
     table = pq.read_table(tmp_path / "table" / "answers-0001.parquet").to_pylist()
     assert {(r["group"], r["group_order"], r["class"]) for r in table} == {
         ("old", 1, "old/*"), ("new", 2, "new/*")}  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "to_read"), [("long", 2), ("idea", 0)])
+def test_words_in_an_optional_part_are_to_be_read_and_first_ideas_are_not(
+    kind: str, to_read: int
+) -> None:
+    cell: Any = {"n": 2, "answered": True, "verdict": "open", "certain": False, "chosen": ""}
+    meta = {"type": kind, "worth": 0, "sure": False, "choices": []}
+    sums = item_sums_of([cell], meta, 2, counted=False, keyed=True)
+    assert sums.counts["unread"] == to_read

@@ -74,7 +74,7 @@ def _parts(form: Row, tell: Tell) -> Iterator[str]:
     items = [(k, item) for k, item in asked if not item["unread"]]
     if items:
         yield f"<h3>{tell(template('Question by question'))}</h3>{_questions(items, tell)}"
-    if unread := [k for k, item in asked if item["unread"]]:
+    if unread := [k for k, item in enumerate(form["items"], 1) if item["unread"]]:
         reads = said("To be read by you: {questions}", questions=numbers(unread))
         yield f"<p>{tell(reads)}</p>"
     yield _map(items, tell)

@@ -57,7 +57,8 @@ def _overview(items: Sequence[Row], tell: Tell) -> str:
         sure = f"{item['sure']['right']} / {item['sure']['wrong']}" if item["sure"] else "–"
         numbers = ("difficulty", "discrimination", "point_biserial")
         rows.append([
-            tell(item["label"]), tell(_right(item)), str(item["empty"]), sure,
+            tell(item["label"]), tell(_right(item)),
+            "–" if item.get("optional") else str(item["empty"]), sure,
             *("–" if item[n] is None else number(item[n]) for n in numbers),
             chosen, tell(most.get("says", "") if most else ""),
         ])  # fmt: skip
