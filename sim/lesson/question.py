@@ -96,8 +96,6 @@ class Question(ABC):
     KIND: ClassVar[str]
     SAYS: ClassVar[str]
     KEYS: ClassVar[tuple[Key, ...]] = ()
-    ELSEWHERE: ClassVar[Mapping[str, str]] = {}
-    """Keys that authors look for and that this kind has not, and how it is said instead."""
     common: Common
 
     @classmethod

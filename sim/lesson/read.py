@@ -12,6 +12,7 @@ from sim.lesson.kinds.choice import Multiple, Single
 from sim.lesson.kinds.idea import Idea
 from sim.lesson.kinds.interactions import Interactions
 from sim.lesson.kinds.number import Number
+from sim.lesson.kinds.options import ELSEWHERE
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
 from sim.lesson.kinds.table import Table
@@ -28,6 +29,9 @@ KINDS: dict[str, type[Question]] = {
         Idea, Table, Interactions,
     )
 }  # fmt: skip
+
+_ELSEWHERE = {Single: ELSEWHERE, Multiple: ELSEWHERE, Short: {"answer": "accept: [zero, 0 N]"}}
+"""What authors look for under a key that a kind has not, and how it is said."""
 
 
 def read_question(plain: object) -> Question:
@@ -52,7 +56,7 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
         return None
     known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
     a_list = _missing_list(kind, table)
-    unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=kind.ELSEWHERE)
+    unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=_ELSEWHERE.get(kind))
     question = kind.read(table, common, path, problems)
     return question if len(problems) == before else None
 

@@ -42,11 +42,15 @@ class SceneError(ValueError):
 
 
 def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
-    """The problems without those that follow from another: a misspelt key is not missing too."""
+    """The problems without those that follow from another: a misspelt key is not missing too, and
+    an answer that is said to be right in another place is none that is missing."""
     found = tuple(problems)
     hints = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
 
     def follows(p: Problem) -> bool:
+        if p.code == "no-correct-option":
+            inside = p.path[:-1]
+            return any(h == p.hint and at[: len(inside)] == inside for at, h in hints)
         name = p.message.removesuffix(" is missing")
         return p.code == "missing" and (p.path, meant(name)) in hints
 

@@ -32,8 +32,8 @@ def right_words(keyed: KeyedItem, own: float | None = None) -> str:
     `own`: what the student's own run says, where it is known.
     """
     question = keyed.question
-    if isinstance(question, Reading):
-        return "" if own is None else _number(own, question.unit)
+    if isinstance(question, Reading) and own is not None:
+        return _number(own, question.unit)
     if isinstance(question, Single):
         right = [option.text for option in question.options if option.correct]
         return "; ".join(right)

@@ -8,11 +8,10 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson.keys import Key
 from sim.lesson.kinds.options import (
-    ELSEWHERE,
     OPTIONS,
+    RIGHT,
     Option,
     beliefs_of,
-    nothing_right,
     options_of_key,
     read_options,
     texts_of,
@@ -29,7 +28,6 @@ class Single(Question):
     KIND: ClassVar[str] = "single"
     SAYS: ClassVar[str] = "choose one answer"
     KEYS: ClassVar[tuple[Key, ...]] = (OPTIONS,)
-    ELSEWHERE: ClassVar[Mapping[str, str]] = ELSEWHERE
     options: tuple[Option, ...]
 
     @classmethod
@@ -39,14 +37,14 @@ class Single(Question):
         """Two or more options, exactly one of them right."""
         options = read_options(table, path, problems)
         count = sum(option.correct for option in options)
-        if count > 1 or nothing_right(options, path, problems):
+        if options and count != 1:
             what = "no option is right" if not count else f"{count} options are right"
             problems.append(
                 Problem(
                     (*path, "options"),
                     "no-correct-option" if not count else "two-correct-options",
                     f"{what}; a single choice has exactly one",
-                    "add correct: true to one option"
+                    RIGHT
                     if not count
                     else "keep correct: true at one option, or write type: multiple",
                 )
@@ -117,13 +115,13 @@ class Multiple(Single):
     ) -> Self:
         """Two or more options, at least one of them right."""
         options = read_options(table, path, problems)
-        if nothing_right(options, path, problems):
+        if options and not any(option.correct for option in options):
             problems.append(
                 Problem(
                     (*path, "options"),
                     "no-correct-option",
                     "no option is right",
-                    "add correct: true to every right one",
+                    RIGHT,
                 )
             )
         return cls(common=common, options=options)

@@ -24,8 +24,8 @@ OPTION_KEYS = (
     Key("id", "name of the answer; default: its letter", "b"),
 )  # fmt: skip
 _HINT = "options:\n    - {text: They are equal., correct: true}\n    - {text: A pushes harder.}"
-RIGHT = "write correct: true at the right option: {text: They are equal., correct: true}"
-ELSEWHERE = dict.fromkeys(("answer", "correct", "right", "solution"), RIGHT)
+RIGHT = "add correct: true to what is right: {text: They are equal., correct: true}"
+ELSEWHERE = dict.fromkeys(("answer", "correct", "right"), RIGHT)
 OPTIONS = Key(
     "options",
     "the answers, in the order in which they stand there: A, B, C …",
@@ -95,12 +95,6 @@ def read_options(
             problems.append(Problem((*here, k), "twice", "this answer stands there twice", _HINT))
         options.append(option)
     return tuple(options)
-
-
-def nothing_right(options: tuple[Option, ...], path: Path, problems: list[Problem]) -> bool:
-    """Whether no option is right, and it was not said in another place either."""
-    said = any(one.hint == RIGHT and one.path[: len(path)] == path for one in problems)
-    return bool(options) and not said and not any(option.correct for option in options)
 
 
 def _option(entry: object, letter: str, path: Path, problems: list[Problem]) -> Option | None:

@@ -89,7 +89,7 @@ class Table(Question):
         if not 2 <= len(set(columns)) == len(columns) <= MOST:
             message = f"columns lists 2 to {MOST} different heads"
             problems.append(Problem((*path, "columns"), "not-a-list", message, "columns: [a, b]"))
-            return cls(common=common, columns=columns, rows=(), plot=None)
+            listed = ()
         rows = []
         for k, row in enumerate(listed):
             here = (*path, "rows", k)

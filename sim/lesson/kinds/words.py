@@ -101,7 +101,6 @@ class Short(Long):
     """A few words. With `accept` the page can tell right from wrong, else a person reads it."""
 
     KIND: ClassVar[str] = "short"
-    ELSEWHERE: ClassVar[Mapping[str, str]] = {"answer": "write accept: [zero, 0 N]"}
     SAYS: ClassVar[str] = "write a few words"
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("accept", "right answers; capitals, spaces and punctuation do not count, but for the "

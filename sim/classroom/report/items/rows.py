@@ -68,7 +68,7 @@ def _row(
         "right": verdicts["right"],
         "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],
-        "unread": sum(a.mark.verdict == "open" and a.mark.of > 0 for a in answers if a.mark),
+        "unread": verdicts["open"] if keyed and keyed.question.mark(None).of else 0,
         "empty": verdicts["empty"] if keyed else len(files) - len(answers),
         "choices": choices_of(answers, keyed),
         "difficulty": None,
