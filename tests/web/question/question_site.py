@@ -78,12 +78,18 @@ ALL_KINDS = (Path(__file__).parent / "all_kinds.md").read_text(encoding="utf-8")
 BANK = Path(__file__).parent / "banks"
 
 
+_built: list[Path] = []
+
+
 @pytest.fixture(scope="session")
 def question_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    site = prepare(tmp_path_factory.mktemp("questions") / "site")
-    write_page(site, "kinds", ALL_KINDS)
-    write_page(site, "test", (BANK / "test.md").read_text(encoding="utf-8"), BANK)
-    return site
+    """A copy for every file of tests that imports this; built once by every worker."""
+    if not _built:
+        site = prepare(tmp_path_factory.mktemp("questions-built") / "site")
+        write_page(site, "kinds", ALL_KINDS)
+        write_page(site, "test", (BANK / "test.md").read_text(encoding="utf-8"), BANK)
+        _built.append(site)
+    return shutil.copytree(_built[0], tmp_path_factory.mktemp("questions") / "site")
 
 
 def ready(page: Page) -> Page:

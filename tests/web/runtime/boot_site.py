@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import html
 import json
 import os
 import subprocess
+import tempfile
 from pathlib import Path
 
 from sim.pages.runtime import default_cache, pack
@@ -60,9 +62,18 @@ def answer(text):
 
 def bundle(entry: Path, out: Path) -> None:
     """Bundle a page's script as `make bundle` does."""
+    out.write_bytes(_bundled(entry))
+
+
+@functools.cache
+def _bundled(entry: Path) -> bytes:
+    """Made once by every worker: most sites of the tests have the same few scripts."""
     here = ROOT / "sim" / "web"
     command = [str(node_program()), str(here / "bundle.mjs"), os.path.relpath(entry, here)]
-    subprocess.run([*command, str(out)], check=True, cwd=ROOT)
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "out.js"
+        subprocess.run([*command, str(out)], check=True, cwd=ROOT)
+        return out.read_bytes()
 
 
 def write_page(

@@ -18,6 +18,7 @@ from tests.web.scene.given.widget_site import (
     widget_site,
     write_page,
 )
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = pytest.mark.browser
 
@@ -177,22 +178,24 @@ def test_without_javascript_the_picture_stands(
     expect(page.locator("#meeting .carts-play")).to_be_disabled()
 
 
+OUTSIDE = """const frame = el.getBoundingClientRect();
+  return [...el.querySelectorAll("button, input, select, output, .carts-plot text")]
+    .filter((part) => part.getClientRects().length)
+    .filter((part) => { const box = part.getBoundingClientRect();
+      return box.left < frame.left - 1 || box.right > frame.right + 1; })
+    .map((part) => part.outerHTML.slice(0, 80));"""
+
+
 @pytest.mark.one_browser
-@pytest.mark.parametrize("width", [360, 800, 1300])
-def test_nothing_sticks_out(open_page: OpenPage, widget_site: Path, width: int) -> None:
-    page = live(open_page(widget_site / "meeting.html", viewport={"width": width, "height": 800}))
+def test_nothing_sticks_out(open_page: OpenPage, widget_site: Path) -> None:
+    """Opened on a phone, then in windows that are pulled wider."""
+    page = live(open_page(widget_site / "meeting.html", viewport={"width": 360, "height": 800}))
     on_scene(page, "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t")
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-    outside = on_scene(
-        page,
-        """const frame = el.getBoundingClientRect();
-        return [...el.querySelectorAll("button, input, select, output, .carts-plot text")]
-          .filter((part) => part.getClientRects().length)
-          .filter((part) => { const box = part.getBoundingClientRect();
-            return box.left < frame.left - 1 || box.right > frame.right + 1; })
-          .map((part) => part.outerHTML.slice(0, 80));""",
-    )
-    assert outside == []
+    for width in (360, 800, 1300):
+        page.set_viewport_size({"width": width, "height": 800})
+        page.evaluate(DRAWN)
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), width
+        assert on_scene(page, OUTSIDE) == [], width
 
 
 def test_two_scenes_share_one_worker(open_page: OpenPage, widget_site: Path) -> None:

@@ -145,9 +145,16 @@ def in_node(script: str, data: object) -> Any:
 LIVE = 20_000  # ms; a loaded machine in the tests, not the goal
 
 
+_built: list[Path] = []
+
+
 @pytest.fixture(scope="session")
 def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_site(tmp_path_factory.mktemp("widget") / "site")
+    """Every file of tests that imports this has a copy of its own, to write into; the site itself
+    is built once by every worker."""
+    if not _built:
+        _built.append(build_site(tmp_path_factory.mktemp("widget-built") / "site"))
+    return shutil.copytree(_built[0], tmp_path_factory.mktemp("widget") / "site")
 
 
 def lock(page: Page, name: str) -> None:
