@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from playwright.sync_api import Page
 
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
@@ -37,16 +40,24 @@ SPOILT = """
   });"""
 
 
-@pytest.mark.parametrize("width", [360, 1000])
+def in_both_widths(page: Page) -> Iterator[int]:
+    """The page on a phone, then on a screen: it holds both pictures, its style shows one."""
+    for width in (360, 1000):
+        page.set_viewport_size({"width": width, "height": 700})
+        page.evaluate(DRAWN)
+        yield width
+
+
 @pytest.mark.parametrize("fence", [MEETING, QUIET], ids=["forces", "no-forces"])
 def test_the_arrows_of_the_key_are_called_a_scale(
-    open_page: OpenPage, widget_site: Path, width: int, fence: dict[str, Any]
+    open_page: OpenPage, widget_site: Path, fence: dict[str, Any]
 ) -> None:
     file = write_page(widget_site, f"key-{fence['id']}", fence)
-    page = live(open_page(file, viewport={"width": width, "height": 700}), fence["id"])
-    first = page.locator(f"#{fence['id']} .carts-legend:visible text").first
-    assert first.text_content() == "scale:"
-    assert on_scene(page, SPOILT, name=fence["id"]) == []
+    page = live(open_page(file), fence["id"])
+    for _ in in_both_widths(page):
+        first = page.locator(f"#{fence['id']} .carts-legend:visible text").first
+        assert first.text_content() == "scale:"
+        assert on_scene(page, SPOILT, name=fence["id"]) == []
 
 
 CLEAR = """
@@ -56,17 +67,12 @@ CLEAR = """
   return word.y - Math.max(...numbers.map((one) => one.y + one.height));"""
 
 
-@pytest.mark.parametrize("width", [360, 1000])
 def test_the_word_stands_clear_of_the_numbers_of_the_ruler(
-    open_page: OpenPage, widget_site: Path, width: int
+    open_page: OpenPage, widget_site: Path
 ) -> None:
     """Before, where it stands above its arrows, both stood line on line. On a wide page it does so
     where a box may tear: that needs the room behind the arrows."""
     fence = {**MEETING, "id": "clear"}
-    page = live(
-        open_page(
-            write_page(widget_site, "key-clear", fence), viewport={"width": width, "height": 700}
-        ),
-        "clear",
-    )
-    assert on_scene(page, CLEAR, name="clear") >= 4  # units, about pixels
+    page = live(open_page(write_page(widget_site, "key-clear", fence)), "clear")
+    for _ in in_both_widths(page):
+        assert on_scene(page, CLEAR, name="clear") >= 4  # units, about pixels

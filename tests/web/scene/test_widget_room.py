@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import live, lock, on_scene, widget_site, write_page
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = pytest.mark.browser
 
@@ -31,29 +32,25 @@ QUESTION: dict[str, Any] = {
 }
 
 
+FEET = """const box = (part) => part.getBoundingClientRect();
+  return [box(el).top, box(el.querySelector(".carts-play")).bottom,
+    ...[...el.querySelectorAll(".carts-plot")].map((plot) => box(plot).bottom)];"""
+
+
 @pytest.mark.one_browser
-@pytest.mark.parametrize("width", [700, 1075])
 def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
-    open_page: OpenPage, widget_site: Path, width: int
+    open_page: OpenPage, widget_site: Path
 ) -> None:
-    page = live(
-        open_page(
-            write_page(widget_site, "asked", QUESTION), viewport={"width": width, "height": 768}
-        ),
-        "asked",
-    )
+    page = live(open_page(write_page(widget_site, "asked", QUESTION)), "asked")
     page.locator("#asked input[type=radio]").first.check()
     lock(page, "asked")
-    top, *bottoms = on_scene(
-        page,
-        """const box = (part) => part.getBoundingClientRect();
-        return [box(el).top, box(el.querySelector(".carts-play")).bottom,
-          ...[...el.querySelectorAll(".carts-plot")].map((plot) => box(plot).bottom)];""",
-        name="asked",
-    )
-    assert max(bottoms) - top <= SCREEN
-    options = page.locator("#asked .carts-options label:visible")
-    assert options.all_inner_texts() == ["It slows down"]
+    for width in (700, 1075):
+        page.set_viewport_size({"width": width, "height": 768})
+        page.evaluate(DRAWN)
+        top, *bottoms = on_scene(page, FEET, name="asked")
+        assert max(bottoms) - top <= SCREEN, width
+        options = page.locator("#asked .carts-options label:visible")
+        assert options.all_inner_texts() == ["It slows down"]
 
 
 @pytest.mark.one_browser
