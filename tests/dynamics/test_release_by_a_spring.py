@@ -15,6 +15,7 @@ from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import stepped
 from tests.dynamics.given.spring_release import done, pair
+from tests.fuzz.mirror import mirrored
 from tests.reference.let_go import Bodies, followed
 
 ROUNDING = 1e-14
@@ -168,6 +169,21 @@ def test_a_spring_weaker_than_static_friction_moves_nothing_and_keeps_its_energy
     assert finished.v == (0.0, 0.0)
     assert finished.x == (1.1, 1.3)
     assert finished.ledger.potential["release"] == pytest.approx((0.06, 0.06), rel=ROUNDING)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_who_is_held_all_along_is_told_neither_to_start_nor_to_stop(turned: bool) -> None:
+    """Of 1 kg and 10 kg the light one goes; on the right the heavy one was told to stop."""
+    carts = {
+        "A": {"mass": 1, "position": 0.1, "velocity": 0},
+        "B": {"mass": 10, "position": 0.3, "velocity": 0},
+    }
+    plain = pair(carts=carts, release={"stiffness": 50}, track={"length": 1}, contact={}, until=2)
+    plain["effects"].append({"friction": {"coefficient": 0.1}})
+    plain["track"] |= {"left": "open", "right": "open"}
+    events = done(mirrored(plain) if turned else plain).record.events
+    told = [(event.kind, *event.bodies) for event in events if event.kind in ("start", "stop")]
+    assert told == [("start", "A"), ("stop", "A")]
 
 
 def test_friction_that_it_overcomes_takes_its_part() -> None:

@@ -87,9 +87,9 @@ def _split(row: DigitRow, k: int) -> None:
     left = [c for c in one.carts if c < k]
     right = [c for c in one.carts if c >= k]
     row.groups.remove(one)
-    for carts, held in ((left, one.held), (right, False)):
+    for carts in (left, right):
         if carts:
             ends = (0 in row.joined and 0 in carts, row.n in row.joined and row.n - 1 in carts)
-            row.groups.append(Group(carts, one.v, any(ends), held, one.sliding))
+            row.groups.append(Group(carts, one.v, any(ends), one.held, one.sliding))
     row.groups.sort(key=lambda group: group.carts[0])
     row.dampers()

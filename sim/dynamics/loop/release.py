@@ -121,7 +121,7 @@ def split(chain: Chain, gap: Gap, now: Time, record: Record) -> None:
     left = tuple(cart for cart in one.carts if cart < gap.index)
     right = tuple(cart for cart in one.carts if cart >= gap.index)
     other = Body(right, 0.0, one.x + offsets[right[0]], one.v, gap.index, one.right, one.time)
-    one.carts, one.right = left, gap.index
+    one.carts, one.right, other.held = left, gap.index, one.held
     for body in (one, other):
         body.mass = _mass(chain, body, record)
         for cart in body.carts:
