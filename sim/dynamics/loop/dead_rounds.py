@@ -57,7 +57,8 @@ def _is_rigid(gap: Gap) -> bool:
 def _belongs(gap: Gap, now: Time, instant: float, slowest: float) -> bool:
     """Was this gap hit at the same instant, and do its bodies move alike by now?"""
     rigid = _is_rigid(gap) or (gap.law is None and not gap.contact.joins)
-    if gap.solver is not None or gap.joined or not rigid:
+    free = gap.left.motion is None and gap.right.motion is None
+    if not free or gap.joined or not rigid:
         return False
     alike = abs(velocity(gap.right, now) - velocity(gap.left, now)) <= slowest
     return alike and elapsed(gap.changed, now) <= instant

@@ -159,7 +159,8 @@ class Simulation(Forming):
         gap = touched[0]
         if gap.law is not None:
             flips.note(gap, now, self.instant)
-            if not transitions.comes_to_nothing(gap, self.least, self.ledger):
+            over = transitions.comes_to_nothing(gap, self.least, self.ledger)
+            if not over or gap.flips >= flips.UNDECIDED:  # what presses it gives it more and more
                 contacts.touch(gap, now, self.record, self.ledger)
         elif block := [one for one in touched if one.rate <= self.strikes.parts]:
             bodies = self.strike(block, bodies, gaps, now, in_contact=in_contact)

@@ -67,7 +67,7 @@ def curved_group(
     share(bodies, branches, row.steady, Expansion(series.o, series.force, series.pull, series.a))
     least = fastest * min(body.mass for body in bodies)
     step = series.step(bodies, _faint_until(series, series.converged(limit), least))
-    ends, s = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
+    ends, s = first_ends(step, [math.inf] * len(gaps), clock)  # none of these rows is long
     step = step.until_own(s)
     if step.length > limit:
         step, ends = step.until_own(step.own.of(limit)), []

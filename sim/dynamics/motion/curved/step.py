@@ -19,6 +19,10 @@ from sim.laws.branch import Guard
 TOUCHES = 1e-8
 """Of the greatest z in a step. A step that ends as near to z = 0 ends without overlap."""
 
+KNOWN = 1e-14
+"""Of the greatest force of a contact in a step, to which it is known. What spheres press falls as
+z⁶: it is over where their contact is, and not where rounding has hidden the rest of its force."""
+
 STEEP = 1e-9
 """Of the greatest dt/ds. So near a touch the slope of a force is without bound, and not drawn."""
 
@@ -59,7 +63,10 @@ class CurvedStep(Step):
                 return over
             square = _product(over, over)
             over = _product(square, square)
-        return along(self.gaps[k], guard, over, self.contact[k], self.rates[k])
+        found = along(self.gaps[k], guard, over, self.contact[k], self.rates[k])
+        if guard.cause == "apart" and self.branches[k].locked:
+            return [found[0] + KNOWN * size(found, self.span), *found[1:]]
+        return found
 
     def others(self, i: int) -> Poly:
         """N on body i from its neighbours and all that is steady."""

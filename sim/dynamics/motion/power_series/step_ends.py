@@ -27,15 +27,17 @@ FINAL = ("touch", "clear", "off", "nearest")
 """Ends that no rounding takes back."""
 
 
-def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
+def first_ends(step: Step, sizes: list[float], clock: int | None = None) -> tuple[list[End], float]:
     """All that happens at one time, and that time [s]; nothing, and the span of the step.
 
-    `sizes` [N] bound the contact forces in the step; inf: every force counts.
+    `sizes` [N] bound the contact forces in the step; inf: every force counts. What ends the gap
+    that keeps the clock is looked for first: behind it the series mean nothing.
     """
     noise = NEGLIGIBLE * max((s for s in sizes if s < math.inf), default=0.0)
     ends: list[End] = []
     duration = step.span
-    for end, guarded in [*_in_gaps(step, sizes, noise), *_of_bodies(step)]:
+    in_gaps = sorted(_in_gaps(step, sizes, noise), key=lambda one: one[0].k != clock)
+    for end, guarded in [*in_gaps, *_of_bodies(step)]:
         found = first_fall(guarded, duration)
         stays = end.cause not in FINAL  # a contact that is taken up again stays on
         if found is not None and stays and found <= NO_MOTION * step.span:
