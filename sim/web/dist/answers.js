@@ -2259,6 +2259,7 @@
     empty: tr("Answer first."),
     unclear: tr("This cannot be read.")
   };
+  var TOLD = tr("Not quite right. Read why.");
   var SHOW_AFTER = 3;
   var Feedback = class {
     constructor(root, attempt, marked2 = () => {
@@ -2303,7 +2304,8 @@
       this.root.dataset.verdict = found2.verdict;
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
-      const words3 = found2.verdict === "wrong" && !found2.shown.length && !found2.beliefs.length ? unknown(facts, value, own) : "";
+      const told2 = names.has("explain") && this.root.querySelector('template[data-for="explain"]');
+      const words3 = told2 && ["wrong", "partly"].includes(found2.verdict) ? TOLD : found2.verdict === "wrong" && !found2.shown.length && !found2.beliefs.length ? unknown(facts, value, own) : "";
       this.place.replaceChildren(html("p", "carts-q-verdict", words3 || WORDS[found2.verdict]));
       if (own !== null && tries >= SHOW_AFTER && found2.verdict !== "right") {
         this.place.append(

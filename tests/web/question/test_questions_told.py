@@ -69,6 +69,7 @@ def test_what_was_said_to_a_checked_answer_is_there_after_a_reload_until_it_chan
     for _ in range(3):  # then the explanation is told as well
         one.locator(".carts-q-check").click()
     told = said.inner_text()
+    assert told.startswith("Not quite right. Read why.")  # nobody thinks again below the answer
     assert "Compare the two arrows." in told and "The two forces are a pair." in told
     saved(page, "pick-one")
     page.reload()

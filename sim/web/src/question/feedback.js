@@ -13,6 +13,7 @@ const WORDS = {
   empty: tr("Answer first."),
   unclear: tr("This cannot be read."),
 };
+const TOLD = tr("Not quite right. Read why.");
 const SHOW_AFTER = 3; // tries until the explanation is shown all the same
 
 /** @typedef {{value: any, own: number | null, tries: number}} Tried an answer that was checked */
@@ -61,10 +62,13 @@ export class Feedback {
     this.root.dataset.verdict = found.verdict;
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
+    const told = names.has("explain") && this.root.querySelector('template[data-for="explain"]');
     const words =
-      found.verdict === "wrong" && !found.shown.length && !found.beliefs.length
-        ? unknown(facts, value, own)
-        : "";
+      told && ["wrong", "partly"].includes(found.verdict)
+        ? TOLD
+        : found.verdict === "wrong" && !found.shown.length && !found.beliefs.length
+          ? unknown(facts, value, own)
+          : "";
     this.place.replaceChildren(html("p", "carts-q-verdict", words || WORDS[found.verdict]));
     if (own !== null && tries >= SHOW_AFTER && found.verdict !== "right") {
       this.place.append(
