@@ -166,6 +166,28 @@ def test_an_elastic_run_retraces_itself_when_time_is_reversed(law):
     assert list(back.v) == pytest.approx([-1.0, 0.5], abs=1e-15)
 
 
+@pytest.mark.parametrize("law", ["velcro", "instant"])
+def test_a_velocity_that_jumps_as_the_run_ends_is_drawn_before_and_after(law):
+    restitution = {} if law == "velcro" else {"restitution": 1}
+    plain = registry.two_carts(velocities=(1, 0), gap=0.5, law=law, **restitution)
+    finished = run(read_scene(plain | {"until": 0.5}))
+    assert finished.v[1] > 0.0
+    columns = trajectory(finished).columns
+    assert list(columns["t",])[-2:] == [0.5, 0.5]
+    for name, before, after in zip("AB", (1.0, 0.0), finished.v, strict=True):
+        assert list(columns["v", name])[-2:] == [before, after]
+
+
+def test_energy_set_free_as_the_run_ends_is_drawn_before_and_after():
+    release = {"release": {"between": ["A", "B"], "energy": 1, "at": 1}}
+    plain = registry.two_carts(masses=(1, 1), velocities=(0, 0), gap=0.0, law="bumper")
+    plain["contact"] |= {"restitution": 1, "stiffness": 100}
+    finished = run(read_scene(plain | {"until": 1, "effects": [release]}))
+    assert finished.v == (-1.0, 1.0)
+    columns = trajectory(finished).columns
+    assert [list(columns["v", name])[-2:] for name in "AB"] == [[0.0, -1.0], [0.0, 1.0]]
+
+
 def test_names_and_the_order_of_writing_do_not_matter():
     plain = registry.two_carts(restitution="0.6")
     carts = plain["carts"]

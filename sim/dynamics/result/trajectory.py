@@ -70,13 +70,14 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH, per_flight: int = 1) ->
         while upcoming < len(solved) and solved[upcoming].begin <= begin:
             live.append(solved[upcoming])
             upcoming += 1
-        stopped = begin == end  # at the very start: what holds there is drawn
-        live = [part for part in live if part.end > begin or stopped]
         middle = 0.5 * (begin + end)
         motion = [
             pieces[bisect_right(times, middle) - 1]
             for pieces, times in zip(record.pieces, starts, strict=True)
         ]
+        # At an instant, the first or the last of a run, what moves a cart from there on is drawn.
+        moving = {id(piece.motion) for piece in motion} if begin == end else set()
+        live = [part for part in live if part.end > begin or id(part.solver) in moving]
         stuck = {joint.gap for joint in record.joints if joint.begin <= begin < joint.end}
         steady = any(piece.motion is not None for piece in motion)
         for t in _times(begin, end, live, dense, parabola if steady else 1):
@@ -100,7 +101,9 @@ def _marks(run: Run) -> list[float]:
     for pieces in run.record.pieces:
         marks.update(piece.start[0] for piece in pieces)
     kept = sorted(t for t in marks if t <= run.t)
-    return kept if len(kept) > 1 else [0.0, 0.0]  # stopped at the very start: one sample
+    told = (event for event in run.record.events if event.t == run.t)
+    jumps = any(event.before != event.after for event in told)
+    return [*kept, run.t] if jumps or len(kept) == 1 else kept  # or stopped at the very start
 
 
 def _density(contacts: int, columns: int) -> int:
