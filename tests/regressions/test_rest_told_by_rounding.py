@@ -9,6 +9,7 @@ import pytest
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests.fuzz.kinds import scene_of
+from tests.regressions.given import cart
 
 RESTING = {
     "impacts at rest that part by rounding": ("rest on slopes", 60),
@@ -199,3 +200,24 @@ def test_a_row_at_the_edge_of_its_contacts_that_gets_nowhere_any_more_is_over() 
     assert done.v == (0.0, 0.0)
     assert done.x == pytest.approx((0.1, 0.3), abs=1e-14)
     assert done.ledger.imbalance() < 1e-14
+
+
+def test_what_friction_has_stopped_is_not_set_going_by_the_rates_that_rounding_left() -> None:
+    """A creeps to its place against the wall, B is stopped on the way: its velocity of nought did
+    not fit the rate of the gap, followed from it again, and B halted once more at every step."""
+    plain = {
+        "carts": {"A": cart(0.1, 0.0, 0.3), "B": cart(0.3, -0.1, 0.3), "C": cart(0.6, 0.0, 0.3)},
+        "track": {"left": "wall", "right": "open", "length": 1.5},
+        "contact": {"law": "push-only", "restitution": 0.05, "stiffness": 4680},
+        "effects": [
+            {"drag": {"linear": 0.5}},
+            {"friction": {"coefficient": 0.05, "static": 0.06}},
+            {"magnets": {"between": ["B", "C"], "strength": 1e-4, "power": 4}},
+        ],
+        "until": 2,
+    }
+    finished = run(read_scene(plain))
+    ends = [end for part in finished.record.solved for end in part.solver.ends]
+    assert sum(end.cause == "halt" for end in ends) < 20
+    assert finished.v[1] == 0.0
+    assert finished.v[0] == pytest.approx(0.0, abs=1e-15)

@@ -33,13 +33,14 @@ FAINT = 2.0**-53
 def told_by_rates(bodies: list[Body], gaps: list[Gap]) -> None:
     """Velocities that are little else than rounding of greater ones follow from the rates.
 
-    The row keeps its momentum; beside what stands fast it has none.
+    The row keeps its momentum; beside what stands fast it has none. A body that friction has just
+    stopped stands, whatever rounding left of the rates: they would set it going, to stop again.
     """
     misfit = max((abs(g.right.v - g.left.v - g.rate) for g in gaps), default=0.0)
     if misfit <= MISFIT * max(abs(body.v) for body in bodies):
         return
     relative = [0.0, *itertools.accumulate(gap.rate for gap in gaps)]
-    fixed = [i for i, body in enumerate(bodies) if body.held or body.mass == math.inf]
+    fixed = [i for i, body in enumerate(bodies) if body.mass == math.inf or _stands(body)]
     if fixed:
         whole = -relative[fixed[0]]
     else:
@@ -47,6 +48,10 @@ def told_by_rates(bodies: list[Body], gaps: list[Gap]) -> None:
         whole = math.fsum(own) / math.fsum(body.mass for body in bodies)
     for i, (body, r) in enumerate(zip(bodies, relative, strict=True)):
         body.v = 0.0 if i in fixed else whole + r
+
+
+def _stands(body: Body) -> bool:
+    return body.held or (body.v == 0.0 and body.load.static > 0.0)
 
 
 def is_faint(bodies: list[Body], fastest: list[float], time: float) -> bool:
