@@ -8,6 +8,8 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.scene import read_scene
+from tests.fuzz.mirror import mirrored
+from tests.regressions.given import cart
 
 CREEPING: dict[str, Any] = {
     "carts": {
@@ -70,3 +72,80 @@ def test_a_bumper_that_was_to_clear_is_still_pressed_in_when_a_push_ends() -> No
     }
     finished = run(read_scene(scene))
     assert finished.v[2] == pytest.approx(-0.00241635834979568, rel=1e-11)  # certified
+
+
+PARTING_BESIDE_A_WALL: dict[str, Any] = {
+    "carts": {
+        "A": cart(0.1),
+        "B": cart(0.3, 0.132, 0.901),
+        "C": cart(0.5, 0.127, 1.27),
+        "D": cart(0.7, 1.0, 1.79),
+    },
+    "track": {"left": "open", "right": "wall", "length": 0.87},
+    "contact": {
+        "law": "bumper",
+        "restitution": 0,
+        "stiffness": 740,
+        "pairs": {
+            "A-B": {"law": "hertz", "restitution": 1, "stiffness": 28.7},
+            "B-C": {"law": "hertz", "restitution": 0, "stiffness": 742},
+            "C-D": {"law": "push-only-uncorrected", "restitution": 1, "stiffness": 7150},
+            "D-right": {"law": "bumper", "restitution": 0, "stiffness": 3390},
+        },
+    },
+    "effects": [],
+    "until": 3,
+}
+
+
+def _greatest(plain: dict[str, Any], pair: set[str]) -> list[float]:
+    events = run(read_scene(plain)).record.events
+    return [e.force or 0.0 for e in events if e.kind == "peak" and set(e.bodies) == pair]
+
+
+def test_an_approach_that_gets_nowhere_is_no_touch_of_two_that_fly_freely_either() -> None:
+    """In the mirror the cart was left with 1e-35 m/s towards the wall as both its contacts ended,
+    and the bumper, pressed in as far as ever, was told with its full old force of 78 N."""
+    straight = _greatest(PARTING_BESIDE_A_WALL, {"D", "right"})
+    turned = _greatest(mirrored(PARTING_BESIDE_A_WALL), {"D", "left"})
+    assert turned == pytest.approx(straight, rel=1e-12)
+    assert straight == pytest.approx([77.898, 12.483], rel=1e-4)
+
+
+PARTING_IN_A_ROW: dict[str, Any] = {
+    "carts": {
+        "A": cart(0.1, 0.0, 1.14),
+        "B": cart(0.3, 0.0, 1.14),
+        "C": cart(0.52, -1.0, 1.14),
+        "D": cart(0.72, 1.0, 1.14),
+        "E": cart(0.92, -0.463, 1.14),
+    },
+    "track": {"left": "wall", "right": "open", "length": 1.31},
+    "contact": {
+        "law": "bumper",
+        "restitution": 0,
+        "stiffness": 56.3,
+        "pairs": {
+            "left-A": {"law": "push-only", "restitution": 1, "stiffness": 14700},
+            "B-C": {"law": "paper", "restitution": 1, "stiffness": 4300},
+            "C-D": {"law": "velcro"},
+            "D-E": {"law": "push-only", "restitution": 1, "stiffness": 245},
+        },
+    },
+    "effects": [],
+    "until": 1,
+}
+
+
+def test_two_that_a_dead_bumper_held_part_with_one_velocity() -> None:
+    """In the mirror they differed by the last bit: they were 1e-18 m apart when the next cart came,
+    touched 0.4 µs late, and at once with the 8 N that their bumper had been pressed in by."""
+    for plain in (PARTING_IN_A_ROW, mirrored(PARTING_IN_A_ROW)):
+        events = run(read_scene(plain)).record.events
+        touched = {
+            tuple(sorted(e.bodies)): (e.t, e.force)
+            for e in events
+            if e.kind == "contact" and 0.5 < e.t < 0.8
+        }
+        assert touched["A", "B"] == touched["B", "C"]
+        assert touched["A", "B"][1] == 0.0

@@ -58,7 +58,8 @@ class Simulation(Forming):
             self.go_on_together(run, now)
             return
         self.happened += 2
-        if self.forces is not None or not free or not gap.law.linear:
+        nothing = 0.0 < -gap.rate <= self.least
+        if self.forces is not None or not free or not gap.law.linear or nothing:
             self.join([gap], now)
             return
         self.predictions.bring_around(gap, now)

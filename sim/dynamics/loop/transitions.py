@@ -39,7 +39,7 @@ def leave(
         flips.note(one, now, instant)
     for end in motion.ends:
         if end.cause == "apart" and motion.locked(end.k) and motion.members[end.k].rate == 0.0:
-            _turns_round(motion.members[end.k])  # held up to now
+            _go_on_alike(motion.members[end.k], ledger)
         if end.cause == "halt":
             _halt(motion, end.k)
         elif end.cause == "slip":
@@ -107,6 +107,13 @@ def _turns_round(gap: Gap) -> None:
     gap.rate = 0.0
     if gap.left.v == 0.0 or gap.right.v == 0.0:
         gap.left.v = gap.right.v = 0.0
+
+
+def _go_on_alike(gap: Gap, ledger: Ledger) -> None:
+    """Two that were held together part with one velocity: they differ by rounding only, and would
+    open a room of rounding, to touch again late or soon."""
+    _turns_round(gap)
+    one_velocity([gap.left, gap.right], ledger)
 
 
 def _forgets_its_release(gap: Gap) -> None:
