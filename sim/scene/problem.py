@@ -48,9 +48,10 @@ def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
     hints = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
 
     def follows(p: Problem) -> bool:
-        if p.code == "no-correct-option":
-            inside = p.path[:-1]
-            return any(h == p.hint and at[: len(inside)] == inside for at, h in hints)
+        inside = p.path[:-1]
+        if p.code != "unknown-key" and any(h == p.hint and at[: len(inside)] == inside
+                                           for at, h in hints):  # fmt: skip
+            return True
         name = p.message.removesuffix(" is missing")
         return p.code == "missing" and (p.path, meant(name)) in hints
 

@@ -24,8 +24,8 @@ def known(told: dict[str, Any]) -> dict[str, dict[str, Any]]:
     return {one["key"]: one for one in told["known"]}
 
 
-def lost_at_the_touch(ratio: float, seed: int = 1) -> str:
-    """The sensor of A loses it in the contact, at the end of what it can read."""
+def lost_at_the_touch(ratio: float, seed: int = 1, after: float = 0.0) -> str:
+    """The sensor of A loses it at the touch, or some s `after` it: the end of what it can read."""
     made = replace(STICKS, ratio=ratio)
-    places = made.places(0, [0.05 * (k + 1) for k in range(26)])
+    places = made.places(0, [0.05 * (k + 1) for k in range(round((made.touch + after) / 0.05))])
     return sensor_carts(made, seed, lost=places[-1] - places[0])

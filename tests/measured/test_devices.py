@@ -12,7 +12,7 @@ import pytest
 from sim.measured.analysis import Analysis, analysed
 from sim.measured.events.story import Hints, story_of
 from sim.measured.tracks import read_measured
-from tests.measured.device_reports import LOGGED, known, report
+from tests.measured.device_reports import LOGGED, known, lost_at_the_touch, report
 from tests.measured.devices import Motion, motion_capture, sensor_carts, tracker_project
 
 FILMED = 2e-4
@@ -168,10 +168,7 @@ def test_hands_coasting_and_stops_are_told_apart() -> None:
 
 
 def test_a_sensor_that_loses_its_cart_is_named() -> None:
-    sticks = Motion(v=(0.6, 0.0), e=0.0, ratio=1.0, push=0.6, touch=1.3, lasts=0.1, until=2.6)
-    places = sticks.places(0, [0.05 * (k + 1) for k in range(28)])
-    reach = places[-1] - places[0]  # as far as A is 0.1 s after the touch
-    told = report(sensor_carts(sticks, lost=reach))
+    told = report(lost_at_the_touch(1.0, after=0.1))
     assert told["refused"]["code"] in ("lost-after", "perhaps-lost", "not-in-step")
     assert "sensor" in told["refused"]["sentence"]
     assert told["known"] == []

@@ -122,8 +122,7 @@ def _in_time(
     speeds: Speeds, step: Step, contact: Contact, frame: float, names: tuple[str, str]
 ) -> None:
     v, late = speeds.v, 0 if step.lag > 0.0 else 1
-    greatest = max(map(abs, v))
-    rests = abs(v[late + 2]) < AT_REST * greatest < abs(v[late])
+    rests = _comes_to_rest(v, late)
     least = max(
         (LATE_AT_REST if rests else LATE) * frame, LATE_SHARE * (contact.end - contact.begin)
     )
@@ -148,12 +147,13 @@ def _in_time(
 def perhaps_lost(speeds: Speeds) -> int | None:
     """Which cart comes and then stands still while the other moves on. It has met one of 1/e times
     its mass, or has left what its sensor can read, as a cart that sticks does."""
-    v, greatest = speeds.v, max(map(abs, speeds.v))
-    for k in (0, 1):
-        rests = abs(v[k + 2]) < AT_REST * greatest < abs(v[k])
-        if rests and abs(v[3 - k]) > AT_REST * greatest:
-            return k
-    return None
+    v, still = speeds.v, AT_REST * max(map(abs, speeds.v))
+    return next((k for k in (0, 1) if _comes_to_rest(v, k) and abs(v[3 - k]) > still), None)
+
+
+def _comes_to_rest(v: Sequence[float], cart: int) -> bool:
+    """Whether a cart that moved before the contact stands still after it."""
+    return abs(v[cart + 2]) < AT_REST * max(map(abs, v)) < abs(v[cart])
 
 
 def check_seen(speeds: Speeds, names: tuple[str, str]) -> None:

@@ -2305,8 +2305,11 @@
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
       const told2 = names.has("explain") && this.root.querySelector('template[data-for="explain"]');
-      const words3 = told2 && ["wrong", "partly"].includes(found2.verdict) ? TOLD : found2.verdict === "wrong" && !found2.shown.length && !found2.beliefs.length ? unknown(facts, value, own) : "";
-      this.place.replaceChildren(html("p", "carts-q-verdict", words3 || WORDS[found2.verdict]));
+      let words3 = WORDS[found2.verdict];
+      if (told2 && ["wrong", "partly"].includes(found2.verdict)) words3 = TOLD;
+      else if (found2.verdict === "wrong" && !found2.shown.length && !found2.beliefs.length)
+        words3 = unknown(facts, value, own) || words3;
+      this.place.replaceChildren(html("p", "carts-q-verdict", words3));
       if (own !== null && tries >= SHOW_AFTER && found2.verdict !== "right") {
         this.place.append(
           html(

@@ -1551,8 +1551,9 @@
       );
       fence.value = report.fence;
     }
-    refuse(name, faults, { unread = false, fit = false } = {}) {
-      const whose = unread ? Source.notRead(name) : "";
+    refuse(name, faults, what) {
+      const whose = what === "read" ? Source.notRead(name) : "";
+      const fit = what !== "" && what !== "read";
       const rows = faults.map(({ line, reason, hint: hint2 }, k) => {
         const row = document.createElement("li");
         const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
@@ -2157,7 +2158,7 @@
         try {
           const found = await this.#asking.newest(what, more);
           if (!found) return false;
-          this.#refuse(found.refused ?? [], { unread: what === "read", fit: what !== "read" });
+          this.#refuse(found.refused ?? [], what);
           const story = found.report ?? found;
           if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
           if (found.refused) return false;
@@ -2256,7 +2257,7 @@
         );
         this.picture?.told(found.report);
       }
-      #refuse(faults, what = {}) {
+      #refuse(faults, what = "") {
         this.picture?.refuse(this.#name, faults, what);
       }
       #note(text2) {

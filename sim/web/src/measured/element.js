@@ -138,7 +138,7 @@ export function measuredElement(client, base) {
       try {
         const found = await this.#asking.newest(what, more);
         if (!found) return false;
-        this.#refuse(found.refused ?? [], { unread: what === "read", fit: what !== "read" });
+        this.#refuse(found.refused ?? [], what);
         const story = found.report ?? found; // a refused fit has one too
         if (story.segments) this.strip?.show(story, this.#read?.tracks[0].t);
         if (found.refused) return false;
@@ -234,8 +234,8 @@ export function measuredElement(client, base) {
       this.picture?.told(found.report);
     }
 
-    /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {{unread?: boolean, fit?: boolean}} what */
-    #refuse(faults, what = {}) {
+    /** @param {import("../../../view/measured/types.js").Fault[]} faults @param {string} what was asked of Python, if anything was */
+    #refuse(faults, what = "") {
       this.picture?.refuse(this.#name, faults, what);
     }
 

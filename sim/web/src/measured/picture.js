@@ -122,9 +122,10 @@ export class Picture {
     fence.value = report.fence;
   }
 
-  /** Readings that cannot be read say so where they come from, a fit that cannot be made where it was asked for. @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {{unread?: boolean, fit?: boolean}} what unread: the picture is still that of earlier ones */
-  refuse(name, faults, { unread = false, fit = false } = {}) {
-    const whose = unread ? Source.notRead(name) : "";
+  /** Readings that cannot be read say so where they come from, a fit that cannot be made where it was asked for. @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {string} what was asked of Python; "read": the picture is still that of earlier ones */
+  refuse(name, faults, what) {
+    const whose = what === "read" ? Source.notRead(name) : "";
+    const fit = what !== "" && what !== "read";
     const rows = faults.map(({ line, reason, hint }, k) => {
       const row = document.createElement("li");
       const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;

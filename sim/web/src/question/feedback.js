@@ -63,13 +63,11 @@ export class Feedback {
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
     const told = names.has("explain") && this.root.querySelector('template[data-for="explain"]');
-    const words =
-      told && ["wrong", "partly"].includes(found.verdict)
-        ? TOLD
-        : found.verdict === "wrong" && !found.shown.length && !found.beliefs.length
-          ? unknown(facts, value, own)
-          : "";
-    this.place.replaceChildren(html("p", "carts-q-verdict", words || WORDS[found.verdict]));
+    let words = WORDS[found.verdict];
+    if (told && ["wrong", "partly"].includes(found.verdict)) words = TOLD;
+    else if (found.verdict === "wrong" && !found.shown.length && !found.beliefs.length)
+      words = unknown(facts, value, own) || words;
+    this.place.replaceChildren(html("p", "carts-q-verdict", words));
     if (own !== null && tries >= SHOW_AFTER && found.verdict !== "right") {
       this.place.append(
         html(
