@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
-from tests.web.site.pages_of import DRAWN
+from tests.web.scene.given.widget_site import (
+    MEETING,
+    in_windows,
+    live,
+    on_scene,
+    widget_site,
+    write_page,
+)
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
@@ -40,12 +44,7 @@ SPOILT = """
   });"""
 
 
-def in_both_widths(page: Page) -> Iterator[int]:
-    """The page on a phone, then on a screen: it holds both pictures, its style shows one."""
-    for width in (360, 1000):
-        page.set_viewport_size({"width": width, "height": 700})
-        page.evaluate(DRAWN)
-        yield width
+WIDTHS = (360, 1000)  # the page holds both pictures, its style shows one
 
 
 @pytest.mark.parametrize("fence", [MEETING, QUIET], ids=["forces", "no-forces"])
@@ -54,7 +53,7 @@ def test_the_arrows_of_the_key_are_called_a_scale(
 ) -> None:
     file = write_page(widget_site, f"key-{fence['id']}", fence)
     page = live(open_page(file), fence["id"])
-    for _ in in_both_widths(page):
+    for _ in in_windows(page, WIDTHS, 700):
         first = page.locator(f"#{fence['id']} .carts-legend:visible text").first
         assert first.text_content() == "scale:"
         assert on_scene(page, SPOILT, name=fence["id"]) == []
@@ -74,5 +73,5 @@ def test_the_word_stands_clear_of_the_numbers_of_the_ruler(
     where a box may tear: that needs the room behind the arrows."""
     fence = {**MEETING, "id": "clear"}
     page = live(open_page(write_page(widget_site, "key-clear", fence)), "clear")
-    for _ in in_both_widths(page):
+    for _ in in_windows(page, WIDTHS, 700):
         assert on_scene(page, CLEAR, name="clear") >= 4  # units, about pixels

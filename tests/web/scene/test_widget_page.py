@@ -13,12 +13,12 @@ from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import (
     FENCES,
     MEETING,
+    in_windows,
     live,
     on_scene,
     widget_site,
     write_page,
 )
-from tests.web.site.pages_of import DRAWN
 
 pytestmark = pytest.mark.browser
 
@@ -191,9 +191,7 @@ def test_nothing_sticks_out(open_page: OpenPage, widget_site: Path) -> None:
     """Opened on a phone, then in windows that are pulled wider."""
     page = live(open_page(widget_site / "meeting.html", viewport={"width": 360, "height": 800}))
     on_scene(page, "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t")
-    for width in (360, 800, 1300):
-        page.set_viewport_size({"width": width, "height": 800})
-        page.evaluate(DRAWN)
+    for width in in_windows(page, (360, 800, 1300), 800):
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), width
         assert on_scene(page, OUTSIDE) == [], width
 

@@ -9,8 +9,14 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.given.widget_site import live, lock, on_scene, widget_site, write_page
-from tests.web.site.pages_of import DRAWN
+from tests.web.scene.given.widget_site import (
+    in_windows,
+    live,
+    lock,
+    on_scene,
+    widget_site,
+    write_page,
+)
 
 pytestmark = pytest.mark.browser
 
@@ -44,9 +50,7 @@ def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
     page = live(open_page(write_page(widget_site, "asked", QUESTION)), "asked")
     page.locator("#asked input[type=radio]").first.check()
     lock(page, "asked")
-    for width in (700, 1075):
-        page.set_viewport_size({"width": width, "height": 768})
-        page.evaluate(DRAWN)
+    for width in in_windows(page, (700, 1075), 768):
         top, *bottoms = on_scene(page, FEET, name="asked")
         assert max(bottoms) - top <= SCREEN, width
         options = page.locator("#asked .carts-options label:visible")

@@ -7,6 +7,7 @@ import json
 import shutil
 import subprocess
 from array import array
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from sim.pages.runtime.node import node_program
 from sim.pages.widget import render
 from sim.scene import Fence, read_fence
 from tests.web.runtime.boot_site import ROOT, STRICT, bundle
+from tests.web.site.pages_of import DRAWN
 
 MEETING: dict[str, Any] = {
     "id": "meeting",
@@ -155,6 +157,14 @@ def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if not _built:
         _built.append(build_site(tmp_path_factory.mktemp("widget-built") / "site"))
     return shutil.copytree(_built[0], tmp_path_factory.mktemp("widget") / "site")
+
+
+def in_windows(page: Page, widths: Iterable[int], height: int) -> Iterator[int]:
+    """The page in windows that are pulled to one width after the other, each laid out."""
+    for width in widths:
+        page.set_viewport_size({"width": width, "height": height})
+        page.evaluate(DRAWN)
+        yield width
 
 
 def lock(page: Page, name: str) -> None:
