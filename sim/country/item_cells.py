@@ -12,9 +12,10 @@ from sim.classroom.summary.sums import ItemSums
 from sim.country.cells import Cell
 from sim.country.rows import BETWEEN
 from sim.lesson.csv_text import safe_text
+from sim.lesson.read import KINDS
 
-NEVER_READ = frozenset({"idea", "drawn", "confidence"})
-"""Kinds that nobody marks; what else is open, in an optional part too, is to be read."""
+UNMARKED = frozenset(name for name, kind in KINDS.items() if not kind.MARKED)
+"""What else is open, in an optional part too, is to be read."""
 
 
 def item_sums_of(
@@ -47,7 +48,7 @@ def _counts(
         "n": n, "answered": answered, "right": verdicts["right"], "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],
         "empty": verdicts["empty"] if keyed else listed - n,
-        "unread": 0 if meta["type"] in NEVER_READ else verdicts["open"],
+        "unread": 0 if meta["type"] in UNMARKED else verdicts["open"],
         "sure_right": sure["right"] if meta["sure"] else 0,
         "sure_wrong": sure["wrong"] + sure["partly"] + sure["unclear"] if meta["sure"] else 0,
     }  # fmt: skip

@@ -96,6 +96,8 @@ class Question(ABC):
     KIND: ClassVar[str]
     SAYS: ClassVar[str]
     KEYS: ClassVar[tuple[Key, ...]] = ()
+    MARKED: ClassVar[bool] = True
+    """False: no answer is right or wrong, so that nobody marks one, the teacher neither."""
     common: Common
 
     @classmethod

@@ -26,6 +26,7 @@ class Idea(Question):
 
     KIND: ClassVar[str] = "idea"
     SAYS: ClassVar[str] = "say your first idea: it is kept, and never marked"
+    MARKED: ClassVar[bool] = False
     KEYS: ClassVar[tuple[Key, ...]] = (
         replace(OPTIONS, example="[They are equal., A pushes harder.]", required=False),
     )

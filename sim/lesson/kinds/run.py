@@ -130,6 +130,7 @@ class Drawn(Question):
 
     KIND: ClassVar[str] = "drawn"
     SAYS: ClassVar[str] = "draw it in the scene; this only shows whether it is done"
+    MARKED: ClassVar[bool] = False
     KEYS: ClassVar[tuple[Key, ...]] = (SCENE,)
     scene: str
 

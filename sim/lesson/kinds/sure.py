@@ -17,6 +17,7 @@ class Confidence(Question):
 
     KIND: ClassVar[str] = "confidence"
     SAYS: ClassVar[str] = "say how sure you are"
+    MARKED: ClassVar[bool] = False
 
     @classmethod
     def read(

@@ -68,7 +68,7 @@ def _row(
         "right": verdicts["right"],
         "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],
-        "unread": verdicts["open"] if keyed and keyed.question.mark(None).of else 0,
+        "unread": verdicts["open"] if keyed and keyed.question.MARKED else 0,
         "empty": verdicts["empty"] if keyed else len(files) - len(answers),
         "choices": choices_of(answers, keyed),
         "difficulty": None,
