@@ -107,6 +107,12 @@ CONTACTS = """\
             continue
 """
 
+OF_TEAMS = """\
+        alone = sum(1 / mass[i] for i in (left, right) if i is not None)
+        if light(left, right):  # a damper is that of all that moves as one
+            c *= sqrt(alone / light(left, right))
+"""
+
 PUSH_APART = """\
         push_apart(force, left, right, size)
 """

@@ -58,7 +58,8 @@ def model_text(scene: Scene) -> str:
     if kicked or moves:
         text += text_of.GROUPS if joins else text_of.ALONE
     text += text_of.STEP
-    before = "".join(one.contact for one in pieces)
+    damped = any(c for *_, c in _contacts(scene))
+    before = "".join(one.contact for one in pieces) + text_of.OF_TEAMS * (joins and damped)
     text += _contact_forces(dict.fromkeys(c.law for c in contacts if not c.sudden), before)
     text += "".join(one.force for one in pieces)
     text += moves or (text_of.MOVE if joins else text_of.MOVE_ALONE)

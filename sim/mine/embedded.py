@@ -11,10 +11,10 @@ Source: Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19; Hairer, Nørsett &
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
+from sim.dynamics.stepping.falls import Along, State, first_falls
+from sim.dynamics.stepping.located import Key
 from sim.dynamics.stepping.pairs import Row
 from sim.dynamics.stepping.sided import OwnSteps
 from sim.mine.field import WrittenField
@@ -52,9 +52,6 @@ MOST_CALLS = 400_000
 
 SHORTEST = 1e-13
 """Of the run. A law that asks for shorter steps has no values that belong together."""
-
-Dense = Callable[[float], tuple[Row, Row]]
-"""Places and velocities at s after the beginning of a step."""
 
 
 def longer(error: float) -> float:
@@ -112,7 +109,6 @@ class EmbeddedStepper(OwnSteps):
     def part(self, t: float, h: float) -> tuple[float, list[Key]]:
         """At most h, as the error allows, or up to the first event."""
         s, v = self.s, self.v
-        before = self.located.guards(t, s, v)
         while True:
             s1, v1, a0, a1, error = self._tried(t, h, s, v)
             factor = longer(error)
@@ -122,28 +118,18 @@ class EmbeddedStepper(OwnSteps):
             if h < SHORTEST * self.field.scene.until or self.spent():
                 raise self.lost(t)
         self._look(s1, v1)
-        after = self.located.guards(t + h, s1, v1)
-        roots: dict[Key, float] = {}
-        for key in crossed(before, after):
-            roots[key] = 0.0
-            if before[key] > 0.0:
-                value = self._along(_quintic(s, v, a0, s1, v1, a1, h), t, key)
-                roots[key] = first_zero(value, h, before[key], after[key])
-        if not roots:
+        dense = _quintic(s, v, a0, s1, v1, a1, h)
+        first, keys = first_falls(self.located, t, h, (s, v), (s1, v1), dense)
+        if not keys:
             self.next = min(self.longest, h * factor)
             self._told(t, h, s1, v1)
             return h, []
-        first = min(roots.values())
         if first > 0.0:
             if self.field.keep is not None:
                 self.field.keep.clear()
             s1, v1, *_ = self._tried(t, first, s, v)
             self._told(t, first, s1, v1)
-        return first, [key for key, root in roots.items() if root - first <= CLOSE * h]
-
-    def _along(self, dense: Dense, t: float, key: Key) -> Callable[[float], float]:
-        """A guard along a step that began at t."""
-        return lambda tau: self.located.guards(t + tau, *dense(tau))[key]
+        return first, keys
 
     def _tried(self, t: float, h: float, s: Row, v: Row) -> tuple[Row, Row, Row, Row, float]:
         """Places, velocities, accelerations at both ends, and the error (1: just allowed)."""
@@ -192,7 +178,7 @@ def _sum(weights: tuple[float, ...], stages: list[Row], k: int) -> float:
     return float(sum(c * stage[k] for c, stage in zip(weights, stages, strict=True)))
 
 
-def _quintic(s: Row, v: Row, a: Row, s1: Row, v1: Row, a1: Row, h: float) -> Dense:
+def _quintic(s: Row, v: Row, a: Row, s1: Row, v1: Row, a1: Row, h: float) -> Along:
     """Places and velocities inside of a step of h."""
     parts = []
     for x0, u0, k0, x1, u1, k1 in zip(s, v, a, s1, v1, a1, strict=True):
@@ -203,7 +189,7 @@ def _quintic(s: Row, v: Row, a: Row, s1: Row, v1: Row, a1: Row, h: float) -> Den
         fifth = 6 * p - 3 * q + 0.5 * r
         parts.append((x0, h * u0, 0.5 * h * h * k0, third, fourth, fifth))
 
-    def at(tau: float) -> tuple[Row, Row]:
+    def at(tau: float) -> State:
         z = tau / h
         places = [
             c0 + z * (c1 + z * (c2 + z * (c3 + z * (c4 + z * c5))))

@@ -64,12 +64,29 @@ def test_the_program_of_each_law_gives_back_as_much_as_the_law(law: str, e: floa
     assert program["v"] == pytest.approx(run(scene).v, abs=NEAR_ALONE)
 
 
+@pytest.mark.parametrize("law", ["paper", "push-only", "hertz"])
+def test_what_sticks_together_meets_a_wall_as_one_in_the_program_too(law: str) -> None:
+    """Its damper is that of both masses: it gives back as much as it says of their common speed."""
+    contact = {"law": law, "restitution": 0.6, "stiffness": 5000}
+    carts = {
+        "A": {"mass": 0.5, "position": 0.4, "velocity": 0.9},
+        "B": {"mass": 1, "position": 0.8},
+    }
+    plain = {
+        "carts": carts, "track": {"right": "wall", "length": 1.2}, "until": 2.5,
+        "contact": contact | {"pairs": {"A-B": {"law": "velcro"}}},
+    }  # fmt: skip
+    program = played(model_text(read_scene(plain)))
+    assert program["v"] == pytest.approx((-0.18, -0.18), abs=0.3 * NEAR_ALONE)
+
+
 def test_a_program_holds_only_what_its_scene_calls_for() -> None:
     plain = model_text(registry.scene("light-meets-heavy"))
     for word in ("friction", "springs", "magnets", "slopes", "drags", "pushes", "releases"):
         assert word not in plain
     assert "stiffness / e**2" in plain
     assert "rough" in model_text(registry.scene("release-and-friction"))
+    assert "damper is that of all" not in plain + model_text(registry.scene("sticky"))
 
 
 def test_a_page_asks_for_the_program_of_the_values_it_shows() -> None:

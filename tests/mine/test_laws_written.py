@@ -67,6 +67,18 @@ def test_a_law_written_down_moves_carts_as_the_same_law_of_ours(
     ]
 
 
+def test_a_law_written_down_is_asked_as_ever_when_carts_stick_together() -> None:
+    scene = {**ROW, "until": 2.5}
+    text, contact = TWINS["push-only, e = 1"]
+    numbers = {key: contact[key] for key in ("stiffness", "restitution")}
+    joined = {"pairs": {"B-C": {"law": "velcro"}}}
+    ours = run(read_scene({**scene, "contact": contact | joined}))
+    written = with_law(scene, text, **numbers)
+    mine = follow(read_scene({**written, "contact": written["contact"] | joined}))
+    assert mine.run.v == pytest.approx(ours.v, abs=STEPS)
+    assert mine.run.record.counts == ours.record.counts
+
+
 @pytest.mark.parametrize("name", WRONG)
 def test_accounts_close_with_what_came_from_nowhere_under_its_own_name(name: str) -> None:
     done = follow(read_scene(with_law(PAIR, WRONG[name][0])))

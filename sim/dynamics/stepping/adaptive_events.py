@@ -12,11 +12,11 @@ Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
+from sim.dynamics.stepping.falls import Along, State, first_falls
+from sim.dynamics.stepping.located import Key
 from sim.dynamics.stepping.pairs import Row
 from sim.dynamics.stepping.stepper import LocatedStepper
 from sim.scene.model import Scene
@@ -59,40 +59,33 @@ class AdaptiveStepper(LocatedStepper):
     def part(self, t: float, h: float) -> tuple[float, list[Key]]:
         """Step after step until h, or up to the first event."""
         solver = self._solver(t, h)
-        before = self.located.guards(t, self.s, self.v)
         first = self._detail(t)
         while solver.status == "running":
-            begin, y = solver.t, solver.y
+            begin, y, now = solver.t, solver.y, (self.s, self.v)
             self._one(solver)
             s, v = self._split(solver.y)
-            after = self.located.guards(t + solver.t, s, v)
-            roots: dict[Key, float] = {}
-            dense = solver.dense_output() if (fallen := crossed(before, after)) else None
-            for key in fallen:
-                roots[key] = begin
-                if before[key] > 0.0:
-                    value = self._along(dense, t, begin, key)
-                    span = solver.t - begin
-                    roots[key] += first_zero(value, span, before[key], after[key])
-            if roots:
-                end = float(min(roots.values()))
+            span, dense = solver.t - begin, self._dense(solver, begin)
+            part, keys = first_falls(self.located, t + begin, span, now, (s, v), dense)
+            if keys:
                 self.s, self.v = self._split(y)
-                self._over(t + begin, end - begin)
+                self._over(t + begin, part)
                 self.impacts.remember(self.s, self.v)
-                return end, [key for key, root in roots.items() if root - end <= CLOSE * h]
-            ways, (self.s, self.v), before = self.s, (s, v), after
+                return float(begin + part), keys
+            ways, (self.s, self.v) = self.s, (s, v)
             self.impacts.remember(self.s, self.v)
-            first = self._told(float(t + solver.t), solver.t - begin, ways, solver, first)
+            first = self._told(float(t + solver.t), span, ways, solver, first)
         return h, []
 
-    def _along(self, dense: Any, t: float, begin: float, key: Key) -> Callable[[float], float]:
-        """A guard along the dense output of a step."""
+    def _dense(self, solver: Any, begin: float) -> Along:
+        """Ways and velocities in the step that was taken last, from its dense output."""
+        dense: list[Any] = []
 
-        def value(tau: float) -> float:
-            s, v = self._split(dense(begin + tau))
-            return self.located.guards(t + begin + tau, s, v)[key]
+        def state(tau: float) -> State:
+            if not dense:
+                dense.append(solver.dense_output())  # which takes evaluations of its own
+            return self._split(dense[0](begin + tau))
 
-        return value
+        return state
 
     def _over(self, t: float, h: float) -> None:
         """Exactly h, no event inside."""

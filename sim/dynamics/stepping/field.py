@@ -20,6 +20,7 @@ from typing import Any
 
 from sim.dynamics.stepping.joint_forces import from_walls, joint_forces
 from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
+from sim.dynamics.stepping.regrouped import regroup
 from sim.effects.forces import FRICTION, BodyForce, checked
 from sim.laws.stepping import Mode
 from sim.scene.model import Scene
@@ -236,3 +237,4 @@ class Field:
                 self.bodies[-1].append(k)
             else:
                 self.bodies.append([k])
+        regroup(self.pairs, self.mass, self.joined - self.held)

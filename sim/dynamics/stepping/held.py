@@ -25,17 +25,22 @@ def stays_pressed(field: Field, pair: Pair, t: float, s: Row, v: Row) -> bool:
     return bool(left - right > 0.0)
 
 
-def hold(field: Field, pair: Pair, v: Row) -> None:
-    """From now on they are one body; what rounding leaves of their rate goes, momentum stays."""
-    field.join(pair.gap)
+def hold(field: Field, pair: Pair) -> None:
+    """From now on they are one body."""
     field.held.add(pair.gap)
-    body = next(b for b in field.bodies if (pair.left in b or pair.right in b))
-    if field.fixed(body):
+    field.join(pair.gap)
+
+
+def one_velocity(field: Field, pair: Pair, v: Row) -> None:
+    """Of two that have come to a stop on each other: what rounding leaves of their rate goes, so
+    that they do not touch once more for it. Momentum stays."""
+    bodies = [body for body in field.bodies if pair.left in body or pair.right in body]
+    carts = [k for body in bodies for k in body]
+    if None in (pair.left, pair.right) or any(map(field.fixed, bodies)):
         common = 0.0
     else:
-        mass = sum(field.mass[k] for k in body)
-        common = sum(field.mass[k] * v[k] for k in body) / mass
-    for k in body:
+        common = sum(field.mass[k] * v[k] for k in carts) / sum(field.mass[k] for k in carts)
+    for k in carts:
         v[k] = common
 
 

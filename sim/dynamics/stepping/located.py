@@ -1,15 +1,11 @@
 """Locating events: a step keeps its formulas and ends where one of them stops to hold.
 
 A guard is a number that is positive while a formula holds: the room of a gap, the force or the
-rate of a contact, the velocity of a sliding cart, what static friction has in reserve. After a
-trial step each guard is looked at; where one is negative, its zero is searched by shorter trial
-steps (regula falsi, Illinois variant), the step is taken again up to there, and the formulas
-change. A guard that falls and rises again within one step is not seen: a limit of all such methods.
+rate of a contact, the velocity of a sliding cart, what static friction has in reserve. Where one
+falls within a step (`falls`), the step is taken again up to there, and the formulas change.
 """
 
 from __future__ import annotations
-
-from collections.abc import Callable
 
 from sim.dynamics.stepping import held, spent
 from sim.dynamics.stepping.field import Field
@@ -25,12 +21,6 @@ NEAR = "near"
 
 MOST_CHANGES = 12
 """Within one step. Then the rest of it is taken without looking, as methods without events do."""
-
-CLOSE = 1e-12
-"""Of a step. Events this close to each other count as one instant."""
-
-FINE = 1e-15
-"""Of a step. How well the time of an event is searched for."""
 
 
 class Located:
@@ -85,6 +75,11 @@ class Located:
                 found["body", body[0], 0] = side * v[body[0]] if side else reserve
         return found
 
+    def idle(self, pair: Pair) -> bool:
+        """Does nothing push in its gap just now?"""
+        assert self.field.modes is not None
+        return self.field.modes.get(pair.gap, "apart") == "apart"
+
     def change(self, keys: list[Key], t: float, s: Row, v: Row) -> None:
         """The formulas of these guards have come to their end; `v` is changed in place."""
         field = self.field
@@ -108,8 +103,10 @@ class Located:
                     field.modes[number], field.memory[number] = pair.force.after(
                         mode, d, rate, memory
                     )
-                    if mode == "press" and held.stays_pressed(field, pair, t, s, v):
-                        held.hold(field, pair, v)
+                    if mode == "press" and pair.force.locks:
+                        held.one_velocity(field, pair, v)
+                        if held.stays_pressed(field, pair, t, s, v):
+                            held.hold(field, pair)
                 else:
                     hit.append(pair)
             elif field.sliding.get(number, 0):
@@ -148,37 +145,3 @@ class Located:
             else:
                 side = 1 if force > 0.0 else -1
             field.sliding[body[0]] = side
-
-
-def first_zero(
-    value: Callable[[float], float], end: float, at_begin: float, at_end: float
-) -> float:
-    """A zero of `value` between 0 and `end`, where it falls from positive to negative.
-
-    The end of the bracket at which it is not positive any more: a formula is not left too early.
-    """
-    a, fa, b, fb = 0.0, at_begin, end, at_end
-    side = 0
-    for _ in range(80):
-        if b - a <= FINE * end or fb == 0.0:
-            break
-        c = (a * fb - b * fa) / (fb - fa)
-        if not a < c < b:
-            c = 0.5 * (a + b)
-        fc = value(c)
-        if fc > 0.0:
-            a, fa = c, fc
-            fb = 0.5 * fb if side > 0 else fb
-            side = 1
-        else:
-            b, fb = c, fc
-            fa = 0.5 * fa if side < 0 else fa
-            side = -1
-    return b
-
-
-def crossed(before: dict[Key, float], after: dict[Key, float]) -> list[Key]:
-    """Guards that are negative at the end of a trial step; a pair has to close before it turns."""
-    return [
-        key for key in before if after.get(key, 1.0) < 0.0 and (key[0] != NEAR or before[key] > 0.0)
-    ]

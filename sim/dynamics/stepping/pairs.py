@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -56,8 +57,8 @@ def pair_of(scene: Scene, gap: int, effects: Sequence[Any]) -> Pair | None:
         return None
     left = gap - 1 if gap > 0 else None
     right = gap if gap < len(scene.carts) else None
-    masses = [scene.carts[k].mass for k in (left, right) if k is not None]
-    mu = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1])
+    masses = (math.inf if k is None else scene.carts[k].mass for k in (left, right))
+    mu = reduced_mass(*masses)
     law = contact_law(contact)
     links = (one.pair_force(gap) for one in effects)
     return Pair(
@@ -70,6 +71,11 @@ def pair_of(scene: Scene, gap: int, effects: Sequence[Any]) -> Pair | None:
         law.stepping(mu) if law is not None else None,
         tuple(link for link in links if link is not None),
     )
+
+
+def reduced_mass(a: float, b: float) -> float:
+    """kg; a wall, and what sticks to it, is infinite."""
+    return min(a, b) if math.inf in (a, b) else a * b / (a + b)
 
 
 def link_force(link: PairForce, d: Any, rate: Any, *, lanes: bool) -> Any:

@@ -22,7 +22,7 @@ from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.joint_forces import WALLS
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.pairs import Detail, Row
-from sim.dynamics.stepping.stepper import Stepper
+from sim.dynamics.stepping.stepper import LocatedStepper, Stepper
 from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
 from sim.scene.model import Scene
@@ -73,7 +73,7 @@ class Recorder:
         self.scene, self.way, self.step, self.run = scene, way, step, run
         self.run.watch(self.seen)
         self.record = Record(scene, keep_events, keep_motion=True)
-        self.story = Story(self.run.field, self.record)
+        self.story = Story(self.run.field, self.record, isinstance(run, LocatedStepper))
         self.ledger = Ledger(scene)
         self.outside = self.from_outside()
         self.columns = _empty(scene, [p.gap for p in self.run.field.pairs], self.outside)
@@ -116,7 +116,8 @@ class Recorder:
                 if power:
                     ledger.work(kind, -weight * power)
         a, detail = self._now(t)
-        self.story.step(t, self.v, run.v, run.s, detail.push, impulses)
+        first = forces[0][1].push if forces else None
+        self.story.step(t, h, self.v, run.v, run.s, detail.push, impulses, first)
         self._bumpers(detail.push)
         ledger.dissipate(run.impacts.spilled)
         run.impacts.spilled = 0.0

@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from sim.dynamics.stepping.falls import Along, first_falls
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Impacts
-from sim.dynamics.stepping.located import CLOSE, MOST_CHANGES, Key, Located, crossed, first_zero
+from sim.dynamics.stepping.located import MOST_CHANGES, Key, Located
 from sim.dynamics.stepping.method import StepMethod
 from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.rk4 import RK4
@@ -134,28 +135,17 @@ class LocatedStepper(Stepper):
     def part(self, t: float, h: float) -> tuple[float, list[Key]]:
         """Take h, or less up to the first event; returns how much, and the guards that fell."""
         s, v = self.s, self.v
-        before = self.located.guards(t, s, v)
         s1, v1 = self.method.step(self.field, t, s, v, h)
-        after = self.located.guards(t + h, s1, v1)
-        roots: dict[Key, float] = {}
-        for key in crossed(before, after):
-            roots[key] = (
-                self._root(t, h, key, before[key], after[key]) if before[key] > 0.0 else 0.0
-            )
-        if not roots:
-            self._accept(t, h, s1, v1)
-            return h, []
-        first = min(roots.values())
+        first, keys = first_falls(self.located, t, h, (s, v), (s1, v1), self._along(t))
         if first > 0.0:
-            self._accept(t, first, *self.method.step(self.field, t, s, v, first))
-        return first, [key for key, root in roots.items() if root - first <= CLOSE * h]
+            if keys:
+                s1, v1 = self.method.step(self.field, t, s, v, first)
+            self._accept(t, first, s1, v1)
+        return first, keys
 
-    def _root(self, t: float, h: float, key: Key, at_begin: float, at_end: float) -> float:
-        def value(tau: float) -> float:
-            s, v = self.method.step(self.field, t, self.s, self.v, tau)
-            return self.located.guards(t + tau, s, v)[key]
-
-        return first_zero(value, h, at_begin, at_end)
+    def _along(self, t: float) -> Along:
+        """Ways and velocities in a step from now, by trial steps."""
+        return lambda tau: self.method.step(self.field, t, self.s, self.v, tau)
 
     def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
         before, self.s, self.v = self.s, s, v

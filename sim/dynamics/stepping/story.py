@@ -1,7 +1,8 @@
 """What happens in a stepped run as its steps show it: touches, greatest forces, separations.
 
-A touch has happened when a step ends with a force in the gap; a method that locates events ends a
-step right there. Times are those of the ends of steps: nothing is put in between.
+A touch has happened when a step ends with a force in the gap; without a look at events it is told
+then, and so is its end, when a step ends without the force. A method that locates events begins a
+step where either happens, and that is what it tells. Nothing is put between the ends of steps.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ class Touch:
     impulse: float = 0.0  # N s so far
     peak: tuple[float, float, float, Speeds] | None = None  # t, N, N s until then, m/s
     last: float = 0.0  # N
+    until: float = 0.0  # s, the end of the last step with a force
     deepest: float = 0.0  # m
     approach: float = 0.0  # m/s
 
@@ -61,13 +63,25 @@ class Story:
 
     field: Field
     record: Record
+    located: bool
     touching: dict[int, Touch] = dataclasses.field(default_factory=dict)
     loose: dict[int, LetGo] = dataclasses.field(default_factory=dict)
     closing: dict[int, float] = dataclasses.field(default_factory=dict)
     """m/s, of pairs that never touch: how fast they have come nearer, at most."""
 
-    def step(self, t: float, old: Row, v: Row, s: Row, push: Row, impulses: list[float]) -> None:
-        """A step ended at t: velocities before and after it, forces now, impulses in it."""
+    def step(
+        self,
+        t: float,
+        h: float,
+        old: Row,
+        v: Row,
+        s: Row,
+        push: Row,
+        impulses: list[float],
+        first: Row | None,
+    ) -> None:
+        """A step of h ended at t: velocities before and after it, forces now, impulses in it, and
+        the forces with which it began; None where it has no length."""
         for pair in self.field.pairs:
             gap = pair.gap
             if gap in self.loose:
@@ -78,20 +92,33 @@ class Story:
                 continue
             touch = self.touching.get(gap)
             if touch is None and (push[gap] or impulses[gap]):
-                before = self._speeds(pair, old)
-                touch = self.touching[gap] = Touch(before, approach=before[0] - before[1])
-                self._tell(t, "contact", pair, before, self._speeds(pair, v), 0.0, push[gap])
+                touch = self._begin(t, h, pair, old, v, push[gap], first)
             if touch is None:
+                continue
+            if self.located and not (push[gap] or impulses[gap]):
+                touch.last *= not pair.force.locks  # which gives nothing back
+                self.end(touch.until, pair, old)
                 continue
             touch.impulse += impulses[gap]
             d, _ = self.field.overlap(pair, s, v)
             touch.deepest = max(touch.deepest, d)
             if touch.peak is None or push[gap] > touch.peak[1]:
                 touch.peak = (t, push[gap], touch.impulse, self._speeds(pair, v))
-            if push[gap]:
+            touch.until = t
+            if push[gap] or self.located:
                 touch.last = push[gap]
-            else:
+            if not push[gap]:
                 self.end(t, pair, v)
+
+    def _begin(
+        self, t: float, h: float, pair: Pair, old: Row, v: Row, push: float, first: Row | None
+    ) -> Touch:
+        before, after = self._speeds(pair, old), self._speeds(pair, v)
+        touch = self.touching[pair.gap] = Touch(before, approach=before[0] - before[1])
+        if self.located and first is not None:
+            t, after, push = t - h, before, first[pair.gap]
+        self._tell(t, "contact", pair, before, after, 0.0, push)
+        return touch
 
     def end(self, t: float, pair: Pair, v: Row, *, over: bool = True) -> None:
         """A contact is over; or the run is, in the middle of it."""
