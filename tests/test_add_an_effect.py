@@ -72,8 +72,24 @@ def test_a_scene_without_it_says_what_it_would_change(project: Path) -> None:
 
 
 def test_what_accuracy_costs_is_told(project: Path) -> None:
-    rows = {row["method"]: row for row in carts(project, "cost")["rows"]}
-    assert rows["rk4"]["error_v"] < 1e-6
+    """The rows of `carts cost`, which `tests/cli/test_cost.py` tries as a command: every method as
+    cheap as it is listed there, and the finest of one."""
+    program = """
+from sim.dynamics.cost.exact import exact
+from sim.dynamics.cost.measure import exact_rows, row, ways
+from sim.pages.text.yaml.source import load
+from sim.scene import read_scene
+scene = read_scene(load(open("sim/effects/wind/scenes/wind-steady.yml").read()).plain)
+truth, listed = exact(scene), ways(scene)
+assert exact_rows(scene, truth)
+cheapest = {way.method: way for way in reversed(listed)}
+assert {"euler", "rk4", "rk4-events"} < cheapest.keys()
+for way in cheapest.values():
+    row(scene, truth, way)
+finest = [way for way in listed if way.method == "rk4"][-1]
+assert row(scene, truth, finest).error_v < 1e-6
+"""
+    python(project, "-c", program)
 
 
 def test_its_proof_holds_with_those_of_all_others(project: Path) -> None:
