@@ -58,7 +58,7 @@ def test_the_numbers_of_a_table_are_those_of_its_files(
     school: Path, words: tuple[str, ...]
 ) -> None:
     whole = json.loads(carts(school, *words, "--json").stdout)
-    target = school.parent / "table"
+    target = school.parent / "grouped"
     carts(school, *words, "--parquet", target)
     mine = reported("--table", target)
     assert numbers(mine) == numbers(whole)
@@ -77,8 +77,7 @@ def test_whatever_happens_to_files_the_numbers_are_equal(seed: int, tmp_path: Pa
 
 
 @pytest.mark.slow
-def test_tables_of_many_schools_are_one_report(school: Path) -> None:
-    whole = table(school)
+def test_tables_of_many_schools_are_one_report(school: Path, school_table: Path) -> None:
     parts = []
     for name in ("a1", "a2", "b1", "b2"):
         lay(school.parent / name / "x", [])
@@ -86,25 +85,25 @@ def test_tables_of_many_schools_are_one_report(school: Path) -> None:
         shutil.copy(school / "key.json", school.parent / name / "key.json")
         parts.append(table(school.parent / name))
     words = [word for part in parts for word in ("--table", part)]
-    assert numbers(reported(*words)) == numbers(reported("--table", whole))
+    assert numbers(reported(*words)) == numbers(reported("--table", school_table))
 
 
-def test_a_single_part_and_a_key_by_hand_are_the_folder(school: Path, tmp_path: Path) -> None:
-    target = table(school)
+def test_a_single_part_and_a_key_by_hand_are_the_folder(
+    school: Path, school_table: Path, tmp_path: Path
+) -> None:
     lone = tmp_path / "lone"
     lone.mkdir()
-    shutil.copy(target / "answers-0001.parquet", lone / "x.parquet")
+    shutil.copy(school_table / "answers-0001.parquet", lone / "x.parquet")
     mine = reported("--table", lone / "x.parquet", "--key", school / "key.json")
-    assert mine == reported("--table", target)
+    assert mine == reported("--table", school_table)
 
 
 @pytest.mark.slow
-def test_without_its_key_a_table_still_has_all_marks(school: Path, tmp_path: Path) -> None:
-    target = table(school)
-    whole = reported("--table", target)
-    for path in target.glob("key-*.json"):
+def test_without_its_key_a_table_still_has_all_marks(school_table: Path) -> None:
+    whole = reported("--table", school_table)
+    for path in school_table.glob("key-*.json"):
         path.unlink()
-    mine = reported("--table", target)
+    mine = reported("--table", school_table)
     for ours, theirs in zip(mine["lessons"][0]["forms"], whole["lessons"][0]["forms"], strict=True):
         assert [g.get("mean") for g in ours["groups"]] == [g.get("mean") for g in theirs["groups"]]
         for one, other in zip(ours["items"], theirs["items"], strict=True):
@@ -113,16 +112,16 @@ def test_without_its_key_a_table_still_has_all_marks(school: Path, tmp_path: Pat
                 assert one[name] == other[name], name
 
 
-def test_the_sums_of_a_table_can_be_handed_on(school: Path) -> None:
+def test_the_sums_of_a_table_can_be_handed_on(school: Path, school_table: Path) -> None:
     sums = [school.parent / "files.json", school.parent / "table.json"]
     carts(school, "--summary", sums[0])
-    carts("--table", table(school), "--summary", sums[1])
+    carts("--table", school_table, "--summary", sums[1])
     one, other = (reported("--merge", path)["lessons"] for path in sums)
     assert one == other
 
 
-def test_a_table_of_which_a_part_is_missing_is_refused(school: Path, tmp_path: Path) -> None:
-    part = table(school) / "answers-0001.parquet"
+def test_a_table_of_which_a_part_is_missing_is_refused(school_table: Path) -> None:
+    part = school_table / "answers-0001.parquet"
     rows = pq.read_table(part)
     pq.write_table(rows.slice(0, rows.num_rows - 3), part)
     result = carts("--table", part)
@@ -130,31 +129,34 @@ def test_a_table_of_which_a_part_is_missing_is_refused(school: Path, tmp_path: P
     assert "rows are there" in result.stderr
 
 
-def test_one_table_given_twice_is_refused(school: Path, tmp_path: Path) -> None:
-    target = table(school)
-    shutil.copytree(target, tmp_path / "again")
-    result = carts("--table", target, "--table", tmp_path / "again")
+def test_one_table_given_twice_is_refused(school_table: Path, tmp_path: Path) -> None:
+    shutil.copytree(school_table, tmp_path / "again")
+    result = carts("--table", school_table, "--table", tmp_path / "again")
     assert result.exit_code == 1
     assert "does it stand here twice?" in result.stderr
 
 
-def test_another_backend_by_its_address_gives_the_same(school: Path, tmp_path: Path) -> None:
+def test_another_backend_by_its_address_gives_the_same(
+    school: Path, school_table: Path, tmp_path: Path
+) -> None:
     import duckdb
 
-    target = table(school)
     file = tmp_path / "warehouse.duckdb"
     with duckdb.connect(str(file)) as warehouse:
-        warehouse.execute(f"create table answers as select * from '{target.as_posix()}/*.parquet'")
+        warehouse.execute(
+            f"create table answers as select * from '{school_table.as_posix()}/*.parquet'"
+        )
     mine = reported("--table", "answers", "--backend", f"duckdb://{file}",
                     "--key", school / "key.json")  # fmt: skip
-    assert mine == reported("--table", target)
+    assert mine == reported("--table", school_table)
 
 
 @pytest.mark.parametrize("name", ["answers [2025]", "what? all*", "a [b"])
-def test_a_table_is_read_from_the_folder_that_it_was_written_to(school: Path, name: str) -> None:
+def test_a_table_is_read_from_the_folder_that_it_was_written_to(
+    school_table: Path, name: str
+) -> None:
     """Brackets and stars in its name are no pattern."""
-    target = table(school)
-    named = target.rename(target.with_name(name))
+    named = school_table.rename(school_table.with_name(name))
     mine = reported("--table", named)
     assert mine["files"]["counted"] > 0
 

@@ -26,8 +26,10 @@ from tests.country.school import KEY, lay, school_files
      ("--table", "T", "--table", "KEY"), ("KEY", "--backend", "duckdb://"),
      ("--table", "no.parquet"), ("KEY", "--parquet", "N", "--csv", "x.csv")],
 )  # fmt: skip
-def test_calls_that_cannot_be_meant_end_with_2(school: Path, words: tuple[str, ...]) -> None:
-    places = {"T": table(school), "KEY": school / "key.json", "N": school.parent / "new"}
+def test_calls_that_cannot_be_meant_end_with_2(
+    school: Path, school_table: Path, words: tuple[str, ...]
+) -> None:
+    places = {"T": school_table, "KEY": school / "key.json", "N": school.parent / "new"}
     assert carts(*(places.get(word, word) for word in words)).exit_code == 2
 
 
