@@ -11,6 +11,7 @@ import http.server
 import os
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -19,6 +20,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Playwright, Request, expect, sync_playwright
 
 from tests.web.last_words import LastWords
+from tests.web.shared_page import SharedPage
 
 LAUNCH: dict[str, dict[str, Any]] = {
     "chromium": {
@@ -44,6 +46,7 @@ machine that others use too, the five seconds of the driver's own are not always
 expect.set_options(timeout=PATIENCE)
 
 OpenPage = Callable[..., Page]
+SharePage = Callable[[Path], Page]
 OPENED = pytest.StashKey[list[LastWords]]()
 """The pages that a test has opened, to be told about where it fails."""
 
@@ -129,6 +132,51 @@ def open_page(
     `folder` is the site's folder, by default that of the file. A new profile for every page. Any
     request outside the folder or the origin fails the test at its end.
     """
+    with _opening(browser, browser_name, request.node) as open_it:
+        yield open_it
+
+
+@pytest.fixture(scope="module")
+def open_for_all(
+    browser: Browser, browser_name: str, request: pytest.FixtureRequest
+) -> Iterator[OpenPage]:
+    """The same for a page that all tests of a file have, and only look at."""
+    with _opening(browser, browser_name, request.node) as open_it:
+        yield open_it
+
+
+@pytest.fixture(scope="module")
+def _shared(open_for_all: OpenPage) -> Callable[[Path], SharedPage]:
+    kept: dict[Path, SharedPage] = {}
+
+    def of(file: Path) -> SharedPage:
+        if file not in kept:
+            kept[file] = SharedPage(open_for_all(file), file)
+        return kept[file]
+
+    return of
+
+
+@pytest.fixture
+def shared_page(
+    _shared: Callable[[Path], SharedPage], request: pytest.FixtureRequest
+) -> Iterator[SharePage]:
+    """Return `shared_page(file)`: a page that the tests of a file of tests have one after another,
+    as it was when it came, with Python running (`tests/web/shared_page.py`)."""
+    used: list[SharedPage] = []
+
+    def begin(file: Path) -> Page:
+        used.append(_shared(file))
+        request.node.stash.setdefault(OPENED, []).append(used[-1].words)
+        return used[-1].begin(file)
+
+    yield begin
+    for one in used:
+        one.end()
+
+
+@contextmanager
+def _opening(browser: Browser, browser_name: str, node: pytest.Item) -> Iterator[OpenPage]:
     outside: list[str] = []
     contexts = []
 
@@ -136,7 +184,7 @@ def open_page(
         made = browser.new_context(**CONTEXT[browser_name], **context)
         contexts.append(made)
         page = made.new_page()
-        request.node.stash.setdefault(OPENED, []).append(LastWords(page))
+        node.stash.setdefault(OPENED, []).append(LastWords(page))
         if isinstance(where, Path):
             home = (folder or where.parent).resolve().as_posix() + "/"
             address = where.resolve().as_uri()

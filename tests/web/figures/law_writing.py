@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.law_site import build_law
 
 STARTS = 60_000  # ms; Python on a loaded computer
@@ -20,7 +20,7 @@ def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build_law(tmp_path_factory.mktemp("law"))
 
 
-def opened(open_page: OpenPage, bench: Path) -> Page:
+def opened(open_page: OpenPage | SharePage, bench: Path) -> Page:
     page = open_page(bench / "law.html")
     page.on("pageerror", lambda error: pytest.fail(str(error)))
     page.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.classroom.class_site import CATCH, LAST
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.law_site import build_law
 from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
 
@@ -45,9 +45,9 @@ def force(overlap, rate):
 
 @pytest.mark.one_browser
 def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown(
-    open_page: OpenPage, bench: Path
+    shared_page: SharePage, bench: Path
 ) -> None:
-    page = opened(open_page, bench)
+    page = opened(shared_page, bench)
     rows = page.locator(".carts-law-shown tr")
     expect(page.locator(".carts-law-shown figcaption")).to_have_text("The law that you begin with")
     expect(rows).to_have_count(0)  # a lesson may ask for them first
@@ -82,8 +82,10 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
 
 
 @pytest.mark.one_browser
-def test_what_was_judged_goes_with_the_law_that_it_was_of(open_page: OpenPage, bench: Path) -> None:
-    page = opened(open_page, bench)
+def test_what_was_judged_goes_with_the_law_that_it_was_of(
+    shared_page: SharePage, bench: Path
+) -> None:
+    page = opened(shared_page, bench)
     write(page, HEAVY)
     press(page, "Judge")
     expect(page.locator(".carts-law-verdicts li")).to_have_count(6)
@@ -134,9 +136,9 @@ def test_a_second_law_of_the_scene_stays_and_the_blocks_own_is_judged(
 )
 @pytest.mark.one_browser
 def test_what_is_wrong_is_told_with_its_line_and_the_cursor_goes_there(
-    open_page: OpenPage, bench: Path, text: str, line: int, words: str
+    shared_page: SharePage, bench: Path, text: str, line: int, words: str
 ) -> None:
-    page = opened(open_page, bench)
+    page = opened(shared_page, bench)
     write(page, text)
     press(page, "Run")
     fault = page.locator(".carts-law-fault")
@@ -197,9 +199,9 @@ def test_the_text_is_kept_survives_a_reload_and_is_in_the_answer_file(
 
 @pytest.mark.one_browser
 def test_the_tab_key_leads_on_and_enter_goes_on_below_the_first_letter(
-    open_page: OpenPage, bench: Path
+    shared_page: SharePage, bench: Path
 ) -> None:
-    page = opened(open_page, bench)
+    page = opened(shared_page, bench)
     box = page.get_by_label("Your law, in Python")
     box.fill("def force(overlap, rate):")
     box.press("End")
@@ -213,8 +215,8 @@ def test_the_tab_key_leads_on_and_enter_goes_on_below_the_first_letter(
 
 
 @pytest.mark.one_browser
-def test_on_paper_and_without_a_script_the_law_is_code(open_page: OpenPage, bench: Path) -> None:
-    page = opened(open_page, bench)
+def test_on_paper_and_without_a_script_the_law_is_code(shared_page: SharePage, bench: Path) -> None:
+    page = opened(shared_page, bench)
     write(page, HEAVY)
     page.emulate_media(media="print")
     expect(page.locator(".carts-law-paper code")).to_have_text(HEAVY)

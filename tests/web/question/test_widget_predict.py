@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import SharePage
 from tests.web.question.answering import guess
 from tests.web.scene.given.widget_site import live, lock, on_scene, widget_site
 
@@ -16,8 +16,8 @@ pytestmark = pytest.mark.browser
 __all__ = ["widget_site"]  # a fixture
 
 
-def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "arrows.html"), "arrows")
+def test_nothing_is_told_before_the_lock(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "arrows.html"), "arrows")
     told = on_scene(
         page,
         """const error = await el.set({ "A.mass": 2 }).catch((e) => e.message);
@@ -43,9 +43,9 @@ def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path)
 
 @pytest.mark.one_browser
 def test_before_the_lock_cards_and_tables_hold_the_start_state_only(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "guessed.html"), "guessed")
+    page = live(shared_page(widget_site / "guessed.html"), "guessed")
     page.wait_for_timeout(500)  # tables are filled when the page has come to rest
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     values = page.locator('#guessed [data-body="A"] .carts-value')
@@ -57,9 +57,9 @@ def test_before_the_lock_cards_and_tables_hold_the_start_state_only(
 
 @pytest.mark.one_browser
 def test_after_the_lock_a_graph_says_what_it_cannot_draw(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "guessed.html"), "guessed")
+    page = live(shared_page(widget_site / "guessed.html"), "guessed")
     page.get_by_label("It stops", exact=True).check()
     lock(page, "guessed")
     force = page.locator('#guessed [data-quantity="F"] .carts-key')
@@ -70,8 +70,10 @@ def test_after_the_lock_a_graph_says_what_it_cannot_draw(
 
 
 @pytest.mark.one_browser
-def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "arrows.html"), "arrows")
+def test_arrows_are_drawn_kept_locked_and_compared(
+    shared_page: SharePage, widget_site: Path
+) -> None:
+    page = live(shared_page(widget_site / "arrows.html"), "arrows")
     page.locator("#arrows .carts-lock").click()
     expect(page.locator("#arrows .carts-predict-error")).to_contain_text("Set every arrow first")
     guess(page, "A", 2)
@@ -90,9 +92,9 @@ def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_s
 
 
 def test_arrows_are_pulled_in_the_picture_until_they_are_locked(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    page = live(shared_page(widget_site / "arrows.html"), "arrows")
     stage = page.locator("#arrows .carts-stage:visible")
     box = page.locator('#arrows .carts-guess[data-on="B"] .carts-number-box')
     handles = stage.locator(".carts-pull circle.carts-pull-room")
@@ -122,8 +124,8 @@ def test_arrows_are_pulled_in_the_picture_until_they_are_locked(
 
 
 @pytest.mark.one_browser
-def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "arrows.html"), "arrows")
+def test_a_long_arrow_is_typed_and_drawn_cut(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "arrows.html"), "arrows")
     error = page.locator("#arrows .carts-predict-error")
     force = page.locator('.carts-guess[data-on="A"]')
     full = float(force.locator("[type=range]").get_attribute("max") or 0)
@@ -144,9 +146,9 @@ def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: P
 
 
 def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    page = live(shared_page(widget_site / "arrows.html"), "arrows")
     guess(page, "A", 2)
     guess(page, "B", 6)
     page.locator("#arrows .carts-lock").focus()
@@ -159,8 +161,8 @@ def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
 
 
 @pytest.mark.one_browser
-def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "choice.html"), "choice")
+def test_an_option_or_a_sentence_is_enough(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "choice.html"), "choice")
     page.locator("#choice .carts-lock").click()
     expect(page.locator("#choice .carts-predict-error")).to_be_visible()
     page.get_by_label("It turns back", exact=True).check()
@@ -176,7 +178,7 @@ def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Pat
     page = live(page, "choice")
     expect(compared.get_by_label("It stops", exact=True)).to_be_checked(timeout=20_000)
     expect(first).to_be_checked()
-    page = live(open_page(widget_site / "words.html"), "words")
+    page = live(shared_page(widget_site / "words.html"), "words")
     page.locator("#words .carts-words").fill("It turns back, <b>I think</b>.")
     expect(page.locator("#words .carts-saved")).to_have_text("Saved.")
     page.reload()

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import SharePage
 from tests.web.scene.given.widget_site import live, lock, widget_site, write_page
 
 pytestmark = pytest.mark.browser
@@ -17,9 +17,9 @@ __all__ = ["widget_site"]  # a fixture
 
 @pytest.mark.one_browser
 def test_a_curve_is_typed_or_drawn_and_compared_by_features(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "curve.html"), "curve")
+    page = live(shared_page(widget_site / "curve.html"), "curve")
     heights = page.locator("#curve .carts-height")
     for k, height in enumerate((0, 5, 9, 5)):
         heights.nth(k).fill(str(height))
@@ -36,9 +36,9 @@ def test_a_curve_is_typed_or_drawn_and_compared_by_features(
 
 @pytest.mark.one_browser
 def test_curves_of_velocity_and_position_have_a_direction_and_need_no_contact(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "speed.html"), "speed")
+    page = live(shared_page(widget_site / "speed.html"), "speed")
     for k, height in enumerate((6, 4, 2, -2, -2)):
         page.locator("#speed .carts-height").nth(k).fill(str(height))
     lock(page, "speed")
@@ -69,9 +69,9 @@ PUSHED = {
     ids=["as the run", "as fast as pushed", "gains less and less"],
 )
 def test_a_velocity_that_goes_with_the_push_differs_from_one_that_grows_with_it(
-    open_page: OpenPage, widget_site: Path, drawn: tuple[int, ...], evenly: str, level: str
+    shared_page: SharePage, widget_site: Path, drawn: tuple[int, ...], evenly: str, level: str
 ) -> None:
-    page = live(open_page(write_page(widget_site, "pushed", PUSHED)), "pushed")
+    page = live(shared_page(write_page(widget_site, "pushed", PUSHED)), "pushed")
     for k, height in enumerate(drawn):
         page.locator("#pushed .carts-height").nth(k).fill(str(height))
     lock(page, "pushed")
@@ -104,10 +104,10 @@ UNDER = """(name) => {
     [(0, 0, 0, 0, 0), (0, 3, 6, 2, 2), (9, 9, 2, 2, 2), (2, 2, -2, -2, -9), (-9, 0, 3, 2, 1)],
 )
 def test_no_curve_goes_through_the_words_of_its_pad(
-    open_page: OpenPage, widget_site: Path, drawn: tuple[int, ...]
+    shared_page: SharePage, widget_site: Path, drawn: tuple[int, ...]
 ) -> None:
     """“at rest” was struck out by the velocity that was drawn."""
-    page = live(open_page(write_page(widget_site, "pushed", PUSHED)), "pushed")
+    page = live(shared_page(write_page(widget_site, "pushed", PUSHED)), "pushed")
     for k, height in enumerate(drawn):
         page.locator("#pushed .carts-height").nth(k).fill(str(height))
     assert page.evaluate(UNDER, "pushed") == []

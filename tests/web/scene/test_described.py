@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import SharePage
 from tests.web.scene.given.widget_site import live, widget_site
 
 __all__ = ["widget_site"]  # a fixture
@@ -16,9 +16,9 @@ pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
 
 def test_the_description_follows_the_clock_and_steps_say_what_came(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "meeting.html"), "meeting")
+    page = live(shared_page(widget_site / "meeting.html"), "meeting")
     scene = page.locator("#meeting")
     described = page.locator("#meeting-described")
     expect(described).to_contain_text("At the start:")
@@ -37,9 +37,9 @@ def test_the_description_follows_the_clock_and_steps_say_what_came(
 
 
 def test_the_table_of_forces_has_nine_instants_within_each_contact(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "meeting.html"), "meeting")
+    page = live(shared_page(widget_site / "meeting.html"), "meeting")
     table = page.locator('#meeting .carts-graph[data-quantity="F"] details')
     table.locator("summary").click()
     touch, apart = page.locator("#meeting").evaluate(

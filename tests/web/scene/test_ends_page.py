@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.against_ends import AGAINST, AT_PEAK, ends
 from tests.web.scene.given.widget_site import live, on_scene, widget_site, write_page
 
@@ -37,8 +37,8 @@ TOUCHED = """return ["wide", "narrow"].map((kind) => {
 
 
 @pytest.fixture
-def against(open_page: OpenPage, widget_site: Path) -> Page:
-    return live(open_page(write_page(widget_site, "against", AGAINST)), "against")
+def against(shared_page: SharePage, widget_site: Path) -> Page:
+    return live(shared_page(write_page(widget_site, "against", AGAINST)), "against")
 
 
 def part(page: Page, selector: str, name: str = "against") -> Locator:

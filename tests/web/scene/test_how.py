@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from sim.bridge.protocol import answer
 from sim.scene import read_fence
 from sim.scene.said import said
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.counted_requests import COUNT, asked
 from tests.web.scene.given.widget_site import (
     FENCES,
@@ -80,8 +80,8 @@ def test_nothing_is_made_or_asked_before_a_reader_opens_it(
 
 
 @pytest.mark.one_browser
-def test_the_plan_and_its_cost_stand_there(open_page: OpenPage, widget_site: Path) -> None:
-    page = opened(live(open_page(widget_site / "meeting.html")))
+def test_the_plan_and_its_cost_stand_there(shared_page: SharePage, widget_site: Path) -> None:
+    page = opened(live(shared_page(widget_site / "meeting.html")))
     phases = natively()["plan"]
     lines = page.locator("#meeting .carts-how-plan li")
     expect(lines).to_have_count(len(phases))
@@ -99,9 +99,9 @@ def test_the_plan_and_its_cost_stand_there(open_page: OpenPage, widget_site: Pat
 
 @pytest.mark.one_browser
 def test_a_stepping_method_plays_and_the_exact_run_stays_behind(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = opened(live(open_page(widget_site / "meeting.html")))
+    page = opened(live(shared_page(widget_site / "meeting.html")))
     exact = on_scene(page, FINAL)
     choose(page, "semi-implicit")
     stepped = natively(method="semi-implicit", parts=103)
@@ -162,9 +162,9 @@ def choose_exact(page: Page) -> None:
 
 @pytest.mark.one_browser
 def test_sliders_and_the_step_go_on_working_and_reset_is_exact(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = opened(live(open_page(widget_site / "meeting.html")))
+    page = opened(live(shared_page(widget_site / "meeting.html")))
     exact = on_scene(page, FINAL)
     choose(page, "euler")
     sign = page.locator("#meeting .carts-how-sign")

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.against_ends import AT_PEAK
 from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
 
@@ -51,8 +51,8 @@ return places;"""
 
 
 @pytest.fixture
-def foam(open_page: OpenPage, widget_site: Path) -> Page:
-    page = live(open_page(write_page(widget_site, "foam", FOAM)), "foam")
+def foam(shared_page: SharePage, widget_site: Path) -> Page:
+    page = live(shared_page(write_page(widget_site, "foam", FOAM)), "foam")
     on_scene(page, AT_PEAK, name="foam")
     return page
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.widget_site import CHOICE, LIVE, MEETING, live, on_scene, widget_site
 from tests.web.scene.given.widget_site import write_page as put
 
@@ -54,8 +54,8 @@ def told(page: Page, name: str = "watched") -> dict[str, object]:
 
 
 @pytest.fixture
-def watched(open_page: OpenPage, widget_site: Path) -> Page:
-    return live(open_page(put(widget_site, "watched", WATCHED)), "watched")
+def watched(shared_page: SharePage, widget_site: Path) -> Page:
+    return live(shared_page(put(widget_site, "watched", WATCHED)), "watched")
 
 
 @pytest.mark.one_browser

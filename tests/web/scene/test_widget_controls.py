@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import SharePage
 from tests.web.scene.given.widget_site import PLAY, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
@@ -16,8 +16,8 @@ __all__ = ["widget_site"]  # a fixture
 
 
 @pytest.mark.one_browser
-def test_a_slider_and_its_box_are_one(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+def test_a_slider_and_its_box_are_one(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
     control = page.locator('#meeting [data-set="A.mass"]')
     box, slider = control.locator("[type=text]"), control.locator("[type=range]")
     mass = page.locator('#meeting [data-body="A"] [data-quantity="mass"]')
@@ -64,9 +64,11 @@ WRONG = (
 
 
 @pytest.mark.one_browser
-def test_a_wrong_number_is_explained_beside_its_box(open_page: OpenPage, widget_site: Path) -> None:
+def test_a_wrong_number_is_explained_beside_its_box(
+    shared_page: SharePage, widget_site: Path
+) -> None:
     """One after another; what is said of one goes with the right number that is typed after it."""
-    page = live(open_page(widget_site / "meeting.html"))
+    page = live(shared_page(widget_site / "meeting.html"))
     control = page.locator('#meeting [data-set="A.mass"]')
     box, error = control.locator("[type=text]"), control.locator(".carts-error")
     mass = page.locator('#meeting [data-body="A"] [data-quantity="mass"]')
@@ -81,8 +83,8 @@ def test_a_wrong_number_is_explained_beside_its_box(open_page: OpenPage, widget_
         expect(error).to_be_hidden()
 
 
-def test_everything_is_reached_by_keyboard(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+def test_everything_is_reached_by_keyboard(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
     world, clock = page.locator("#meeting .carts-world"), page.locator("#meeting .carts-clock")
     world.focus()
     page.keyboard.press("ArrowRight")
@@ -107,8 +109,8 @@ def test_everything_is_reached_by_keyboard(open_page: OpenPage, widget_site: Pat
 
 
 @pytest.mark.one_browser
-def test_a_table_is_filled_when_it_is_opened(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+def test_a_table_is_filled_when_it_is_opened(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
     on_scene(page, "await el.set({ 'A.velocity': 1 })")
     table = page.locator('#meeting [data-quantity="v"] details')
     table.locator("summary").click()
@@ -116,8 +118,8 @@ def test_a_table_is_filled_when_it_is_opened(open_page: OpenPage, widget_site: P
 
 
 @pytest.fixture
-def play(open_page: OpenPage, widget_site: Path) -> Page:
-    return live(open_page(write_page(widget_site, "play", PLAY)), "play")
+def play(shared_page: SharePage, widget_site: Path) -> Page:
+    return live(shared_page(write_page(widget_site, "play", PLAY)), "play")
 
 
 def value(page: Page, target: str) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.widget_site import (
     FENCES,
     MEETING,
@@ -78,8 +78,8 @@ def test_nothing_jumps_and_the_marks_are_set(open_page: OpenPage, widget_site: P
 
 
 @pytest.mark.one_browser
-def test_steps_never_pass_over_an_event(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+def test_steps_never_pass_over_an_event(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
     page.locator("#meeting .carts-speed").select_option("10")
     page.locator("#meeting .carts-slow").uncheck()
     times = on_scene(
@@ -93,8 +93,8 @@ def test_steps_never_pass_over_an_event(open_page: OpenPage, widget_site: Path) 
 
 
 @pytest.mark.one_browser
-def test_slow_motion_shows_both_clocks(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+def test_slow_motion_shows_both_clocks(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
     on_scene(page, "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t")
     expect(page.locator("#meeting .carts-slow-note")).to_be_visible()
     expect(page.locator("#meeting .carts-rate")).to_have_text("1/50")
@@ -103,9 +103,9 @@ def test_slow_motion_shows_both_clocks(open_page: OpenPage, widget_site: Path) -
 
 
 def test_force_arrows_are_equal_and_point_into_their_bodies(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+    page = live(shared_page(widget_site / "meeting.html"))
     told = on_scene(
         page,
         """el.time = el.trajectory.events.find((e) => e.kind === "peak").t;
@@ -123,8 +123,8 @@ def test_force_arrows_are_equal_and_point_into_their_bodies(
 
 
 @pytest.mark.one_browser
-def test_the_live_region_tells_events(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
+def test_the_live_region_tells_events(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
     page.locator("#meeting .carts-speed").select_option("10")
     page.locator("#meeting .carts-slow").uncheck()
     page.locator("#meeting .carts-play").click()

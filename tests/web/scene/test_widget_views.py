@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
@@ -26,8 +26,8 @@ AT_PEAK = "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t;"
 
 
 @pytest.fixture
-def third(open_page: OpenPage, widget_site: Path) -> Page:
-    page = live(open_page(write_page(widget_site, "third", THIRD)), "third")
+def third(shared_page: SharePage, widget_site: Path) -> Page:
+    page = live(shared_page(write_page(widget_site, "third", THIRD)), "third")
     on_scene(page, AT_PEAK, name="third")
     return page
 

@@ -1,0 +1,91 @@
+"""A page that the tests of a file use one after another: Python starts in it once.
+
+Before every test the page is as it came: its elements are made anew from the file, its stores are
+empty, the window is as wide as at first. What cannot be put back no test may leave behind: it fails
+at its own end where it does. A test that adds scripts, routes or listeners of its own, or whose
+subject is the start, wants `open_page`.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from playwright.sync_api import ConsoleMessage, Page
+
+from tests.web.last_words import LastWords
+
+MAIN = re.compile(r"<main>(.*)</main>", re.S)
+NO_FILE = "Failed to load resource"  # sites of tests have not all scripts; the built one is asked
+WINDOW = {"width": 1280, "height": 720}  # as the driver opens one
+# Elements leave first: what they keep as they go does not outlive the stores.
+ANEW = """async (main) => {
+  document.activeElement?.blur();
+  const place = document.querySelector("main");
+  place.replaceChildren();
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  localStorage.clear();
+  sessionStorage.clear();
+  for (const { name } of await indexedDB.databases()) {
+    const asked = indexedDB.open(name);
+    const base = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
+    const stores = [...base.objectStoreNames];
+    const emptied = base.transaction(stores, "readwrite");
+    for (const store of stores) emptied.objectStore(store).clear();
+    await new Promise((done) => (emptied.oncomplete = done));
+    base.close();
+  }
+  history.replaceState(null, "", location.pathname);
+  place.innerHTML = main;
+  scrollTo(0, 0);
+}"""
+# In the window and around what `ANEW` makes anew. Names with a bar before them are the page's own,
+# and the driver's: they come as Python starts.
+LEFT = """() => ({
+  names: Object.getOwnPropertyNames(window).filter((name) => !/^(\\d+$|_)/.test(name)),
+  beside: [...document.body.children].map(({ localName }) => localName),
+  classes: [document.documentElement, document.body].map(({ className }) => className),
+  python: document.documentElement.dataset.python === "failed",
+})"""
+
+
+class SharedPage:
+    """One open page, the text it was made of, and what it complains of."""
+
+    def __init__(self, page: Page, file: Path) -> None:
+        self.page, self.text, self.words = page, file.read_text(encoding="utf-8"), LastWords(page)
+        self._complaints: list[str] = []
+        page.on("pageerror", lambda error: self._complaints.append(str(error)))
+        page.on("console", self._hear)
+        self._first = page.evaluate(LEFT)
+        self._names = set(self._first.pop("names"))
+
+    def _hear(self, said: ConsoleMessage) -> None:
+        if said.type == "error" and not said.text.startswith(NO_FILE):
+            self._complaints.append(said.text)
+
+    def begin(self, file: Path) -> Page:
+        """The page as it came from `file`, in which nothing has changed since it was opened."""
+        assert file.read_text(encoding="utf-8") == self.text, f"{file.name} is another page now"
+        found = MAIN.search(self.text)
+        assert found, f"{file.name} has no <main> to be made anew"
+        self.page.set_viewport_size(WINDOW)  # type: ignore[arg-type]
+        if self._is_chromium():  # the other driver cannot, so that no test there does
+            self.page.emulate_media(media="null")
+        self.page.mouse.move(0, 0)
+        self.page.evaluate(ANEW, found[1])
+        self._complaints.clear()
+        return self.page
+
+    def end(self) -> None:
+        """Fail where the next test would not find the page as this one did."""
+        assert self._complaints == []
+        assert len(self.page.context.pages) == 1, "a page beside it was left open"
+        now = self.page.evaluate(LEFT)
+        more = set(now.pop("names")) ^ self._names
+        assert not more, f"a test left something in the window: {more}"
+        assert now == self._first, "a test left something in the page"
+
+    def _is_chromium(self) -> bool:
+        browser = self.page.context.browser
+        return browser is not None and browser.browser_type.name == "chromium"
