@@ -10,10 +10,12 @@ from playwright.sync_api import Locator, Page, expect
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import LIVE
 from tests.web.site.lessons_with_scenes import LESSONS
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SMALL, LAPTOP = {"width": 360, "height": 740}, {"width": 1366, "height": 768}
+SETTLED = 300  # ms; it moves when nothing has changed for a moment
 SEEN = "localStorage.getItem('carts-tour')"
 
 COVERED = """scene => {
@@ -82,29 +84,48 @@ def test_nothing_is_hinted_at_before_a_prediction_is_locked(
 
 @pytest.mark.one_browser
 @pytest.mark.parametrize(
-    "name",
+    ("name", "sizes"),
     [
-        *("index", "sandbox", "physics/effects/incline", "physics/effects/push"),
-        *(f"worksheets/{one}" for one in LESSONS),
+        ("index", (SMALL, LAPTOP)),
+        *(
+            (name, (LAPTOP, SMALL))
+            for name in (
+                *("index", "sandbox", "physics/effects/incline", "physics/effects/push"),
+                *(f"worksheets/{one}" for one in LESSONS),
+            )
+        ),
     ],
+    ids=lambda it: it if isinstance(it, str) else f"{it[0]['width']} px first",
 )
-@pytest.mark.parametrize("size", [SMALL, LAPTOP], ids=["phone", "laptop"])
 def test_a_hint_covers_no_cart_and_no_arrow(
-    name: str, size: dict[str, int], site: Path, open_page: OpenPage
+    name: str, sizes: tuple[dict[str, int], ...], site: Path, open_page: OpenPage
 ) -> None:
-    page = open_page(site / f"{name}.html", folder=site, viewport=size)
+    """In a window as it came, and in one that was made smaller or larger since."""
+    page = open_page(site / f"{name}.html", folder=site, viewport=sizes[0])
     scene = page.locator("carts-scene").first
     scene.wait_for()
     if scene.evaluate("scene => scene.matches('.carts-asks')"):
         return
     expect(hint(page)).to_have_count(1)
-    assert scene.evaluate(COVERED) == []
+    clear_in(scene, sizes)
     expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
     scene.evaluate("scene => scene.reveal()")
     end = "scene => { scene.time = 60; scene.dispatchEvent(new Event('keyup')); }"
     scene.evaluate(end)
     expect(hint(page)).to_contain_text("Pull the time back")
+    clear_in(scene, sizes[::-1])
+
+
+def clear_in(scene: Locator, sizes: tuple[dict[str, int], ...]) -> None:
+    """The first of the sizes is that of the window now. In another, the hint looks for room anew at
+    whatever is done next."""
     assert scene.evaluate(COVERED) == []
+    for size in sizes[1:]:
+        scene.page.set_viewport_size(size)  # type: ignore[arg-type]
+        scene.page.evaluate(DRAWN)
+        scene.dispatch_event("keyup")
+        scene.page.wait_for_timeout(SETTLED)
+        assert scene.evaluate(COVERED) == []
 
 
 def test_on_a_phone_a_hint_goes_to_a_corner_of_the_sky_before_it_lies_on_the_scale(
