@@ -19,6 +19,9 @@ from .webdriver import Session, soon
 
 NEEDED = ("WebKitWebDriver", "Xvfb")
 OPTIONS = {"browserName": "MiniBrowser"}
+# What runs for long is compiled a third time for speed, beside what runs: of a visit that lasts a
+# moment, Python's start included, that is a third of all work.
+BRIEFLY = {"JSC_useOMGJIT": "0"}
 STARTED = 20.0  # s; a driver that says nothing by then will say nothing
 
 
@@ -28,9 +31,11 @@ def missing() -> str:
 
 
 @contextmanager
-def webkit(folder: Path) -> Iterator[Session]:
-    """A window of WebKit whose files lie in `folder`, downloads too; all is ended afterwards."""
-    with screen() as display, _driver(display, folder) as address:
+def webkit(folder: Path, *, briefly: bool = False) -> Iterator[Session]:
+    """A window of WebKit whose files lie in `folder`, downloads too; all is ended afterwards.
+    `briefly`: for pages that live a moment."""
+    more = BRIEFLY if briefly else {}
+    with screen() as display, _driver(display, folder, more) as address:
         session = Session.start(address, OPTIONS, folder)
         try:
             yield session
@@ -53,9 +58,9 @@ def screen() -> Iterator[str]:
 
 
 @contextmanager
-def _driver(display: str, folder: Path) -> Iterator[str]:
+def _driver(display: str, folder: Path, more: dict[str, str]) -> Iterator[str]:
     own = {name: str(folder) for name in ("HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME")}
-    env = {**os.environ, **own, "DISPLAY": display, "GDK_BACKEND": "x11"}
+    env = {**os.environ, **own, **more, "DISPLAY": display, "GDK_BACKEND": "x11"}
     port = _free_port()
     command = ["WebKitWebDriver", f"--port={port}"]
     with subprocess.Popen(
