@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import BrowserContext, Page, Playwright, expect
 
 from sim.pages.runtime import TEACHER
 from sim.pages.teach.withheld import withhold
 from tests.teach.at_work import LESSON, WAIT, open_teacher, saved, settled
-from tests.web.conftest import OpenPage, launch
+from tests.web.conftest import OpenPage, running
 from tests.web.runtime.boot_site import build_site, write_page
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 ROOT = Path(__file__).parents[2]
+NewPage = Callable[..., Page]
 GOLDEN = ROOT / "tests" / "golden" / "author-errors"
 
 
@@ -109,19 +111,26 @@ def test_text_between_and_questions_follow_too_and_a_draft_survives(
     expect(page.locator("article h1 + .carts-languages")).to_have_count(1)
 
 
-@pytest.fixture(scope="module")
-def chromium(driver: Any) -> Any:
-    started = launch(driver, "chromium")
-    yield started
-    started.close()
+@pytest.fixture
+def chromium(driver: Playwright) -> Iterator[NewPage]:
+    """A new page of Chromium, where Firefox sees nothing else; it leaves with its test."""
+    contexts: list[BrowserContext] = []
+
+    def new_page(**more: Any) -> Page:
+        contexts.append(running(driver, "chromium", briefly=False).new_context(**more))
+        return contexts[-1].new_page()
+
+    yield new_page
+    for made in contexts:
+        made.close()
 
 
 def test_a_lesson_of_each_kind_is_saved_as_it_is_on_disk_with_the_teachers_own_file(
-    lessons: Path, chromium: Browser
+    lessons: Path, chromium: NewPage
 ) -> None:
     """With notes for teachers, with nothing that is withheld, an exam; every lesson's text is held
     in `test_round_trip.py`."""
-    page = chromium.new_page()
+    page = chromium()
     for name in (LESSON, "return-week-1", "test-forces-and-motion"):
         path = ROOT / "worksheets" / f"{name}.md"
         page.goto((lessons / "worksheets" / f"{path.stem}.html").as_uri() + "?teacher")
@@ -137,10 +146,10 @@ def test_a_lesson_of_each_kind_is_saved_as_it_is_on_disk_with_the_teachers_own_f
 
 
 def test_an_authors_mistake_reads_in_the_page_as_in_carts_check(
-    tmp_path: Path, chromium: Browser
+    tmp_path: Path, chromium: NewPage
 ) -> None:
     site = build_site(tmp_path / "site", packages=frozenset({TEACHER}))
-    page = chromium.new_page()
+    page = chromium()
     page.goto(write_page(site, packages=TEACHER).as_uri())
     page.evaluate("() => window.booted")
     names = [p.relative_to(GOLDEN).as_posix() for p in GOLDEN.rglob("*") if p.is_file()]
@@ -184,8 +193,8 @@ def test_what_is_for_teachers_or_exams_is_nowhere_in_the_site(lessons: Path) -> 
     assert not any(line in text for line in asked for text in told.values())
 
 
-def test_teacher_mode_loads_nothing_before_it_is_opened(lessons: Path, chromium: Browser) -> None:
-    page = chromium.new_page()
+def test_teacher_mode_loads_nothing_before_it_is_opened(lessons: Path, chromium: NewPage) -> None:
+    page = chromium()
     asked: list[str] = []
     page.on("request", lambda request: asked.append(request.url))
     page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri())
@@ -194,9 +203,9 @@ def test_teacher_mode_loads_nothing_before_it_is_opened(lessons: Path, chromium:
 
 
 def test_it_can_be_used_with_the_keyboard_at_phone_size_and_axe_finds_nothing(
-    lessons: Path, chromium: Browser
+    lessons: Path, chromium: NewPage
 ) -> None:
-    page = chromium.new_page(viewport={"width": 360, "height": 740}, color_scheme="dark")
+    page = chromium(viewport={"width": 360, "height": 740}, color_scheme="dark")
     page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri())
     page.focus(".carts-teach-door a")
     page.keyboard.press("Enter")
