@@ -152,6 +152,19 @@ def test_of_several_runs_the_one_that_is_asked_for_is_read(
     assert read_measured([texts[0]]).runs == ()
 
 
+@pytest.mark.parametrize("together", [beside, below])
+def test_a_first_run_that_was_stopped_at_once_is_passed_over(
+    together: Callable[[Sequence[str]], str],
+) -> None:
+    whole = sensor_carts(Motion(), seed=2)
+    heads, *rows = whole.splitlines()
+    empty = "," * heads.count(",") if together is beside else ""
+    stopped = [heads, *rows[:5], *(empty for _ in rows[5:] if empty)]
+    found = read_measured([together(["\n".join(stopped), whole])])
+    alone = read_measured([whole])
+    assert [track.value for track in found.tracks] == [track.value for track in alone.tracks]
+
+
 def test_a_span_of_time_changes_nothing_else_that_was_read() -> None:
     text = below([sensor_carts(Motion(), seed=k) for k in (1, 2)])
     whole = read_measured([text], Units(run="2"))

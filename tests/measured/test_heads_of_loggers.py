@@ -212,6 +212,14 @@ def test_velocities_without_a_unit_are_not_read_as_places(heads: str) -> None:
         read_measured([table(heads, TIMES, A, B)])
 
 
+@pytest.mark.parametrize("quantity", ["v_{x}", "v", "a_{x}", "p_{x}", "θ_{v}", "K", "pixel_{x}"])
+def test_what_tracker_offers_beside_x_is_not_read_as_places(quantity: str) -> None:
+    text = table(f"cart 1,,cart 2,\nt,{quantity},t,{quantity}", TIMES, A, TIMES, B)
+    with pytest.raises(ReadingError, match="is no place"):
+        read_measured([text])
+    assert read_measured([text.replace(quantity, "x")]).names == ("cart 1", "cart 2")
+
+
 @pytest.mark.parametrize(
     "heads", ["Time (s),Force (N),Force (N)", "Time (s),Force1 (N),Force2 (N)"]
 )

@@ -54,6 +54,13 @@ def test_of_runs_below_each_other_the_one_that_is_asked_for_is_read(how: str) ->
         read_measured([text], Units(run="9"))
 
 
+def test_a_first_run_that_was_stopped_at_once_is_passed_over() -> None:
+    stopped = "\n".join(ONE.splitlines()[:5])
+    found = read_measured([f"{HEADS}\n{stopped}\n{HEADS}\n{TWO}"])
+    assert found.tracks[0].value == pytest.approx([a + 0.25 for a in A], abs=1e-5)
+    assert "run 2 is read; other runs in the file: 1" in found.notes
+
+
 def test_a_fault_in_a_later_run_is_told_with_its_line() -> None:
     text = f"{HEADS}\n{ONE}\n{HEADS}\n{TWO.replace(TWO.split()[1], 'near', 1)}"
     with pytest.raises(ReadingError) as caught:

@@ -19,7 +19,13 @@ from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import MOST_FAULTS, Column, Table, read_table
 from sim.measured.sheet.turned import along_the_track
-from sim.measured.sheet.whose import are_velocities, cart_names, is_force, place_of
+from sim.measured.sheet.whose import (
+    are_velocities,
+    cart_names,
+    is_force,
+    no_place_of_tracks,
+    place_of,
+)
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 
@@ -130,13 +136,16 @@ def _is_place(column: Column) -> bool:
 
 def _no_velocities(table: Table, columns: Sequence[Column]) -> None:
     """Two columns without a unit are places, whatever they are called, but not by these words."""
-    if not any(column.unit for column in columns) and are_velocities([c.name for c in columns]):
-        name = shown(columns[0].name)
-        raise refuse(
-            table.heads_line,
-            f"“{name}” has no unit and is no place",
-            f"write its unit: {name} (m/s)",
-        )
+    if any(column.unit for column in columns):
+        return
+    names = [column.name for column in columns]
+    name = shown(names[0])
+    if are_velocities(names):
+        reason, hint = f"“{name}” has no unit and is no place", f"write its unit: {name} (m/s)"
+        raise refuse(table.heads_line, reason, hint)
+    if all(column.track for column in columns) and no_place_of_tracks(names):
+        hint = "in Tracker choose the columns t and x of both tracks"
+        raise refuse(table.heads_line, f"“{name}” of “{shown(columns[0].track)}” is no place", hint)
 
 
 def _no_accelerations(table: Table) -> None:

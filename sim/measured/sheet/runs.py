@@ -8,6 +8,7 @@ from dataclasses import replace
 from sim.measured.refusal import refuse
 from sim.measured.sheet import stacked
 from sim.measured.sheet.table import Table
+from sim.measured.track import FEWEST
 
 
 def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
@@ -24,17 +25,26 @@ def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[s
     runs = tuple(dict.fromkeys(filter(None, labels)))
     if len(runs) < 2:
         return table, runs, []
-    read = runs[run_place(asked, runs)]
+    wanted = asked or next((run for run in runs if _long(table, labels, run)), runs[0])
+    read = runs[run_place(wanted, runs)]
     pairs = zip(table.columns, labels, strict=True)
     kept = tuple(column for column, label in pairs if label in ("", read))
     return replace(table, columns=kept), runs, [_note(read, runs)]
 
 
+def _long(table: Table, labels: Sequence[str], run: str) -> bool:
+    """Whether each column of this run has readings enough: a run may have been stopped at once."""
+    its = [c.values for c, label in zip(table.columns, labels, strict=True) if label == run]
+    return all(sum(value is not None for value in values) >= FEWEST for values in its)
+
+
 def _of_those_below(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
     runs = stacked.names(table.starts)
-    place = run_place(asked, runs)
     ends = [start.row for start in table.starts[1:]] + [len(table.lines)]
-    rows = slice(table.starts[place].row, ends[place])
+    spans = [slice(start.row, end) for start, end in zip(table.starts, ends, strict=True)]
+    long = (k for k, rows in enumerate(spans) if rows.stop - rows.start >= FEWEST)
+    place = run_place(asked, runs) if asked else next(long, 0)
+    rows = spans[place]
     columns = tuple(replace(column, values=column.values[rows], run="") for column in table.columns)
     one = replace(table, columns=columns, lines=table.lines[rows], starts=())
     return one, runs, [_note(runs[place], runs)]

@@ -34,7 +34,11 @@ _VELOCITY_WORD = re.compile(
     rf"(?-i:(?![{_LOWER}]))",
     re.I,
 )
-_VELOCITY_LETTER = re.compile(r"v[\s_.-]\w{1,12}|a_\w{1,12}|[vV]\d{1,2}|v[A-Z]|.+[\s_:.]v")
+_VELOCITY_LETTER = re.compile(r"v[\s_.-]\w{1,12}|a_\w{1,12}|[vV]\d{1,2}|v[A-Z]|.+[\s_:.]v|v_\{x\}")
+_NO_PLACE_OF_TRACKS = re.compile(
+    r"[vapLKθωα]|[θωα]_\{[rva]\}|[vap]_\{[xy]\}|pixel_?\{?[xy]\}?|step|frame"
+)
+"""What Tracker offers beside x, y and r, as its tables name it: speeds without a sign too."""
 
 
 def force_on(name: str) -> str | None:
@@ -70,6 +74,11 @@ def are_velocities(names: Sequence[str]) -> bool:
     letter, which alone may be a cart's."""
     words = any(_VELOCITY_WORD.search(name) for name in names)
     return words or all(_VELOCITY_LETTER.fullmatch(name) for name in names)
+
+
+def no_place_of_tracks(names: Sequence[str]) -> bool:
+    """Whether heads under names of tracks are quantities of Tracker that are no places."""
+    return all(_NO_PLACE_OF_TRACKS.fullmatch(name) for name in names)
 
 
 def cart_names(heads: Sequence[tuple[str, str, str]]) -> list[str]:
