@@ -42,18 +42,24 @@ class SceneError(ValueError):
 
 
 def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
-    """The problems without those that follow from another: a misspelt key is not missing too, and
-    an answer that is said to be right in another place is none that is missing."""
+    """The problems without those that follow from another: a misspelt key is not missing too, nor
+    is one with no space behind its colon, and an answer that is said to be right in another place,
+    or in a way that cannot be read, is none that is missing."""
     found = tuple(problems)
     hints = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
+    glued = {(p.path[:-1], str(p.path[-1]).partition(":")[0]) for p in found if p.path}
+    marks = {p.path[:-2] for p in found
+             if p.path[-1:] == ("correct",) or p.hint == meant("correct")}  # fmt: skip
 
     def follows(p: Problem) -> bool:
         inside = p.path[:-1]
         if p.code != "unknown-key" and any(h == p.hint and at[: len(inside)] == inside
                                            for at, h in hints):  # fmt: skip
             return True
+        if p.code == "no-correct-option":
+            return p.path in marks
         name = p.message.removesuffix(" is missing")
-        return p.code == "missing" and (p.path, meant(name)) in hints
+        return p.code == "missing" and ((p.path, meant(name)) in hints or (p.path, name) in glued)
 
     return tuple(p for p in found if not follows(p))
 

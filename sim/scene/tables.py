@@ -9,9 +9,10 @@ from itertools import pairwise
 from typing import Any
 
 from sim.scene.fields import Field
-from sim.scene.problem import Path, Problem, did_you_mean, meant
+from sim.scene.problem import Path, Problem, did_you_mean, meant, nearest
 from sim.scene.quantity import exact
 
+_NO_KEY = re.compile(r"[\s.!?…’'A-Z]")
 _AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
 """What {mass: 0,5 kg} leaves behind: a key “5 kg” without a value."""
 
@@ -63,6 +64,8 @@ def unknown_keys(
             )
             if a_list and isinstance(table[key], (list, tuple)):
                 hint = meant(a_list)
+            if (cut := _cut_text(key, table)) and not nearest(key, known):
+                hint = f"a text with a comma in it goes in quotes: {cut}"
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
@@ -71,6 +74,16 @@ def unknown_keys(
 def _cut_by_comma(key: str, table: Mapping[str, Any]) -> bool:
     """Whether the value of `key` is only what stood before a decimal comma: {mass: 0,5 kg}."""
     return any(one == key and _is_after_comma(then, table) for one, then in pairwise(table))
+
+
+def _cut_text(key: str, table: Mapping[str, Any]) -> str:
+    """The text that a comma before `key` cut in two, whole and in quotes: {text: No, never.}; "":
+    it is a key. A key is one word of small letters."""
+    for one, then in pairwise(table):
+        if then == key and table[then] is None and isinstance(table[one], str):
+            told = one == "text" or _NO_KEY.search(str(then))
+            return f'{one}: "{table[one]}, {then}"' if told else ""
+    return ""
 
 
 def _is_after_comma(key: str, table: Mapping[str, Any]) -> bool:
