@@ -11,6 +11,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import main
+from sim.cli.measured.printed import strip
+from sim.measured.events.stretch import Segment
 from tests.measured.devices import Motion, motion_capture, phone, tracker_project
 from tests.measured.force_sensors import sensors
 from tests.measured.makers import as_text, film, truth
@@ -204,3 +206,10 @@ def test_two_phones_are_compared(tmp_path: Path) -> None:
     said = carts("fit", *paths).stdout
     assert "Acceleration of phone 2 ÷ acceleration of phone 1: 0.6" in said
     assert "set by the contact itself" in said
+
+
+def test_times_of_what_happened_have_no_minus_before_nought() -> None:
+    segments = tuple(
+        Segment(begin, end, 0, "rest", (0.0, 0.0)) for begin, end in ((-1e-17, 0.5), (-1.0, -0.05))
+    )
+    assert strip(segments, ("A", "B")) == ["A: rest 0.00–0.50 s, rest −1.00 to −0.05 s"]

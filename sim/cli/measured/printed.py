@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.measured.events.stretch import Segment
+from sim.measured.words import number
 
 
 def ladder(rungs: Mapping[str, Any] | None) -> list[str]:
@@ -19,12 +20,15 @@ def ladder(rungs: Mapping[str, Any] | None) -> list[str]:
 
 
 def strip(segments: tuple[Segment, ...], names: tuple[str, str]) -> list[str]:
-    """A line for each cart: rest 0.00–0.78 s, hand …"""
+    """A line for each cart: rest 0.00–0.78 s, hand …; −1.00 to 0.12 s where times are negative."""
     lines = []
     for cart, name in enumerate(names):
-        parts = [
-            f"{one.kind} {one.begin:.2f}–{one.end:.2f} s" for one in segments if one.cart == cart
-        ]
+        parts = [f"{one.kind} {_span(one)} s" for one in segments if one.cart == cart]
         if parts:
             lines.append(f"{name}: {', '.join(parts)}")
     return lines
+
+
+def _span(segment: Segment) -> str:
+    begin, end = number(segment.begin, 2), number(segment.end, 2)
+    return f"{begin} to {end}" if "−" in begin + end else f"{begin}–{end}"

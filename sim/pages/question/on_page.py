@@ -71,9 +71,12 @@ class PageItems:
             self.broken_questions.add(block.stated_id)
 
     def follows(self, finding: Finding) -> bool:
-        """Whether it says no more than that a scene with mistakes is not there."""
-        return finding.code == NO_SCENE and any(f"“{name}”" in finding.message
-                                                for name in self.broken)  # fmt: skip
+        """Whether it says no more than that a scene with mistakes is not there: under its own id,
+        or under any where a scene has the id of another one here, and its own nobody knows."""
+        return finding.code == NO_SCENE and (
+            any(f"“{name}”" in finding.message for name in self.broken)
+            or not self.broken.isdisjoint(self.scene_ids)
+        )
 
     def first_causes(self, found: Iterable[Finding]) -> list[Finding]:
         """These findings and those of the whole page, without those that follow from others."""
