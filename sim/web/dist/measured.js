@@ -1704,16 +1704,23 @@
       }
       return units;
     }
-    missing(read) {
-      if (read.kind === "acceleration") return "";
+    #left(read) {
+      if (read.kind === "acceleration") return [];
       const kinds = (
         /** @type {("time" | "length" | "force")[]} */
         ["time", read.kind]
       );
-      const left = kinds.filter((kind) => !this.chosen[kind]).filter(
+      return kinds.filter((kind) => !this.chosen[kind]).filter(
         (kind) => read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say"))
-      ).map((kind) => WORDS[kind]);
+      );
+    }
+    missing(read) {
+      const left = this.#left(read).map((kind) => WORDS[kind]);
       return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
+    }
+    told(read) {
+      const left = this.#left(read).map((kind) => LETTERS[kind]);
+      return read.read.filter((note) => !left.some((letter) => note.startsWith(letter)));
     }
     get kept() {
       return {
@@ -2198,7 +2205,8 @@
         if (missing2) this.#refuse([{ line: null, reason: missing2, hint: "" }]);
         const motion = read.kind === "length" && !missing2 && drawn !== null;
         this.strip?.show(null);
-        this.picture?.readings(this.#name, read, motion);
+        const told3 = missing2 ? this.settings?.told(read) : null;
+        this.picture?.readings(this.#name, told3 ? { ...read, read: told3 } : read, motion);
         if (!motion) return;
         this.hands?.reach(read.tracks, read.names);
         this.settings?.named(read.names);

@@ -52,7 +52,10 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
     expect(faults).to_contain_text(
         "Choose what times are in and what lengths are in", timeout=STARTS
     )
+    said = page.locator(".carts-measured-said")
+    expect(said).not_to_contain_text("as you say")  # before anybody said it
     units(page)
+    expect(said).to_contain_text("t in s (as you say); x in m (as you say)")
     expect(faults).to_be_empty()
     expect(page.locator(".carts-measured-said")).to_contain_text("decimal comma")
     page.locator(".carts-measured-masses input").first.fill("0.5")

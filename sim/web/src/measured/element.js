@@ -177,7 +177,8 @@ export function measuredElement(client, base) {
       if (missing) this.#refuse([{ line: null, reason: missing, hint: "" }]);
       const motion = read.kind === "length" && !missing && drawn !== null;
       this.strip?.show(null);
-      this.picture?.readings(this.#name, read, motion);
+      const told = missing ? this.settings?.told(read) : null;
+      this.picture?.readings(this.#name, told ? { ...read, read: told } : read, motion);
       if (!motion) return;
       this.hands?.reach(read.tracks, read.names);
       this.settings?.named(read.names);

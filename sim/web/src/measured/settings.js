@@ -117,17 +117,27 @@ export class Settings {
     return units;
   }
 
-  /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string} empty: nothing */
-  missing(read) {
-    if (read.kind === "acceleration") return ""; // a phone names its units
+  /** What the file leaves open and the reader has not chosen. @param {Read} read */
+  #left(read) {
+    if (read.kind === "acceleration") return []; // a phone names its units
     const kinds = /** @type {("time" | "length" | "force")[]} */ (["time", read.kind]);
-    const left = kinds
+    return kinds
       .filter((kind) => !this.chosen[kind])
       .filter((kind) =>
         read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say")),
-      )
-      .map((kind) => WORDS[kind]);
+      );
+  }
+
+  /** What is asked for. @param {Read} read @returns {string} empty: nothing */
+  missing(read) {
+    const left = this.#left(read).map((kind) => WORDS[kind]);
     return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
+  }
+
+  /** How it was read, but for units that nobody has said. @param {Read} read */
+  told(read) {
+    const left = this.#left(read).map((kind) => LETTERS[kind]);
+    return read.read.filter((note) => !left.some((letter) => note.startsWith(letter)));
   }
 
   /** Of these, what is kept. */
