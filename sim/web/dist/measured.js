@@ -1660,12 +1660,14 @@
         html("span", "carts-quiet", "if you have a balance")
       );
     }
-    offer(runs) {
+    offer({ runs = [], read: notes }) {
       this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
       if (this.run.options.length === runs.length) return;
       this.run.replaceChildren(...runs.map((name) => new Option(name)));
       this.run.value = this.#wanted;
-      if (this.run.selectedIndex < 0) this.run.selectedIndex = 0;
+      if (this.run.selectedIndex >= 0) return;
+      const told3 = (name) => notes.some((n) => n.startsWith(`run ${name} is`));
+      this.run.selectedIndex = Math.max(0, runs.findIndex(told3));
     }
     clear(effect) {
       this.effect.value = effect;
@@ -2199,7 +2201,7 @@
       #show(read, drawn) {
         this.#read = read;
         this.#tried = false;
-        this.settings?.offer(read.runs ?? []);
+        this.settings?.offer(read);
         this.report = read.report ?? null;
         const missing2 = drawn ? this.settings?.missing(read) : "";
         if (missing2) this.#refuse([{ line: null, reason: missing2, hint: "" }]);

@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 
 from tests.measured.device_reports import lost_at_the_touch
 from tests.measured.devices import Motion, phone, sensor_carts
-from tests.measured.several_runs import below
+from tests.measured.several_runs import below, beside
 from tests.web.conftest import OpenPage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
 
@@ -46,6 +46,22 @@ def test_two_phones_of_which_one_zipped_its_log_are_compared(
     page.locator(".carts-measured-file").set_input_files([damaged])  # type: ignore[arg-type]
     expect(page.locator(".carts-measured-unread")).to_contain_text("damaged")
     expect(result).to_contain_text("Greatest acceleration of")  # the last good one stays
+
+
+@pytest.mark.one_browser
+def test_the_run_that_is_read_is_the_one_that_stands_there(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.locator(LIVE).wait_for(timeout=STARTS)
+    whole = sensor_carts(Motion(), seed=2).removeprefix("\ufeff")
+    heads, *rows = whole.splitlines()
+    stopped = [heads, *rows[:5], *("," * heads.count(",") for _ in rows[5:])]
+    choose(page, "log.csv", beside(["\n".join(stopped), whole]))
+    run = page.locator(".carts-measured-run")
+    expect(run).to_have_value("2", timeout=STARTS)
+    run.select_option("1")
+    expect(page.locator(".carts-measured-unread")).to_contain_text("at least 8 are needed")
 
 
 @pytest.mark.one_browser

@@ -171,7 +171,7 @@ export function measuredElement(client, base) {
     #show(read, drawn) {
       this.#read = read;
       this.#tried = false;
-      this.settings?.offer(read.runs ?? []);
+      this.settings?.offer(read);
       this.report = read.report ?? null;
       const missing = drawn ? this.settings?.missing(read) : "";
       if (missing) this.#refuse([{ line: null, reason: missing, hint: "" }]);

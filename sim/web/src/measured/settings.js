@@ -71,13 +71,15 @@ export class Settings {
     );
   }
 
-  /** The runs of a file: one is chosen, where there are several. @param {string[]} runs */
-  offer(runs) {
+  /** The runs of a log, and that which was read: the first may have been stopped at once. @param {Read} read */
+  offer({ runs = [], read: notes }) {
     this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
     if (this.run.options.length === runs.length) return;
     this.run.replaceChildren(...runs.map((name) => new Option(name)));
     this.run.value = this.#wanted;
-    if (this.run.selectedIndex < 0) this.run.selectedIndex = 0;
+    if (this.run.selectedIndex >= 0) return;
+    const told = (/** @type {string} */ name) => notes.some((n) => n.startsWith(`run ${name} is`));
+    this.run.selectedIndex = Math.max(0, runs.findIndex(told));
   }
 
   /** Another film has another clock and other carts, another log other runs. @param {string} effect the usual one of these readings */
