@@ -3,15 +3,16 @@
 After a trial step each guard is looked at; where one is negative, its zero is searched by shorter
 trial steps or a dense output (regula falsi, Illinois variant). A guard that falls and rises again
 within one step shows nothing at its ends: of a pair that closes first and opens then, the room has
-its least where its rate is nought, and is there none left, the touch is before that. Other guards
+its least where its rate is nought, and is there none left, the touch is before that. And bumpers
+that open first and close then may have been clear in between, and remember nothing. Other guards
 that rise again are not seen, nor a pair that turns round twice: a limit of all such methods.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
-from sim.dynamics.stepping.located import NEAR, Key, Located
+from sim.dynamics.stepping.located import CLEAR, NEAR, Key, Located
 from sim.dynamics.stepping.pairs import Pair, Row
 
 State = tuple[Row, Row]
@@ -22,6 +23,9 @@ Along = Callable[[float], State]
 
 CLOSE = 1e-12
 """Of a step. Events this close to each other count as one instant."""
+
+HALVINGS = 40
+"""Of a step, in search of when a cart that was set going in it moves."""
 
 FINE = 1e-15
 """Of a step. How well the time of an event is searched for."""
@@ -37,55 +41,83 @@ def first_falls(
     field = located.field
     told, field.keep = field.keep, None  # a look is no step
     before, after = located.guards(t, *begin), located.guards(t + h, *end)
-    roots = {
-        key: _zero(_guard(located, key, t, along), h, before[key], after[key])
-        if before[key] > 0.0
-        else 0.0
-        for key in _crossed(before, after)
-    }
-    for pair in _turning(located, begin, end):
-        key = "gap", pair.gap, 0
-        room = _guard(located, key, t, along)
-        nearest = _nearest(located, pair, h, begin, end, along)
-        if before[key] > 0.0 < after[key] and (least := room(nearest)) < 0.0:
-            roots[key] = _zero(room, nearest, before[key], least)
+    roots: dict[Key, float] = {}
+    for key in _crossed(before, after):
+        guard = _guard(located, key, t, along)
+        since, value = 0.0, before[key]
+        if value <= 0.0 and (since := _risen(located, key, guard, h, begin, end, along)):
+            value = guard(since)
+        roots[key] = _zero(guard, since, h, value, after[key]) if value > 0.0 else 0.0
+    for pair in field.pairs:
+        if not pair.apart and located.idle(pair) and pair.gap not in field.joined | field.spent:
+            roots |= _dip(located, pair, t, h, begin, end, along)
     field.keep = told
     first = min(roots.values(), default=h)
     return first, [key for key, root in roots.items() if root - first <= CLOSE * h]
 
 
-def _turning(located: Located, begin: State, end: State) -> Iterator[Pair]:
-    """Pairs that are apart, close at the begin of a step and open at its end."""
-    field = located.field
-    for pair in field.pairs:
-        if pair.apart or not located.idle(pair) or pair.gap in field.joined | field.spent:
-            continue
-        (_, first), (_, last) = field.overlap(pair, *begin), field.overlap(pair, *end)
-        if first > 0.0 > last:
-            yield pair
-
-
-def _nearest(
-    located: Located, pair: Pair, h: float, begin: State, end: State, along: Along
+def _risen(
+    located: Located,
+    key: Key,
+    guard: Callable[[float], float],
+    h: float,
+    begin: State,
+    end: State,
+    along: Along,
 ) -> float:
-    """s. When a pair turns round."""
+    """s. When a guard of nought that begins to hold just now does so, if it does before it falls:
+    of a pair that has just parted, of a cart that has just been set going. Else nought."""
+    kind, number, _ = key
+    if kind == "gap" and located.idle(pair := located.field.pair_at[number]):
+        return _turn(located, pair, h, begin, end, along, opens=True) or 0.0
+    if kind == "body" and located.field.sliding[number] and guard(0.0) == 0.0:
+        parts = (h * 0.5**k for k in range(1, HALVINGS))
+        return next((part for part in parts if guard(part) > 0.0), 0.0)
+    return 0.0
+
+
+def _dip(
+    located: Located, pair: Pair, t: float, h: float, begin: State, end: State, along: Along
+) -> dict[Key, float]:
+    """When the room of a pair that is apart falls and rises again, or its overlap does."""
+    field, gap = located.field, pair.gap
+    if turn := _turn(located, pair, h, begin, end, along, opens=True):
+        d, between, d1 = (field.overlap(pair, *at)[0] for at in (begin, along(turn), end))
+        clear = field.memory[gap] and between < 0.0 < min(d, d1)
+        return {(CLEAR, gap, 0): turn} if clear else {}
+    if turn := _turn(located, pair, h, begin, end, along, opens=False):
+        room = _guard(located, ("gap", gap, 0), t, along)
+        ends, least = (room(0.0), room(h)), room(turn)
+        if min(ends) > 0.0 > least:
+            return {("gap", gap, 0): _zero(room, 0.0, turn, ends[0], least)}
+    return {}
+
+
+def _turn(
+    located: Located, pair: Pair, h: float, begin: State, end: State, along: Along, *, opens: bool
+) -> float | None:
+    """s. When a pair turns round that first opens, or closes; None where it does not."""
+    side = -1.0 if opens else 1.0
 
     def rate(state: State) -> float:
-        return float(located.field.overlap(pair, *state)[1])
+        return side * float(located.field.overlap(pair, *state)[1])
 
-    return _zero(lambda tau: rate(along(tau)), h, rate(begin), rate(end))
+    first, last = rate(begin), rate(end)
+    return _zero(lambda tau: rate(along(tau)), 0.0, h, first, last) if first > 0.0 > last else None
 
 
 def _guard(located: Located, key: Key, t: float, along: Along) -> Callable[[float], float]:
     return lambda tau: located.guards(t + tau, *along(tau))[key]
 
 
-def _zero(value: Callable[[float], float], end: float, at_begin: float, at_end: float) -> float:
-    """A zero of `value` between 0 and `end`, where it falls from positive to negative.
+def _zero(
+    value: Callable[[float], float], begin: float, end: float, at_begin: float, at_end: float
+) -> float:
+    """A zero of `value` between `begin` and `end`, where it falls from positive to negative.
 
     The end of the bracket at which it is not positive any more: a formula is not left too early.
     """
-    a, fa, b, fb = 0.0, at_begin, end, at_end
+    a, fa, b, fb = begin, at_begin, end, at_end
     side = 0
     for _ in range(80):
         if b - a <= FINE * end or fb == 0.0:

@@ -121,11 +121,12 @@ class Field:
         links: dict[tuple[str, int], Any] = {}
         for pair in self.pairs:
             gap = pair.gap
-            if self.joined and gap in self.joined:
+            held = gap in self.held  # by its bumper: what else acts across it acts on
+            if gap in self.joined and not held:
                 continue
             d, rate = self.overlap(pair, s, v)
             force = pair.force
-            if force is None or gap in self.spent:
+            if force is None or held or gap in self.spent:
                 pass
             elif self.modes is not None:
                 push[gap] = force.on(self.modes[gap], d, rate, self.memory[gap])

@@ -19,6 +19,9 @@ gap, 0) or ("body", its first cart, 0)."""
 NEAR = "near"
 """Guards of pairs that turn round without touching."""
 
+CLEAR = "clear"
+"""Bumpers that were clear within a step, and overlap at both its ends: one ends where they are."""
+
 MOST_CHANGES = 12
 """Within one step. Then the rest of it is taken without looking, as methods without events do."""
 
@@ -71,6 +74,8 @@ class Located:
             for body in field.bodies:
                 side = field.sliding.get(body[0], 0)
                 static = sum(field.grips[k][1] for k in body)
+                if not static:
+                    continue  # nothing rubs on it, and it neither stops nor starts
                 reserve = static - abs(sum(total[k] for k in body))
                 found["body", body[0], 0] = side * v[body[0]] if side else reserve
         return found
@@ -88,7 +93,9 @@ class Located:
         for kind, number, which in keys:
             if kind == NEAR:
                 continue  # a step ends here, and is told of
-            if kind == "loose":
+            if kind == CLEAR:
+                self.impacts.remember(s, v)
+            elif kind == "loose":
                 self.impacts.fall_off(field.pair_at[number], s, v, now=True)
             elif kind == "gap" and number in field.held:
                 held.let_go(field, number)
@@ -138,7 +145,7 @@ class Located:
         for body in field.bodies:
             force = sum(total[k] for k in body)
             static = sum(field.grips[k][1] for k in body)
-            if v[body[0]] != 0.0:
+            if v[body[0]] != 0.0 or not static:
                 side = 1 if v[body[0]] > 0.0 else -1
             elif abs(force) <= static and body[0] not in (slipping or []):
                 side = 0
