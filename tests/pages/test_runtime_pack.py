@@ -142,6 +142,10 @@ def test_an_edit_of_ours_changes_only_what_holds_it(tmp_path: Path) -> None:
     assert {p: p.stat().st_mtime_ns for p in cache.glob("stdlib-*/stdlib.zip")} == compiled
     changed = {name.split(".")[0] for name in set(before) ^ set(after)}
     assert changed == {"memory", "newtons_carts-0"}
+    index = read_index(site / "assets" / "carts" / "runtime")
+    entry_of_lock = index["lock"]["packages"]["newtons-carts"]
+    wheel = payload(site / "assets" / "carts" / "runtime", entry_of_lock["file_name"])
+    assert entry_of_lock["sha256"] == sha256(wheel)  # and not that of the lock before
     assert contents(site / "assets" / "carts" / "runtime").keys() == after.keys()
 
 

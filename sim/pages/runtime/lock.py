@@ -10,13 +10,16 @@ import json
 import subprocess
 import sys
 from collections.abc import Mapping
+from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
-from .cache import Cache, sha256
-from .node import RuntimePackError
+from .cache import Cache, key_of, sha256
+from .node import RuntimePackError, code_key
 
 Lock = dict[str, object]  # pyodide-lock.json, as plain values
+MADE = "lock.json"
+TOOLS = ("pyodide-lock", "pkginfo")
 
 # What a wheel offers for import. The tool looks for .py files, and there are none left.
 IMPORTS = {
@@ -42,11 +45,22 @@ def make_lock(release: Path, wheels: Mapping[str, Path], cache: Cache) -> Lock:
     """Return the lock for `wheels` (package -> file). `release` is Pyodide's own lock file."""
     if not tool_works():
         return release_lock(release, wheels)
-    with cache.workspace() as folder:
-        copies = [folder / path.name for path in wheels.values()]
-        for copy, path in zip(copies, wheels.values(), strict=True):
-            copy.write_bytes(path.read_bytes())
-        return add_wheels(release, copies, folder)
+
+    def make(folder: Path) -> None:
+        with cache.workspace() as work:
+            copies = [work / path.name for path in wheels.values()]
+            for copy, path in zip(copies, wheels.values(), strict=True):
+                copy.write_bytes(path.read_bytes())
+            lock = add_wheels(release, copies, work)
+        (folder / MADE).write_text(json.dumps(lock), encoding="utf-8")
+
+    # Of each set of packages the last few are kept: a site has one, the tests of ours have many.
+    name = f"lock.{key_of(*sorted(wheels))[:8]}"
+    held = (part for path in wheels.values() for part in (path.name, sha256(path.read_bytes())))
+    tools = (version(tool) for tool in TOOLS)
+    key = key_of(code_key("lock"), *tools, sha256(release.read_bytes()), *held)
+    made: Lock = json.loads((cache.step(name, key, make) / MADE).read_text(encoding="utf-8"))
+    return made
 
 
 def add_wheels(release: Path, wheels: list[Path], folder: Path) -> Lock:
