@@ -85,6 +85,7 @@ def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
     # A ruler that was twice as long makes all places twice as far apart.
     apart = read.tracks[1].value[0] - read.tracks[0].value[0]
     retype(page, "100")
+    page.evaluate(CATCH)
     page.locator(".carts-measured-save").click()
     again = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
     assert again.tracks[1].value[0] - again.tracks[0].value[0] == pytest.approx(2 * apart, abs=1e-3)

@@ -27,19 +27,37 @@ PAGE = f"""<!doctype html><html lang="en"><head><meta charset="utf-8">
 """
 
 
-# Firefox's driver tells of no download: what is handed to the browser is caught instead.
+# Firefox's driver tells of no download: what is handed to the browser is caught instead, and the
+# page is then as it was.
 CATCH = """() => {
-  window.caught = [];
   const make = URL.createObjectURL;
-  URL.createObjectURL = (blob) => { window.caught.push(blob); return make.call(URL, blob); };
+  const blobs = [];
+  URL.createObjectURL = (blob) => { blobs.push(blob); return make.call(URL, blob); };
+  window._caught = { make, blobs };
 }"""
 
 
 LAST = """async () => {
-  while (!window.caught.length) await new Promise((resolve) => setTimeout(resolve, 50));
-  const bytes = new Uint8Array(await window.caught.pop().arrayBuffer());
+  const { make, blobs } = window._caught;
+  while (!blobs.length) await new Promise((resolve) => setTimeout(resolve, 50));
+  URL.createObjectURL = make;
+  delete window._caught;
+  const bytes = new Uint8Array(await blobs.pop().arrayBuffer());
   return Array.from(bytes);
 }"""
+
+
+# The next print is noted on the element, and opens no window.
+NOTE_PRINT = """() => {
+  const print = window.print;
+  window.print = () => {
+    window.print = print;
+    document.querySelector("carts-class").dataset.printed = "yes";
+  };
+}"""
+
+
+PRINTED = "dispatchEvent(new Event('afterprint'))"
 
 
 def saved(page: Page, button: str) -> bytes:

@@ -1,9 +1,8 @@
-"""One page “Class results” for all of these tests, opened anew for each."""
+"""One page “Class results” for all of these tests, made anew for each."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ from sim.pages.classroom.practice_keys import keys_script
 from sim.pages.runtime import CLASSROOM, default_cache, pack
 from tests.classroom.given.everything import Blanked
 from tests.web.classroom.class_site import PAGE
-from tests.web.conftest import OpenPage
+from tests.web.conftest import SharePage
 from tests.web.runtime.boot_site import ROOT, bundle
 
 
@@ -46,10 +45,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def page(place: Path, open_page: OpenPage) -> Iterator[Page]:
-    opened = open_page(place)
-    errors: list[str] = []
-    opened.on("pageerror", lambda error: errors.append(str(error)))
+def page(place: Path, shared_page: SharePage) -> Page:
+    opened = shared_page(place)
     expect(opened.locator("carts-class[data-state=ready]")).to_have_count(1)
-    yield opened
-    assert not errors
+    return opened
