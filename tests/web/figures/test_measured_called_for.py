@@ -10,8 +10,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.measured.makers import as_text, film, truth
-from tests.web.conftest import OpenPage
-from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
+from tests.web.conftest import SharePage
+from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose
 
 __all__ = ["benches"]  # a fixture
 
@@ -30,9 +30,9 @@ def e_of(page: Page) -> tuple[float, float]:
 
 
 def test_own_readings_are_fitted_with_what_they_call_for_unless_one_chooses(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "film.html")
+    page = shared_page(benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     effect = page.locator(".carts-measured-effect")
     expect(effect).to_have_value("none")  # of the lesson's film it is a question
@@ -60,9 +60,9 @@ def test_own_readings_are_fitted_with_what_they_call_for_unless_one_chooses(
 
 
 def test_a_lessons_film_says_that_something_is_missing_and_not_what(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "film.html")
+    page = shared_page(benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     page.locator(".carts-measured-fit").click()
     doubt = page.locator(".carts-measured-doubt")
@@ -74,8 +74,8 @@ def test_a_lessons_film_says_that_something_is_missing_and_not_what(
     expect(doubt).to_have_count(0)
 
 
-def test_a_workbook_that_is_dropped_is_called_one(benches: Path, open_page: OpenPage) -> None:
-    page = opened(open_page, benches / "empty.html")
+def test_a_workbook_that_is_dropped_is_called_one(benches: Path, shared_page: SharePage) -> None:
+    page = shared_page(benches / "empty.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     expect(page.locator(".carts-measured-effect")).to_have_value("called")
     book = io.BytesIO()

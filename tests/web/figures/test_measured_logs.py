@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 from tests.measured.device_reports import lost_at_the_touch
 from tests.measured.devices import Motion, phone, sensor_carts
 from tests.measured.several_runs import below, beside
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
 
 __all__ = ["benches"]  # a fixture
@@ -21,9 +21,9 @@ pytestmark = pytest.mark.browser
 
 
 def test_two_phones_of_which_one_zipped_its_log_are_compared(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "empty.html")
+    page = shared_page(benches / "empty.html")
     page.locator(LIVE).wait_for(timeout=STARTS)
     first, second = (phone(Motion(), cart, seed=cart, clock=0.3 * cart) for cart in (0, 1))
     packed = io.BytesIO()
@@ -50,9 +50,9 @@ def test_two_phones_of_which_one_zipped_its_log_are_compared(
 
 @pytest.mark.one_browser
 def test_the_run_that_is_read_is_the_one_that_stands_there(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "empty.html")
+    page = shared_page(benches / "empty.html")
     page.locator(LIVE).wait_for(timeout=STARTS)
     whole = sensor_carts(Motion(), seed=2).removeprefix("\ufeff")
     heads, *rows = whole.splitlines()
@@ -92,9 +92,9 @@ def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPa
 
 @pytest.mark.one_browser
 def test_who_saw_that_the_carts_stayed_together_gets_the_ratio_all_the_same(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "empty.html")
+    page = shared_page(benches / "empty.html")
     page.locator(LIVE).wait_for(timeout=STARTS)
     choose(page, "log.csv", lost_at_the_touch(1.6).removeprefix("\ufeff"))
     page.locator(".carts-measured-fit").click()

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.question.answering import find, saved_file
 from tests.web.scene.given.widget_site import MEETING, live, lock, on_scene, widget_site, write_page
 
@@ -65,10 +65,10 @@ def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_si
 
 @pytest.mark.one_browser
 def test_half_of_a_pair_does_not_go_with_that_of_another_run(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
     """−4 N on A and 5.5 N on B stood there as the forces that were found."""
-    page = live(open_page(write_page(widget_site, "hidden-half", HIDDEN)), "hidden")
+    page = live(shared_page(write_page(widget_site, "hidden", HIDDEN)), "hidden")
     mean = on_scene(page, MEAN_ON_B, name="hidden")
     assert "find the force on A too" in find(page, f"{mean:.2f}")
     note = page.locator("#hidden .carts-find-note")
@@ -116,9 +116,9 @@ KEPT = """async () => {
 
 @pytest.mark.one_browser
 def test_what_another_tab_found_and_when_the_first_was_found_is_kept(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(write_page(widget_site, "hidden-tabs", HIDDEN)), "hidden")
+    page = live(shared_page(write_page(widget_site, "hidden", HIDDEN)), "hidden")
     other = page.context.new_page()
     other.goto(page.url)
     live(other, "hidden")
@@ -130,6 +130,7 @@ def test_what_another_tab_found_and_when_the_first_was_found_is_kept(
     kept = other.evaluate(KEPT)
     assert len(kept["found"]) == 2
     assert kept["first"] == first["first"] < kept["last"]
+    other.close()
 
 
 @pytest.mark.one_browser
@@ -192,9 +193,9 @@ def test_what_is_asked_about_found_forces_opens_when_they_are_found(
 
 @pytest.mark.one_browser
 def test_the_forces_are_hidden_in_whatever_the_page_says_before(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(write_page(widget_site, "hidden-2", HIDDEN)), "hidden")
+    page = live(shared_page(write_page(widget_site, "hidden", HIDDEN)), "hidden")
     on_scene(page, "el.time = 1.6", name="hidden")
     assert page.locator("#hidden .carts-push:visible").count() == 0
     assert " N " not in page.locator("#hidden").inner_text().replace("Mean force on", "")
