@@ -18,6 +18,7 @@ from typing import Any
 
 from sim.bridge.alive import alive
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
+from sim.dynamics.cost.distance import far
 from sim.dynamics.loop.run import is_of_the_numbers, run
 from sim.dynamics.report.document import finite
 from sim.dynamics.report.warnings import warnings
@@ -120,15 +121,11 @@ def _compared(
         },
         "whole": whole,  # did the exact run come to the end too?
         "error": {
-            "v": _far(result.run.v, solved.v) if whole else None,
-            "x": _far(result.run.x, solved.x) if whole else None,
+            "v": far(result.run.v, solved.v) if whole else None,
+            "x": far(result.run.x, solved.x) if whole else None,
         },
         "energy": {"made": result.lost_energy, "initial": books.energy_initial},
     }
-
-
-def _far(got: tuple[float, ...], true: tuple[float, ...]) -> float:
-    return max(abs(a - b) for a, b in zip(got, true, strict=True))
 
 
 def seconds(call: Callable[[], object]) -> float:

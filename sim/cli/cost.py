@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -25,6 +26,7 @@ from sim.pages.findings import Finding
 from sim.scene import Scene
 
 MOST_CARTS = 10_000
+ENDLESS = "∞"  # an error beyond all numbers
 DRAWN = ("rows", "floor", "digits")  # of the document, in the figure
 HEADER = ("method", "step", "order", "evaluations", "time", "Δv m/s", "Δx m", "ΔE/E", "e delivered")
 
@@ -83,8 +85,11 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
         click.echo(json.dumps(document, allow_nan=False, ensure_ascii=False))
     else:
         click.echo(_table(rows, not_run, description.until))
-        digits = document["digits"].items()
-        click.echo("\nOne more digit costs: " + ", ".join(f"{m} × {by:.3g}" for m, by in digits))
+        click.echo("")
+        if any(math.inf in (row.error_v, row.error_x, row.energy_error) for row in rows):
+            click.echo(f"{ENDLESS}: the method blew up, its numbers grew beyond all bounds.")
+        if digits := document["digits"].items():
+            click.echo("One more digit costs: " + ", ".join(f"{m} × {by:.3g}" for m, by in digits))
         if truth.proved:
             click.echo("Errors are measured against a proof: carts run --certify.")
         elif rows[0].error_v is None:
@@ -170,7 +175,7 @@ def _cells(row: CostRow, until: float) -> tuple[str, ...]:
         str(row.evaluations),
         f"{row.time_ratio:.3g}" if row.time_ratio < 1000 else f"{row.time_ratio:.0f}",
         *(
-            "–" if e is None else f"{e:.1e}".replace("-", "−")
+            "–" if e is None else f"{e:.1e}".replace("-", "−").replace("inf", ENDLESS)
             for e in (row.error_v, row.error_x, row.energy_error)
         ),
         delivered,

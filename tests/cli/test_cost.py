@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -12,6 +13,7 @@ from click.testing import CliRunner
 from sim.cli import main
 from sim.dynamics.cost import measure
 from sim.dynamics.cost.digits import one_more_digit
+from sim.dynamics.cost.distance import far
 from sim.dynamics.cost.report import digits_of
 from tests import registry
 
@@ -171,3 +173,44 @@ def test_programs_get_what_cannot_run_beside_the_rows(few: str) -> None:
     (left,) = document["not_run"]
     assert (left["method"], left["step"]) == ("yoshida", pytest.approx(3 / 19))
     assert "through each other" in left["reason"]
+
+
+BLOWN = """
+carts:
+  A: {mass: 1 kg, position: 0 m, velocity: 1 m/s}
+  B: {mass: 2 kg, position: 0.5 m, velocity: -0.5 m/s}
+contact: {law: bumper, stiffness: 5e8 N/m, restitution: 0.7}
+until: 1 s
+"""
+
+
+@pytest.fixture
+def blown(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two rows of bumpers so stiff that steps of 10 ms end in NaN: as a batch, and one by one."""
+    monkeypatch.setattr(measure, "LADDER", (("yoshida", (103,)), ("rk4-events", (103,))))
+    monkeypatch.setattr(measure, "TOLERANCES", ())
+    monkeypatch.setattr(measure, "BATCH", 1e-4)
+
+
+@pytest.mark.usefixtures("blown")
+def test_a_run_that_blew_up_has_an_endless_error_and_not_none() -> None:
+    done = CliRunner().invoke(main, ["cost", "-"], input=BLOWN)
+    assert done.exit_code == 0, done.output
+    assert not done.stderr  # numpy has nothing to say
+    for method in ("yoshida", "rk4-events"):
+        (line,) = (x for x in done.stdout.splitlines() if x.startswith(method))
+        assert line.split()[-4:] == ["∞", "∞", "∞", "–"]
+    assert "∞: the method blew up" in done.stdout
+    assert "One more digit" not in done.stdout  # no method has a line
+
+
+@pytest.mark.usefixtures("blown")
+def test_programs_get_no_error_of_a_run_that_blew_up() -> None:
+    document = json.loads(CliRunner().invoke(main, ["cost", "-", "--json"], input=BLOWN).stdout)
+    for row in document["rows"][-2:]:
+        assert row["evaluations"]
+        assert row["error_v"] is row["error_x"] is row["energy_error"] is None
+
+
+def test_a_cart_that_is_nowhere_is_endlessly_far() -> None:
+    assert far((1.0, math.nan), (1.0, 2.0)) == far((math.nan, 1.0), (1.0, 1.0)) == math.inf

@@ -74,6 +74,19 @@ def test_every_method_has_a_name_a_mark_and_a_place() -> None:
     assert {row["method"] for row in rows()} <= set(methods)
 
 
+def test_an_error_beyond_all_numbers_is_said_and_is_not_a_dash() -> None:
+    blown = {"method": "rk4", "step": 0.1, "evaluations": 40, "time_ratio": 9,
+             "error_v": None, "error_x": None, "energy_error": None}  # fmt: skip
+    exact = {**blown, "method": "exact", "step": None, "evaluations": 0}
+    lines = in_node(
+        """const { cells } = await import(view + "/cost/words.js");
+        give(data.map((row) => cells(row, 1)));""",
+        [blown, exact],
+    )
+    assert lines[0][-2:] == ["beyond all numbers"] * 2
+    assert lines[1][-2:] == ["–", "–"]
+
+
 def test_axes_are_logarithmic_and_nought_has_a_place_below_them() -> None:
     x, y, floor, nought = in_node(
         """const { xAt, yAt } = await import(view + "/cost/figure.js");

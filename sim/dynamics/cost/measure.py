@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from sim.dynamics.cost.distance import endless, far
 from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.finished import Run
@@ -60,8 +61,9 @@ clock = (
 class CostRow:
     """One method at one step [s] or tolerance; errors in SI, `energy_error` of the initial energy.
 
-    `energy_error` has the sign of the worst run: above nought the method made energy. `delivered`:
-    least and greatest restitution, where the scene is one contact of two carts.
+    `energy_error` has the sign of the worst run: above nought the method made energy. An error is
+    infinite where a run ended beyond all numbers. `delivered`: least and greatest restitution,
+    where the scene is one contact of two carts.
     """
 
     method: str
@@ -144,7 +146,8 @@ def row(scene: Scene, truth: Exact, way: Way) -> CostRow:
         import numpy as np
 
         phases = (np.arange(PHASES) + 0.5) / PHASES
-        s, v, lanes = batch(scene, way, phases)
+        with np.errstate(all="ignore"):  # a run that blows up: its error says so
+            s, v, lanes = batch(scene, way, phases)
         last = [
             (float(a[k]), float(b[k])) for a, b in zip(s, v, strict=True) for k in range(PHASES)
         ]
@@ -169,16 +172,18 @@ class _Worst:
         self.scene, self.truth = scene, truth
         self.v = self.x = self.energy = 0.0
         self.e: list[float] = []
+        self.whole = True  # each of them is a number
 
     def see(self, run: Stepper, s: list[float], v: list[float], memory: list[float]) -> None:
         scene, truth = self.scene, self.truth
         x = [cart.position + way for cart, way in zip(scene.carts, s, strict=True)]
         self.v, self.x = max(self.v, far(v, truth.v)), max(self.x, far(x, truth.x))
         energy = kinetic(scene, v) + _stored(run, s, v, memory) - truth.energy
-        error = energy / (truth.initial or 1.0)
+        error = endless(energy / (truth.initial or 1.0))
         self.energy = error if abs(error) > abs(self.energy) else self.energy
         if truth.formula:
             self.e.append(_delivered(scene, v))
+            self.whole = self.whole and math.isfinite(self.e[-1])
 
     def row(self, way: Way, evaluations: int, dearer: float) -> CostRow:
         contact = self.scene.contacts[1] if self.truth.formula else None
@@ -193,8 +198,8 @@ class _Worst:
             self.v,
             self.x,
             self.energy,
-            (min(self.e), max(self.e)) if self.e else None,
-            max(self.e, key=lambda e: abs(e - wanted)) if self.e else None,
+            (min(self.e), max(self.e)) if self.e and self.whole else None,
+            max(self.e, key=lambda e: abs(e - wanted)) if self.e and self.whole else None,
         )
 
 
@@ -237,8 +242,3 @@ def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -
 
 def _delivered(scene: Scene, v: Any) -> float:
     return float((v[1] - v[0]) / (scene.carts[0].velocity - scene.carts[1].velocity))
-
-
-def far(got: Any, true: tuple[float, ...]) -> float:
-    """The greatest difference of a cart."""
-    return max(float(abs(a - b)) for a, b in zip(got, true, strict=True))

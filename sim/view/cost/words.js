@@ -66,9 +66,15 @@ export function cells(row, until) {
     size,
     String(row.evaluations),
     ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
-    row.error_v === null ? "–" : short(row.error_v, 2),
-    row.energy_error === null ? "–" : short(row.energy_error, 2),
+    errorText(row, row.error_v),
+    errorText(row, row.energy_error),
   ];
+}
+
+/** Of a run that stepped, only numbers beyond all bounds are missing. @param {CostRow} row @param {number | null} error */
+function errorText({ evaluations }, error) {
+  if (error !== null) return short(error, 2);
+  return evaluations ? ENDLESS : "–";
 }
 
 /**

@@ -176,9 +176,13 @@
       size,
       String(row.evaluations),
       ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
-      row.error_v === null ? "–" : short(row.error_v, 2),
-      row.energy_error === null ? "–" : short(row.energy_error, 2)
+      errorText(row, row.error_v),
+      errorText(row, row.energy_error)
     ];
+  }
+  function errorText({ evaluations }, error) {
+    if (error !== null) return short(error, 2);
+    return evaluations ? ENDLESS : "–";
   }
   function rowOf(rows, until, { method, rtol, parts: parts2 }) {
     return rows.find((row) => {
@@ -781,7 +785,7 @@
   };
 
   // ../view/cost/guess.js
-  var errorText = (error) => `10${superscript(Math.round(Math.log10(error)))} m/s`;
+  var errorText2 = (error) => `10${superscript(Math.round(Math.log10(error)))} m/s`;
   function cheapest(rows, method, error) {
     const names = method === null ? stepping() : [method];
     return rows.filter((row) => names.includes(row.method) && row.error_v !== null && row.error_v <= error).sort((a2, b2) => a2.time_ratio - b2.time_ratio)[0];
@@ -790,8 +794,8 @@
     const best = cheapest(rows, null, error);
     const label = (name) => METHODS[name]?.label ?? name;
     const asLong = (ratio) => `${short(ratio, 2)} times as long`;
-    if (!best) return `No method that steps was measured to be right to ${errorText(error)}.`;
-    const first = `For ${errorText(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
+    if (!best) return `No method that steps was measured to be right to ${errorText2(error)}.`;
+    const first = `For ${errorText2(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
     const own = cheapest(rows, bet, error);
     const second = !bet ? "" : bet === best.method ? "As you said." : own ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.` : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
     const third = Number.isFinite(times2) ? ` You said ${short(times2)} times.` : "";

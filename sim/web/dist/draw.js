@@ -10593,9 +10593,13 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
       size,
       String(row2.evaluations),
       ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
-      row2.error_v === null ? "–" : short(row2.error_v, 2),
-      row2.energy_error === null ? "–" : short(row2.energy_error, 2)
+      errorText2(row2, row2.error_v),
+      errorText2(row2, row2.energy_error)
     ];
+  }
+  function errorText2({ evaluations }, error) {
+    if (error !== null) return short(error, 2);
+    return evaluations ? ENDLESS : "–";
   }
 
   // ../view/cost/skeleton.js
