@@ -15,6 +15,12 @@ from collections.abc import Callable
 from sim.dynamics.stepping.located import CLEAR, NEAR, Key, Located
 from sim.dynamics.stepping.pairs import Pair, Row
 
+RISING = 12
+"""Looks at a guard that begins at nought, each a quarter as far into the step as the one before."""
+
+ROUNDING = 1e-14
+"""Of ways and room: what sums of them are wrong by at most."""
+
 State = tuple[Row, Row]
 """Ways and velocities."""
 
@@ -23,9 +29,6 @@ Along = Callable[[float], State]
 
 CLOSE = 1e-12
 """Of a step. Events this close to each other count as one instant."""
-
-HALVINGS = 40
-"""Of a step, in search of when a cart that was set going in it moves."""
 
 FINE = 1e-15
 """Of a step. How well the time of an event is searched for."""
@@ -43,6 +46,8 @@ def first_falls(
     before, after = located.guards(t, *begin), located.guards(t + h, *end)
     roots: dict[Key, float] = {}
     for key in _crossed(before, after):
+        if _lies(located, key, before[key], after[key], begin, end):
+            continue
         guard = _guard(located, key, t, along)
         since, value = 0.0, before[key]
         if value <= 0.0 and (since := _risen(located, key, guard, h, begin, end, along)):
@@ -71,9 +76,24 @@ def _risen(
     if kind == "gap" and located.idle(pair := located.field.pair_at[number]):
         return _turn(located, pair, h, begin, end, along, opens=True) or 0.0
     if kind == "body" and located.field.sliding[number] and guard(0.0) == 0.0:
-        parts = (h * 0.5**k for k in range(1, HALVINGS))
+        parts = (h * 0.25**k for k in range(1, RISING))
         return next((part for part in parts if guard(part) > 0.0), 0.0)
     return 0.0
+
+
+def _lies(
+    located: Located, key: Key, before: float, after: float, begin: State, end: State
+) -> bool:
+    """Do two whose impact has no duration lie at each other, overlapped by rounding and no more?
+
+    They went on with one velocity after the last impact: there is nothing left to strike.
+    """
+    kind, gap, _ = key
+    if kind != "gap" or before > 0.0 or gap in located.field.held | located.field.spent:
+        return False
+    pair = located.field.pair_at[gap]
+    way = max(abs(s) for row in (begin[0], end[0]) for s in row)
+    return pair.force is None and before - after <= ROUNDING * (way + abs(pair.room))
 
 
 def _dip(
