@@ -55,6 +55,25 @@ def test_a_release_at_the_start_happens_at_the_start(method: str) -> None:
         assert abs(done.lost_momentum) < 1e-12
 
 
+@pytest.mark.parametrize("method", sorted({*FIXED} - {"yoshida"}))  # it steps back, into B
+def test_carts_that_part_in_the_first_step_are_released_before_it(method: str) -> None:
+    """A rests and touches B, which leaves at 1 m/s: relative 1 m/s → sqrt(1 + 2 E/mu) at once."""
+    scene = read_scene(
+        {
+            "carts": {
+                "A": {"mass": "0.5", "position": 1},
+                "B": {"mass": 1, "position": "1.2", "velocity": 1},
+            },
+            "effects": [{"release": {"between": ["A", "B"], "energy": "0.06"}}],
+            "until": 1,
+        }
+    )
+    done = stepped(scene, Way(method, step=0.1))
+    assert done.run.v == pytest.approx(run(scene).v, abs=1e-12)
+    assert times(done) == [0.0]
+    assert abs(done.lost_energy) < 1e-12
+
+
 @pytest.mark.parametrize("method", LOCATED)
 @pytest.mark.parametrize("at", [0.1, 0.3, 0.7, 1.0])
 def test_a_release_is_told_at_its_own_time_and_never_left_out(method: str, at: float) -> None:

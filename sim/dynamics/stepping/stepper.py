@@ -51,7 +51,15 @@ class Stepper:
         self.field.keep = []
 
     def start(self) -> None:
-        """What happens at t = 0; a method without a look at events does it after its first step."""
+        """Exploders that act at t = 0: carts that touch then may have parted a step later."""
+        if any(one.time <= 0.0 for one in self.impacts.releases):
+            self.impacts.settle(0.0, self.s, self.v)
+            self.tell_blows(0.0)
+
+    def tell_blows(self, t: float) -> None:
+        """Blows fall after the step that ends with them was told: a step of no length tells."""
+        if self.seen is not None and self.impacts.blows:
+            self.seen(t, 0.0, self.s, [])
 
     def advance(self, t: Any, h: Any) -> None:
         """From t over h."""
@@ -86,7 +94,7 @@ class LocatedStepper(Stepper):
         self.times = sorted(t for t in times if t > 0.0)
 
     def start(self) -> None:
-        """Exploders that act at t = 0: no step may begin before they have."""
+        """No step may begin before exploders that act at t = 0 have."""
         self.settle(0.0)
 
     def settle(self, t: float) -> None:
@@ -98,11 +106,6 @@ class LocatedStepper(Stepper):
         if left != len(self.impacts.releases) or t in self.times:
             self.located.begin(t, self.s, self.v)
         self.tell_blows(t)
-
-    def tell_blows(self, t: float) -> None:
-        """Blows fall after the step that ends with them was told: a step of no length tells."""
-        if self.seen is not None and self.impacts.blows:
-            self.seen(t, 0.0, self.s, [])
 
     def boundaries(self, t: float, end: float) -> list[float]:
         """Switches and exploders on the way."""
