@@ -128,8 +128,7 @@ def chromium(driver: Playwright) -> Iterator[NewPage]:
 def test_a_lesson_of_each_kind_is_saved_as_it_is_on_disk_with_the_teachers_own_file(
     lessons: Path, chromium: NewPage
 ) -> None:
-    """With notes for teachers, with nothing that is withheld, an exam; every lesson's text is held
-    in `test_round_trip.py`."""
+    """With notes for teachers, with nothing withheld, an exam; for all see `test_round_trip.py`."""
     page = chromium()
     for name in (LESSON, "return-week-1", "test-forces-and-motion"):
         path = ROOT / "worksheets" / f"{name}.md"
@@ -236,14 +235,16 @@ def test_it_can_be_used_with_the_keyboard_at_phone_size_and_axe_finds_nothing(
 def test_a_mistake_that_shows_elsewhere_is_told_with_its_place(
     lessons: Path, open_page: OpenPage
 ) -> None:
-    """A scene gets the name of another: its questions lose it, and they are folded away."""
+    """A scene has a new name: its questions lose it. It has that of another: that one is told."""
     page = open_teacher(open_page, lessons, "momentum-and-restitution")
     page.get_by_role("button", name="Change this scene").first.click()
     piece = page.locator(".carts-teach-piece[open]")
     piece.locator("details summary").last.click()
     area = piece.get_by_label("Text of this block")
-    area.fill(area.input_value().replace("id: momentum-stays", "id: momentum-bounce"))
-    settled(page)
-    status = page.locator(".carts-teach-status")
-    expect(status).to_contain_text("mistakes: the page shows these parts as they were before")
-    expect(status).to_contain_text("The first is in “Read A's momentum at the end")
+    text, status = area.input_value(), page.locator(".carts-teach-status")
+    places = {"momentum-else": "Read A's momentum", "momentum-bounce": "Two equal carts and"}
+    for (name, place), count in zip(places.items(), ("mistakes", "1 mistake"), strict=True):
+        area.fill(text.replace("id: momentum-stays", f"id: {name}"))
+        settled(page)
+        expect(status).to_contain_text(f"{count}: the page shows these parts as they were before")
+        expect(status).to_contain_text(f"The first is in “{place}")
