@@ -87,3 +87,25 @@ def test_what_sticks_together_meets_a_wall_as_one(law: str, method: str) -> None
     done = stepped(scene, way(method, scene, parts=6007)).run
     assert done.v == pytest.approx((-0.18, -0.18), abs=1e-6 if method in LOCATED else 1e-3)
     assert done.v == pytest.approx(run(scene).v, abs=1e-6 if method in LOCATED else 1e-3)
+
+
+@pytest.mark.parametrize("method", LOCATED)
+def test_what_lies_idle_in_an_overlap_is_given_back_where_it_is_pressed_again(method: str) -> None:
+    """With e = 0.05 they let go long before they are clear, and a push presses them once more."""
+    scene = read_scene(
+        {
+            "carts": {
+                "A": {"mass": 5, "position": "0.1"},
+                "B": {"mass": "1.5", "position": "0.29", "velocity": -1},
+            },
+            "track": {"left": "wall"},
+            "contact": {"law": "push-only", "restitution": "0.05", "stiffness": 2200},
+            "start": {"overlap": True},
+            "effects": [{"push": {"cart": "B", "force": -1, "until": 1}}],
+            "until": 2,
+        }
+    )
+    true, done = run(scene), stepped(scene, way(method, scene, parts=3001))
+    assert true.record.counts["contact"] > 3
+    assert done.run.ledger.warmed == pytest.approx(true.ledger.warmed, abs=1e-5)
+    assert abs(done.lost_energy) < 1e-5

@@ -19,6 +19,7 @@ from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping import spent
+from sim.dynamics.stepping.bumpers import Bumpers
 from sim.dynamics.stepping.joint_forces import WALLS
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.pairs import Detail, Row
@@ -79,11 +80,10 @@ class Recorder:
         self.columns = _empty(scene, [p.gap for p in self.run.field.pairs], self.outside)
         self.every = max(1, math.ceil(scene.until / self.step / MOST_ROWS))
         self.count = 0
-        self.held: dict[int, float] = {}
         self.v = list(self.run.v)
         self._links(first=True)
         a, detail = self._now(0.0)
-        self._hold(detail.push)
+        self.bumpers = Bumpers(run, self.ledger, detail.push)
         self.ledger.stored_initial = self._stored(detail.push)
         self._row(0.0, a, detail)
 
@@ -118,7 +118,7 @@ class Recorder:
         a, detail = self._now(t)
         first = forces[0][1].push if forces else None
         self.story.step(t, h, self.v, run.v, run.s, detail.push, impulses, first)
-        self._bumpers(detail.push)
+        self.bumpers.step(run.s, run.v, detail.push, impulses)
         ledger.dissipate(run.impacts.spilled)
         run.impacts.spilled = 0.0
         for blow in run.impacts.blows:
@@ -133,32 +133,6 @@ class Recorder:
         self.count += 1
         if self.count % self.every == 0 or t >= self.scene.until:
             self._row(t, a, detail)
-
-    def _bumpers(self, push: Row) -> None:
-        """What a step left in the bumpers for good."""
-        field = self.run.field
-        for pair in field.pairs:
-            gap = pair.gap
-            if pair.force is not None:
-                d, rate = field.overlap(pair, self.run.s, self.run.v)
-                stored = spent.stored(pair, d, rate, 0.0)
-                if gap in field.spent and not pair.force.remembers:
-                    self.held[gap] = 0.0  # told by the release
-                warm, self.held[gap] = pair.force.settle(
-                    self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
-                )
-                if warm:
-                    self.ledger.dissipate(warm)
-
-    def _hold(self, push: Row) -> None:
-        """What bumpers that overlap at the start had taken before: that is no part of the run."""
-        field = self.run.field
-        for pair in field.pairs:
-            if pair.force is not None:
-                d, rate = field.overlap(pair, self.run.s, self.run.v)
-                self.held[pair.gap] = pair.force.settle(
-                    0.0, push[pair.gap], field.memory[pair.gap], spent.stored(pair, d, rate, 0.0)
-                )[1]
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
