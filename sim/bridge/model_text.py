@@ -34,6 +34,7 @@ def model_text(scene: Scene) -> str:
     own = _pieces(scene)
     pieces = [own[kind] for kind in kinds() if kind in own]
     contacts = [contact for contact in scene.contacts if contact is not None]
+    rows = _contacts(scene)
     joining = tuple(sorted({contact.law for contact in contacts if contact.joins}))
     sudden = any(contact.sudden for contact in contacts)
     joins = bool(joining) or any(one.joins for one in pieces)
@@ -48,7 +49,7 @@ def model_text(scene: Scene) -> str:
         end=scene.track.length,
         until=scene.until,
         dt=_step(scene),
-        contacts="".join(f"    {row},\n" for row in _contacts(scene)),
+        contacts="".join(f"    {row},\n" for row in rows),
     )
     text += _lists(scene, own)
     text += text_of.PLACES
@@ -58,7 +59,7 @@ def model_text(scene: Scene) -> str:
     if kicked or moves:
         text += text_of.GROUPS if joins else text_of.ALONE
     text += text_of.STEP
-    damped = any(c for *_, c in _contacts(scene))
+    damped = any(c for *_, c in rows)
     before = "".join(one.contact for one in pieces) + text_of.OF_TEAMS * (joins and damped)
     text += _contact_forces(dict.fromkeys(c.law for c in contacts if not c.sudden), before)
     text += "".join(one.force for one in pieces)

@@ -172,7 +172,6 @@ class _Worst:
         self.scene, self.truth = scene, truth
         self.v = self.x = self.energy = 0.0
         self.e: list[float] = []
-        self.whole = True  # each of them is a number
 
     def see(self, run: Stepper, s: list[float], v: list[float], memory: list[float]) -> None:
         scene, truth = self.scene, self.truth
@@ -183,9 +182,9 @@ class _Worst:
         self.energy = error if abs(error) > abs(self.energy) else self.energy
         if truth.formula:
             self.e.append(_delivered(scene, v))
-            self.whole = self.whole and math.isfinite(self.e[-1])
 
     def row(self, way: Way, evaluations: int, dearer: float) -> CostRow:
+        delivered = self.e if all(map(math.isfinite, self.e)) else []
         contact = self.scene.contacts[1] if self.truth.formula else None
         wanted = (contact.restitution or 0.0) if contact is not None else 0.0
         return CostRow(
@@ -198,8 +197,8 @@ class _Worst:
             self.v,
             self.x,
             self.energy,
-            (min(self.e), max(self.e)) if self.e and self.whole else None,
-            max(self.e, key=lambda e: abs(e - wanted)) if self.e and self.whole else None,
+            (min(delivered), max(delivered)) if delivered else None,
+            max(delivered, key=lambda e: abs(e - wanted)) if delivered else None,
         )
 
 

@@ -10,7 +10,9 @@ that rise again are not seen, nor a pair that turns round twice: a limit of all 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from sim.dynamics.stepping.located import CLEAR, NEAR, Key, Located
 from sim.dynamics.stepping.pairs import Pair, Row
@@ -43,91 +45,98 @@ def first_falls(
     """
     field = located.field
     told, field.keep = field.keep, None  # a look is no step
+    step = _Step(located, t, h, begin, end, along)
     before, after = located.guards(t, *begin), located.guards(t + h, *end)
-    roots: dict[Key, float] = {}
-    for key in _crossed(before, after):
-        if _lies(located, key, before[key], after[key], begin, end):
-            continue
-        guard = _guard(located, key, t, along)
-        since, value = 0.0, before[key]
-        if value <= 0.0 and (since := _risen(located, key, guard, h, begin, end, along)):
-            value = guard(since)
-        roots[key] = _zero(guard, since, h, value, after[key]) if value > 0.0 else 0.0
+    roots = {
+        key: step.fall(key, before[key], after[key])
+        for key in _crossed(before, after)
+        if not step.lies(key, before[key], after[key])
+    }
     for pair in field.pairs:
-        if not pair.apart and located.idle(pair) and pair.gap not in field.joined | field.spent:
-            roots |= _dip(located, pair, t, h, begin, end, along)
+        if not (pair.apart or pair.gap in field.joined or pair.gap in field.spent):
+            roots |= step.dip(pair) if located.idle(pair) else {}
     field.keep = told
     first = min(roots.values(), default=h)
     return first, [key for key, root in roots.items() if root - first <= CLOSE * h]
 
 
-def _risen(
-    located: Located,
-    key: Key,
-    guard: Callable[[float], float],
-    h: float,
-    begin: State,
-    end: State,
-    along: Along,
-) -> float:
-    """s. When a guard of nought that begins to hold just now does so, if it does before it falls:
-    of a pair that has just parted, of a cart that has just been set going. Else nought."""
-    kind, number, _ = key
-    if kind == "gap" and located.idle(pair := located.field.pair_at[number]):
-        return _turn(located, pair, h, begin, end, along, opens=True) or 0.0
-    if kind == "body" and located.field.sliding[number] and guard(0.0) == 0.0:
-        parts = (h * 0.25**k for k in range(1, RISING))
-        return next((part for part in parts if guard(part) > 0.0), 0.0)
-    return 0.0
+@dataclass(frozen=True, slots=True)
+class _Step:
+    """A trial step of h s from t: the states at its ends, and along it."""
 
+    located: Located
+    t: float
+    h: float
+    begin: State
+    end: State
+    along: Along
 
-def _lies(
-    located: Located, key: Key, before: float, after: float, begin: State, end: State
-) -> bool:
-    """Do two whose impact has no duration lie at each other, overlapped by rounding and no more?
+    def guard(self, key: Key) -> Callable[[float], float]:
+        """One guard at a time [s] of the step."""
+        return lambda tau: self.located.guards(self.t + tau, *self.along(tau))[key]
 
-    They went on with one velocity after the last impact: there is nothing left to strike.
-    """
-    kind, gap, _ = key
-    if kind != "gap" or before > 0.0 or gap in located.field.held | located.field.spent:
-        return False
-    pair = located.field.pair_at[gap]
-    way = max(abs(s) for row in (begin[0], end[0]) for s in row)
-    return pair.force is None and before - after <= ROUNDING * (way + abs(pair.room))
+    def overlap(self, pair: Pair, state: State) -> tuple[float, float]:
+        """d [m] and its rate [m/s]."""
+        return self.located.field.overlap(pair, *state)
 
+    def fall(self, key: Key, before: float, after: float) -> float:
+        """s. When a guard falls that is negative at the end; nought where it never held."""
+        guard = self.guard(key)
+        since, value = 0.0, before
+        if value <= 0.0 and (since := self.risen(key, value)):
+            value = guard(since)
+        return _zero(guard, since, self.h, value, after) if value > 0.0 else 0.0
 
-def _dip(
-    located: Located, pair: Pair, t: float, h: float, begin: State, end: State, along: Along
-) -> dict[Key, float]:
-    """When the room of a pair that is apart falls and rises again, or its overlap does."""
-    field, gap = located.field, pair.gap
-    if turn := _turn(located, pair, h, begin, end, along, opens=True):
-        d, between, d1 = (field.overlap(pair, *at)[0] for at in (begin, along(turn), end))
-        clear = field.memory[gap] and between < 0.0 < min(d, d1)
-        return {(CLEAR, gap, 0): turn} if clear else {}
-    if turn := _turn(located, pair, h, begin, end, along, opens=False):
-        room = _guard(located, ("gap", gap, 0), t, along)
-        ends, least = (room(0.0), room(h)), room(turn)
-        if min(ends) > 0.0 > least:
-            return {("gap", gap, 0): _zero(room, 0.0, turn, ends[0], least)}
-    return {}
+    def risen(self, key: Key, before: float) -> float:
+        """s. When a guard of nought that begins to hold just now does so, if it does before it
+        falls: of a pair that has just parted, of a cart that has just been set going. Else nought.
+        """
+        kind, number, _ = key
+        if kind == "gap" and self.located.idle(pair := self.located.field.pair_at[number]):
+            return self.turn(pair) if self.overlap(pair, self.begin)[1] < 0.0 else 0.0
+        if kind == "body" and self.located.field.sliding[number] and before == 0.0:
+            parts = (self.h * 0.25**k for k in range(1, RISING))
+            return next((part for part in parts if self.guard(key)(part) > 0.0), 0.0)
+        return 0.0
 
+    def lies(self, key: Key, before: float, after: float) -> bool:
+        """Do two whose impact has no duration lie at each other, overlapped by rounding alone?
 
-def _turn(
-    located: Located, pair: Pair, h: float, begin: State, end: State, along: Along, *, opens: bool
-) -> float | None:
-    """s. When a pair turns round that first opens, or closes; None where it does not."""
-    side = -1.0 if opens else 1.0
+        They went on with one velocity after the last impact: there is nothing left to strike.
+        """
+        kind, gap, _ = key
+        field = self.located.field
+        if kind != "gap" or before > 0.0 or gap in field.held or gap in field.spent:
+            return False
+        pair = field.pair_at[gap]
+        way = max(abs(s) for row in (self.begin[0], self.end[0]) for s in row)
+        return pair.force is None and before - after <= ROUNDING * (way + abs(pair.room))
 
-    def rate(state: State) -> float:
-        return side * float(located.field.overlap(pair, *state)[1])
+    def dip(self, pair: Pair) -> dict[Key, float]:
+        """When the room of a pair that is apart falls and rises again, or its overlap does."""
+        if not (turn := self.turn(pair)):
+            return {}
+        d, rate = self.overlap(pair, self.begin)
+        if rate < 0.0:
+            between, d1 = (self.overlap(pair, at)[0] for at in (self.along(turn), self.end))
+            clear = self.located.field.memory[pair.gap] and between < 0.0 < min(d, d1)
+            return {(CLEAR, pair.gap, 0): turn} if clear else {}
+        key = "gap", pair.gap, 0
+        room = self.guard(key)
+        ends, least = (room(0.0), room(self.h)), room(turn)
+        return {key: _zero(room, 0.0, turn, ends[0], least)} if min(ends) > 0.0 > least else {}
 
-    first, last = rate(begin), rate(end)
-    return _zero(lambda tau: rate(along(tau)), 0.0, h, first, last) if first > 0.0 > last else None
+    def turn(self, pair: Pair) -> float:
+        """s. When a pair turns round that closes first and opens then, or the other way; 0: not."""
+        first, last = (self.overlap(pair, state)[1] for state in (self.begin, self.end))
+        if not first * last < 0.0:
+            return 0.0
+        side = math.copysign(1.0, first)
 
+        def rate(tau: float) -> float:
+            return side * self.overlap(pair, self.along(tau))[1]
 
-def _guard(located: Located, key: Key, t: float, along: Along) -> Callable[[float], float]:
-    return lambda tau: located.guards(t + tau, *along(tau))[key]
+        return _zero(rate, 0.0, self.h, side * first, side * last)
 
 
 def _zero(

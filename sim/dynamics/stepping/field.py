@@ -20,7 +20,7 @@ from typing import Any
 
 from sim.dynamics.stepping.joint_forces import from_walls, joint_forces
 from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
-from sim.dynamics.stepping.regrouped import regroup
+from sim.dynamics.stepping.regrouped import at_wall, bodies_of, regroup
 from sim.effects.forces import FRICTION, BodyForce, checked
 from sim.laws.stepping import Mode
 from sim.scene.model import Scene
@@ -48,7 +48,7 @@ class Field:
         self.joined: set[int] = set()  # gaps whose bodies move as one
         self.held: set[int] = set()  # those of them that a pressed bumper keeps, see `held`
         self.spent: set[int] = set()  # gaps whose bumpers a release has parted, see `spent`
-        self.bodies = [[k] for k in range(self.count)]
+        self.bodies = bodies_of(self.count, self.joined)
         self.grips = self._grips()
         self.releases = sorted(
             (one for effect in self._acting for one in effect.releases()), key=lambda one: one.time
@@ -222,9 +222,7 @@ class Field:
 
     def fixed(self, body: Sequence[int]) -> bool:
         """Does it stick to a wall?"""
-        return (0 in self.joined and body[0] == 0) or (
-            self.count in self.joined and body[-1] == self.count - 1
-        )
+        return at_wall(body, self.joined, self.count)
 
     def join(self, gap: int, *, part: bool = False) -> None:
         """From now on the bodies of a gap move as one; `part`: no longer."""
@@ -232,10 +230,5 @@ class Field:
             self.joined.discard(gap)
         else:
             self.joined.add(gap)
-        self.bodies = [[0]]
-        for k in range(1, self.count):
-            if k in self.joined:
-                self.bodies[-1].append(k)
-            else:
-                self.bodies.append([k])
+        self.bodies = bodies_of(self.count, self.joined)
         regroup(self.pairs, self.mass, self.joined - self.held)

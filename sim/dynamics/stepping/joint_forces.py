@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+from sim.dynamics.stepping.regrouped import at_wall
+
 Rub = dict[tuple[str, int], float]
 """N of friction, by (kind, cart)."""
 
@@ -42,10 +44,10 @@ def joint_forces(row: Joined, total: list[Any], rub: Rub, a: list[Any]) -> dict[
 
 def from_walls(row: Joined, total: list[Any]) -> Rub:
     """N on carts that stick to a wall: it takes up all else. Held bumpers tell theirs."""
-    ends, last = row.joined - row.held, len(row.mass)
+    stuck = row.joined - row.held
     return {
         (WALLS, k): -total[k]
         for body in row.bodies
-        if (0 in ends and body[0] == 0) or (last in ends and body[-1] == last - 1)
+        if at_wall(body, stuck, len(row.mass))
         for k in body
     }

@@ -9,6 +9,7 @@ two: nothing but its force joins them.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from sim.dynamics.stepping.pairs import Pair, reduced_mass
 from sim.laws.lookup import contact_law
@@ -16,26 +17,33 @@ from sim.laws.lookup import contact_law
 
 def regroup(pairs: list[Pair], mass: list[float], stuck: set[int]) -> None:
     """The forces of all contacts, when what sticks together has changed; `stuck`: gaps."""
+    behind = {
+        k: math.inf if at_wall(body, stuck, len(mass)) else sum(mass[i] for i in body)
+        for body in bodies_of(len(mass), stuck)
+        for k in body
+    }
     for pair in pairs:
         if pair.gap in stuck:
             continue
-        mu = reduced_mass(_left(pair.left, mass, stuck), _right(pair.right, mass, stuck))
+        sides = (math.inf if k is None else behind[k] for k in (pair.left, pair.right))
+        mu = reduced_mass(*sides)
         if mu != pair.mu and mu < math.inf:
             pair.mu = mu
             if (law := contact_law(pair.contact)) is not None:
                 pair.force = law.stepping(mu)
 
 
-def _left(cart: int | None, mass: list[float], stuck: set[int]) -> float:
-    """kg, of a cart and of what sticks to its left."""
-    if cart is None:
-        return math.inf
-    return mass[cart] + (_left(cart - 1 if cart else None, mass, stuck) if cart in stuck else 0.0)
+def bodies_of(count: int, joined: set[int]) -> list[list[int]]:
+    """The carts of each body, from left to right; the bodies of `joined` gaps are one."""
+    bodies = [[0]]
+    for k in range(1, count):
+        if k in joined:
+            bodies[-1].append(k)
+        else:
+            bodies.append([k])
+    return bodies
 
 
-def _right(cart: int | None, mass: list[float], stuck: set[int]) -> float:
-    """kg, of a cart and of what sticks to its right."""
-    if cart is None:
-        return math.inf
-    beyond = cart + 1 if cart + 1 < len(mass) else None
-    return mass[cart] + (_right(beyond, mass, stuck) if cart + 1 in stuck else 0.0)
+def at_wall(body: Sequence[int], joined: set[int], count: int) -> bool:
+    """Is a body joined to a wall?"""
+    return (0 in joined and body[0] == 0) or (count in joined and body[-1] == count - 1)
