@@ -38,7 +38,7 @@ from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.story_report import segment_rows
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
-from sim.measured.units import Units
+from sim.measured.units import LETTERS, Units
 from sim.measured.zipped import texts_of
 
 SHORTEST = 1e-4
@@ -87,6 +87,8 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
         "kind": measured.kind,
         "names": list(measured.names),
         "read": list(measured.notes),
+        "assumed": [kind for kind in LETTERS if kind in measured.assumed],
+        "run": measured.run,
         "runs": list(measured.runs),
         "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
     }

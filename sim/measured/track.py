@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from sim.measured.units import Kind
+
 Content = Literal["length", "force", "acceleration"]
 """What a track holds: m, N or m/s²."""
 
@@ -24,11 +26,14 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What one file holds. `own`: each sensor may have its own zero and direction. `runs`: all that
-    stand in it, where there are several."""
+    """What one file holds. `own`: each sensor may have its own zero and direction. `run`: the one
+    that was read, of all `runs` that stand in it, where there are several. `assumed`: the kinds of
+    quantity whose columns name no unit: they were read in the one that was asked for."""
 
     kind: Content
     tracks: tuple[Track, ...]
     notes: tuple[str, ...]
     own: bool = False
+    run: str = ""
     runs: tuple[str, ...] = ()
+    assumed: frozenset[Kind] = frozenset()

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 
 from sim.measured.readers import read_text
 from sim.measured.refusal import ReadingError, of_readings, refuse, shown
-from sim.measured.track import FEWEST, Content, Track
-from sim.measured.units import Units
+from sim.measured.track import FEWEST, Content, Reading, Track
+from sim.measured.units import Kind, Units
 
 LARGEST = 1e9
 """In SI. Nothing that a class measures is larger."""
@@ -28,7 +28,8 @@ class Measured:
     """Two tracks of one kind. Carts stand from left to right. `notes` say how they were read.
 
     `own`: each sensor may have a zero and a direction of its own; tracks as they stand in the file.
-    `runs`: all that stand in the file, where there are several. `synthetic`: a program made
+    `run`: the one that was read, of all `runs` that stand in the file, where there are several.
+    `assumed`: the kinds of quantity whose columns name no unit. `synthetic`: a program made
     them, with the laws built in, so they are evidence for none.
     """
 
@@ -36,7 +37,9 @@ class Measured:
     tracks: tuple[Track, Track]
     notes: tuple[str, ...]
     own: bool = False
+    run: str = ""
     runs: tuple[str, ...] = ()
+    assumed: frozenset[Kind] = frozenset()
     synthetic: bool = False
 
     @property
@@ -51,17 +54,15 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
     found: list[Track] = []
     kinds: list[Content] = []
     notes: list[str] = []
-    own = False
-    runs: tuple[str, ...] = ()
+    readings: list[Reading] = []
     for source, text in enumerate(texts):
         try:
             reading = read_text(text, units)
             _check_sizes(reading.tracks)
         except ReadingError as error:
             raise ReadingError(error.faults, source) from None
+        readings.append(reading)
         found += reading.tracks
-        own = own or reading.own
-        runs = max(runs, reading.runs, key=len)
         kinds.append(reading.kind)
         notes = list(dict.fromkeys((*notes, *reading.notes)))
     last = found[-1].lines[-1] if found and found[-1].lines else 1
@@ -74,8 +75,11 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         found = [Track(f"{t.name} {k}", t.t, t.value, t.lines) for k, t in enumerate(found, 1)]
     found, said = _from_nought(found)
     notes += said
+    own = any(one.own for one in readings)
     in_order = (found[0], found[1]) if own else _in_order(found, kinds[0])
-    return Measured(kinds[0], in_order, tuple(notes), own, runs)
+    most = max(readings, key=lambda one: len(one.runs))
+    assumed = frozenset[Kind]().union(*(one.assumed for one in readings))
+    return Measured(kinds[0], in_order, tuple(notes), own, most.run, most.runs, assumed)
 
 
 def _check_sizes(tracks: Iterable[Track]) -> None:

@@ -18,6 +18,7 @@ OFFERED: dict[Kind, tuple[str, ...]] = {
     "length": ("m", "cm", "mm"),
     "force": ("N", "mN", "kN"),
 }
+LETTERS: dict[Kind, str] = {"time": "t", "length": "x", "force": "F"}
 
 _WRITTEN = {
     "sec": "s", "secs": "s", "second": "s", "seconds": "s", "sekunden": "s", "с": "s", "秒": "s",

@@ -58,7 +58,7 @@ def test_units_of_the_file_are_taken_before_the_readers() -> None:
     found = read_measured(["t;x_A;x_B\n" + rows(";")], Units(time="ms", length="cm"))
     assert found.tracks[0].t[-1] == pytest.approx(T[-1] / 1e3)
     assert found.tracks[1].value[0] == pytest.approx(B[0] / 1e2)
-    assert "x in cm (as you say)" in found.notes
+    assert found.assumed == {"time", "length"}
 
 
 def test_columns_of_unequal_length_keep_what_each_cart_has() -> None:

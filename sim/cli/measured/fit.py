@@ -145,8 +145,9 @@ def command(
     units = Units(time=time, length=length, force=force, run=run)
     measured = cut(readings(files, units), low, high)
     only_of_positions(ctx, measured.kind)
-    measured = replace(measured, notes=units_said(measured.notes, typed(ctx, OF_UNITS)))
-    warn_of_units(ctx, measured.kind, measured.notes)
+    said = units_said(measured.assumed, units, typed(ctx, OF_UNITS))
+    measured = replace(measured, notes=(*said, *measured.notes))
+    warn_of_units(ctx, measured)
     hints = Hints(
         at=quantity("--contact", contact, TIME),
         flips=named("--flip", flips, measured.names),

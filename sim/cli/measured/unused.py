@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import click
 
 from sim.cli.typed_options import typed
 from sim.measured.track import Content
+from sim.measured.tracks import Measured
 
 OF_POSITIONS = {
     "law": "--law", "friction": "--friction", "tilt": "--tilt", "contact": "--contact",
@@ -29,13 +28,15 @@ def only_of_positions(ctx: click.Context, kind: Content) -> None:
         raise click.UsageError(f"{options}: for positions only; these files hold {_HOLDS[kind]}.")
 
 
-def warn_of_units(ctx: click.Context, kind: Content, notes: Sequence[str]) -> None:
+def warn_of_units(ctx: click.Context, measured: Measured) -> None:
     """One line for each unit that was given and that no column needed."""
     for name in typed(ctx, OF_UNITS):
-        if any(f"(as --{name} says)" in note for note in notes):
+        if name in measured.assumed:
             continue
-        absent = name not in ("time", kind)
-        why = f"the files hold {_HOLDS[kind]}" if absent else "the files name their own unit"
+        absent = name not in ("time", measured.kind)
+        why = (
+            f"the files hold {_HOLDS[measured.kind]}" if absent else "the files name their own unit"
+        )
         _warn(f"--{name} {ctx.params[name]}", why)
 
 

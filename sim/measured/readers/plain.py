@@ -12,6 +12,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from sim.measured.readers.idle import are_idle
 from sim.measured.refusal import Fault, ReadingError, of_readings, refuse, shown
@@ -27,7 +28,7 @@ from sim.measured.sheet.whose import (
     place_of,
 )
 from sim.measured.track import FEWEST, Content, Reading, Track
-from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
+from sim.measured.units import LETTERS, OFFERED, Kind, Units, factor, kind_of_unit
 
 _COUNTS = re.compile(r"step|n|nr|no|#", re.I)
 _FRAMES = re.compile(
@@ -44,15 +45,14 @@ def claims(text: str) -> bool:
 
 def read(text: str, units: Units) -> Reading:
     """The tracks of a table; raises ReadingError."""
-    table, runs, said = of_one_run(read_table(text), units.run)
-    kind, tracks, notes = _of_table(table, units)
-    if len(runs) == 1:
-        run_place(units.run, runs)
-    what: Content = "force" if kind == "force" else "length"
-    return Reading(what, tuple(tracks), (*said, *notes), runs=runs)
+    one = of_one_run(read_table(text), units.run)
+    reading = _of_table(one.table, units)
+    if len(one.runs) == 1:
+        run_place(units.run, one.runs)
+    return replace(reading, notes=(*one.notes, *reading.notes), run=one.run, runs=one.runs)
 
 
-def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]:
+def _of_table(table: Table, units: Units) -> Reading:
     time = _time_column(table)
     wanted, kind = _wanted(table, time)
     if not wanted:
@@ -67,19 +67,23 @@ def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]
         )
     clocks = [_clock(table, column, time) for column in wanted]
     read, turned = along_the_track(table, wanted) if kind == "length" else (wanted, [])
-    time_factors, time_note = _unit(table, clocks, "time", units)
-    value_factors, value_note = _unit(table, wanted, kind, units)
-    factors = zip(time_factors, value_factors, strict=True)
+    factors = zip(
+        _factors(table, clocks, "time", units), _factors(table, wanted, kind, units), strict=True
+    )
     called = cart_names([(c.name, c.unit, c.track) for c in read])
     columns = zip(called, clocks, read, factors, strict=True)
     tracks = [_track(table, *one) for one in columns]
-    said = [f"{table.separator} between the columns, decimal {table.decimal}", *turned]
+    said = [*_named(clocks, "time"), *_named(wanted, kind)]
+    said += [f"{table.separator} between the columns, decimal {table.decimal}", *turned]
     others = [c for c in table.columns if c not in wanted and c is not time]
     if kind == "force" and any(map(_is_place, others)):
         said.append("forces were read, and positions left out")
     elif kind == "length" and sum(is_force(c.name, c.unit) for c in others) >= 2:
         said.append("positions were read: the force sensors show no push")
-    return kind, tracks, [time_note, value_note, *said]
+    what: Content = "force" if kind == "force" else "length"
+    asked: dict[Kind, list[Column]] = {"time": clocks, kind: wanted}
+    assumed = frozenset(one for one, its in asked.items() if not all(c.unit for c in its))
+    return Reading(what, tuple(tracks), tuple(said), assumed=assumed)
 
 
 def _time_column(table: Table) -> Column:
@@ -169,10 +173,14 @@ def _not_three(table: Table, columns: list[Column], what: str) -> list[Column]:
     return columns
 
 
-def _unit(
-    table: Table, columns: Sequence[Column], kind: Kind, units: Units
-) -> tuple[list[float], str]:
-    """SI factors of the columns, and a note for the reader."""
+def _named(columns: Sequence[Column], kind: Kind) -> list[str]:
+    """A note of the units that the heads of these columns name."""
+    own = [column.unit for column in columns]
+    return [f"{LETTERS[kind]} in {' and '.join(dict.fromkeys(own))} (as the file says)"] * all(own)
+
+
+def _factors(table: Table, columns: Sequence[Column], kind: Kind, units: Units) -> list[float]:
+    """Of the columns, to SI."""
     own = [column.unit for column in columns]
     if kind != "time" and len(own) == 2 and bool(own[0]) != bool(own[1]):
         raise refuse(
@@ -189,10 +197,7 @@ def _unit(
             reason = f"“{shown(unit)}” is not a unit of {kind} (column {shown(column.name)})"
             raise refuse(table.heads_line, reason, f"{kind} is in {offered}")
         factors.append(found)
-    said = " and ".join(dict.fromkeys(column.unit or units.of(kind) for column in columns))
-    how = "as the file says" if own[0] else "as you say"
-    letter = {"time": "t", "length": "x", "force": "F"}[kind]
-    return factors, f"{letter} in {said} ({how})"
+    return factors
 
 
 def _track(

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 from sim.measured.readers import plain
 from sim.measured.refusal import of_readings, refuse, shown
@@ -23,7 +23,7 @@ from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import Column, Table, read_table
 from sim.measured.sheet.turned import along_the_track
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor, plain_unit
+from sim.measured.units import Kind, Units, factor, plain_unit
 from sim.scene.quantity import SPEED
 
 _HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
@@ -47,22 +47,41 @@ MOST_HEADS = 30
 """Lines in which the heads of a log stand."""
 
 
+@dataclass(slots=True)
+class _Seen:
+    """What is found on the way: notes for the reader, kinds without a unit, and the runs of a
+    column whose time starts anew, with the one that was read."""
+
+    notes: list[str]
+    assumed: set[Kind] = field(default_factory=set)
+    run: str = ""
+    runs: tuple[str, ...] = ()
+
+
 def read(text: str, units: Units) -> Reading:
     """Both carts of one run, or one; raises ReadingError."""
-    table, runs, notes = of_one_run(read_table(text), units.run)
-    below: list[str] = []
-    found = len(runs) > 1 or units.run.casefold() in map(str.casefold, runs)
-    tracks = _tracks(table, replace(units, run="") if found else units, notes, below)
+    one = of_one_run(read_table(text), units.run)
+    seen = _Seen(one.notes, run=one.run, runs=one.runs)
+    found = len(one.runs) > 1 or units.run.casefold() in map(str.casefold, one.runs)
+    tracks = _tracks(one.table, replace(units, run="") if found else units, seen)
     if not tracks:
         return plain.read(text, units)
-    notes.append(f"{table.separator} between the columns, decimal {table.decimal}")
-    every = runs if len(runs) > 1 else tuple(below) or runs
-    return Reading("length", tuple(tracks), tuple(notes), own=len(tracks) == 2, runs=every)
+    seen.notes.append(f"{one.table.separator} between the columns, decimal {one.table.decimal}")
+    if len(one.runs) > 1:
+        seen.run, seen.runs = one.run, one.runs
+    return Reading(
+        "length",
+        tuple(tracks),
+        tuple(seen.notes),
+        own=len(tracks) == 2,
+        run=seen.run,
+        runs=seen.runs,
+        assumed=frozenset(seen.assumed),
+    )
 
 
-def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> list[Track]:
-    """A track for each cart, by position or else by velocity. `below` gets the runs that stand
-    below each other."""
+def _tracks(table: Table, units: Units, seen: _Seen) -> list[Track]:
+    """A track for each cart, by position or else by velocity."""
     time: Column | None = None
     carts: dict[str, dict[Quantity, tuple[Column, Column]]] = {}
     for column in table.columns:
@@ -85,14 +104,14 @@ def _tracks(table: Table, units: Units, notes: list[str], below: list[str]) -> l
         raise refuse(table.heads_line, f"{len(places)} carts: {names}", "leave two of them")
     columns = [column for _, column in places.values()]
     columns, turned = (columns, []) if by_speed else along_the_track(table, columns)
-    notes += turned
+    seen.notes += turned
     tracks = []
     for k, ((who, (clock, _)), column) in enumerate(zip(places.items(), columns, strict=True)):
         alone = "1" if "2" in places else "AB"[k]  # “Position” beside “Position 2”
         name = who or (alone if len(places) > 1 else "cart")
-        tracks.append(_track(table, name, (clock, column), units, notes, below, by_speed))
+        tracks.append(_track(table, name, (clock, column), units, seen, by_speed))
     if by_speed and tracks:
-        notes.append("positions are the velocities summed up")
+        seen.notes.append("positions are the velocities summed up")
     return tracks
 
 
@@ -101,8 +120,7 @@ def _track(
     name: str,
     columns: tuple[Column, Column],
     units: Units,
-    notes: list[str],
-    below: list[str],
+    seen: _Seen,
     by_speed: bool,
 ) -> Track:
     clock, column = columns
@@ -117,23 +135,23 @@ def _track(
         hint = "velocity in m/s, cm/s, mm/s or km/h" if by_speed else "length in m, cm or mm"
         raise refuse(table.heads_line, reason, f"time in s or ms, {hint}")
     if not clock.unit:
-        notes.append(f"t in {units.time} (as you say)")
+        seen.assumed.add("time")
     if not (column.unit or by_speed):
-        notes.append(f"x in {units.length} (as you say)")
+        seen.assumed.add("length")
     rows = [
         (t * seconds, x * metres, line)
         for t, x, line in zip(clock.values, column.values, table.lines, strict=True)
         if t is not None and x is not None
     ]
-    rows = _one_run(rows, name, units.run, notes, below)
     missing = sum(t is not None for t in clock.values) - len(rows)
-    if missing > 0 and len(rows) >= FEWEST and not any("starts anew" in note for note in notes):
-        notes.append(f"{name}: {missing} rows without a reading, left out")
+    rows = _one_run(rows, name, units.run, seen)
+    if missing > 0 and len(rows) >= FEWEST:
+        seen.notes.append(f"{name}: {missing} rows without a reading, left out")
     if len(rows) < FEWEST:
         line = rows[-1][2] if rows else table.lines[-1]
         reason = f"{of_readings(len(rows))} of “{shown(name)}”: at least {FEWEST} are needed"
         raise refuse(line, reason, "let both sensors run during the whole contact")
-    _gaps(rows, name, notes)
+    seen.notes += _gaps(rows, name)
     x = _summed(rows) if by_speed else tuple(value for _, value, _ in rows)
     return Track(name, tuple(t for t, _, _ in rows), x, tuple(line for _, _, line in rows))
 
@@ -141,7 +159,7 @@ def _track(
 Rows = list[tuple[float, float, int]]
 
 
-def _one_run(rows: Rows, name: str, asked: str, notes: list[str], below: list[str]) -> Rows:
+def _one_run(rows: Rows, name: str, asked: str, seen: _Seen) -> Rows:
     """From where the time starts anew to the next such place; repeated times are left out. All
     named."""
     runs: list[Rows] = [[]]
@@ -155,25 +173,28 @@ def _one_run(rows: Rows, name: str, asked: str, notes: list[str], below: list[st
         else:
             runs[-1].append(row)
     long = [run for run in runs if len(run) >= FEWEST]
-    place = run_place(asked, [str(k) for k in range(1, len(long) + 1)])
+    names = tuple(str(k) for k in range(1, len(long) + 1))
+    place = run_place(asked, names)
     kept = long[place] if long else max(runs, key=len)
-    if len(long) > max(1, len(below)):
-        below[:] = [str(k) for k in range(1, len(long) + 1)]
+    if len(names) > max(1, len(seen.runs)):
+        seen.run, seen.runs = names[place], names
     if len(runs) > 1:
         starts = ", ".join(str(run[0][2]) for run in runs[1:6] if run)
         count = f"{len(kept)} readings of one run are taken"
-        notes.append(f"the time starts anew in line {starts}: {count}")
+        seen.notes.append(f"the time starts anew in line {starts}: {count}")
     if repeated:
-        notes.append(f"{name}: {repeated} repeated times, left out")
+        seen.notes.append(f"{name}: {repeated} repeated times, left out")
     return kept
 
 
-def _gaps(rows: Rows, name: str, notes: list[str]) -> None:
+def _gaps(rows: Rows, name: str) -> list[str]:
+    """Notes of the widest gaps between readings."""
     steps = sorted(b[0] - a[0] for a, b in itertools.pairwise(rows))
     usual = steps[len(steps) // 2]
     wide = [(a, b) for a, b in itertools.pairwise(rows) if b[0] - a[0] > 3.5 * usual]
-    for a, b in wide[:3]:
-        notes.append(f"{name}: no reading from {a[0]:.2f} to {b[0]:.2f} s (line {b[2]})")
+    return [
+        f"{name}: no reading from {a[0]:.2f} to {b[0]:.2f} s (line {b[2]})" for a, b in wide[:3]
+    ]
 
 
 def _summed(rows: Rows) -> tuple[float, ...]:

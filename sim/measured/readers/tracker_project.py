@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from sim.measured.direction import Way, along, of_film
 from sim.measured.refusal import refuse, shown
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor
+from sim.measured.units import Kind, Units, factor
 
 DEEPEST = 60
 LARGEST = 1e9
@@ -86,7 +86,8 @@ def read(text: str, units: Units) -> Reading:
     axis, said = of_film([[place for _, place, _ in marks] for _, marks in seen])
     notes.insert(0, f"Tracker's project, {1.0 / step:.4g} frames per second")
     tracks = tuple(_track(name, marks, axis) for name, marks in seen)
-    return Reading("length", tracks, (*notes, *([said] if said else [])))
+    assumed = frozenset[Kind]() if panel.get("length_unit") else frozenset[Kind]({"length"})
+    return Reading("length", tracks, (*notes, *([said] if said else [])), assumed=assumed)
 
 
 def _parsed(text: str) -> _Node:
@@ -172,8 +173,7 @@ def _axes(panel: _Node, units: Units) -> tuple[tuple[float, float, float, float]
     if metres is None:
         line = unit_node.line if unit_node else panel.line
         raise refuse(line, f"“{shown(unit)}” is not a unit of length", "m, cm or mm")
-    said = "" if unit_node else " (as you say)"
-    notes = [f"x in {unit}{said}, {scale:.4g} pixels for each"]
+    notes = [f"{scale:.4g} pixels for each {unit}"]
     scales = {round(_number(one, ("xscale",), scale), 6) for one in frames}
     if len(scales) > 1:
         notes.append("the scale changes during the film: that of its first frame is taken")

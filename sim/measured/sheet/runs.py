@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from sim.measured.refusal import refuse
 from sim.measured.sheet import stacked
@@ -11,10 +11,25 @@ from sim.measured.sheet.table import Table
 from sim.measured.track import FEWEST
 
 
-def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
-    """One of the runs that stand side by side or below each other, the names of all, and a note;
-    raises ReadingError where there are several and another was asked for. A column without a label
-    is of the run to its left; before all, it is for each.
+@dataclass(frozen=True, slots=True)
+class OneRun:
+    """The table of one run, its name, and those of all that stand in the file."""
+
+    table: Table
+    run: str
+    runs: tuple[str, ...]
+
+    @property
+    def notes(self) -> list[str]:
+        """For the reader, where there are others."""
+        left = ", ".join(run for run in self.runs if run != self.run)
+        return [f"run {self.run} is read; other runs in the file: {left}"] if left else []
+
+
+def of_one_run(table: Table, asked: str) -> OneRun:
+    """One of the runs that stand side by side or below each other: the one that was asked for, else
+    the first that is long enough; raises ReadingError where there are several and another was asked
+    for. A column without a label is of the run to its left; before all, it is for each.
     """
     if len(table.starts) > 1:
         return _of_those_below(table, asked)
@@ -24,12 +39,12 @@ def of_one_run(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[s
         labels.append(current)
     runs = tuple(dict.fromkeys(filter(None, labels)))
     if len(runs) < 2:
-        return table, runs, []
+        return OneRun(table, "".join(runs), runs)
     wanted = asked or next((run for run in runs if _long(table, labels, run)), runs[0])
     read = runs[run_place(wanted, runs)]
     pairs = zip(table.columns, labels, strict=True)
     kept = tuple(column for column, label in pairs if label in ("", read))
-    return replace(table, columns=kept), runs, [_note(read, runs)]
+    return OneRun(replace(table, columns=kept), read, runs)
 
 
 def _long(table: Table, labels: Sequence[str], run: str) -> bool:
@@ -38,7 +53,7 @@ def _long(table: Table, labels: Sequence[str], run: str) -> bool:
     return all(sum(value is not None for value in values) >= FEWEST for values in its)
 
 
-def _of_those_below(table: Table, asked: str) -> tuple[Table, tuple[str, ...], list[str]]:
+def _of_those_below(table: Table, asked: str) -> OneRun:
     runs = stacked.names(table.starts)
     ends = [start.row for start in table.starts[1:]] + [len(table.lines)]
     spans = [slice(start.row, end) for start, end in zip(table.starts, ends, strict=True)]
@@ -47,12 +62,7 @@ def _of_those_below(table: Table, asked: str) -> tuple[Table, tuple[str, ...], l
     rows = spans[place]
     columns = tuple(replace(column, values=column.values[rows], run="") for column in table.columns)
     one = replace(table, columns=columns, lines=table.lines[rows], starts=())
-    return one, runs, [_note(runs[place], runs)]
-
-
-def _note(read: str, runs: Sequence[str]) -> str:
-    left = ", ".join(run for run in runs if run != read)
-    return f"run {read} is read; other runs in the file: {left}"
+    return OneRun(one, runs[place], runs)
 
 
 def run_place(asked: str, runs: Sequence[str]) -> int:

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sim.measured.tracks import Measured
-from sim.measured.units import OFFERED
+from sim.measured.units import LETTERS, OFFERED
 from sim.pages.measured.block import MeasuredBlock
 from sim.pages.templates import element
 
@@ -25,7 +24,7 @@ def render_measured(block: MeasuredBlock, *, drawn: bool = True) -> str:
         "offered": {kind: list(names) for kind, names in OFFERED.items()},
         "law": block.law,
         "synthetic": block.synthetic,
-        "read": _read(block.measured),
+        "read": _read(block),
     }
     if not drawn:
         return element("measured", block.id, "", facts)
@@ -40,13 +39,16 @@ def _units(block: MeasuredBlock) -> dict[str, str] | None:
     return {"length": block.units.length, "time": block.units.time, "force": block.units.force}
 
 
-def _read(measured: Measured | None) -> dict[str, Any] | None:
-    """The readings as the bridge would answer."""
+def _read(block: MeasuredBlock) -> dict[str, Any] | None:
+    """The readings as the bridge would answer, with the units that the lesson names."""
+    measured = block.measured
     if measured is None:
         return None
     return {
         "kind": measured.kind,
         "names": list(measured.names),
         "read": list(measured.notes),
+        "assumed": [kind for kind in LETTERS if kind in measured.assumed],
+        "chosen": _units(block),
         "tracks": [{"t": list(t.t), "value": list(t.value)} for t in measured.tracks],
     }

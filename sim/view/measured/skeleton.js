@@ -6,6 +6,7 @@
 import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { tableOf } from "./table.js";
+import { told } from "./units.js";
 
 /** @typedef {import("./types.js").Facts} Facts */
 /** @typedef {import("../markup.js").Markup} Markup */
@@ -69,7 +70,7 @@ function source({ name, units, offered, read }) {
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
 <p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? told(read).join("; ") : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
 }

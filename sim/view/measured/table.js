@@ -1,17 +1,17 @@
 /** The table of readings: a row for each time, with the residuals where a model lies over them. */
 
 import { fixed } from "../numbers.js";
+import { heads } from "./units.js";
 
 /** @typedef {import("./types.js").Read} Read */
 
-/** What readings of each kind are, and their unit. @type {Record<Read["kind"], [string, string]>} */
-export const QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
 const PLACES = 4; // decimals of readings in SI units
 
 /** @param {Read} read @param {number[][] | null} residuals in m @returns {{head: string[], rows: string[][]}} */
-export function tableOf({ kind, names, tracks }, residuals) {
-  const [letter, unit] = QUANTITY[kind];
-  const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+export function tableOf(read, residuals) {
+  const { names, tracks } = read;
+  const { time, tracks: its } = heads(read);
+  const head = [time, ...its];
   if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
   /** @type {Map<number, string[]>} */
   const found = new Map();

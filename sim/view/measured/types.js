@@ -6,8 +6,9 @@
  * @typedef {{t: number[], x: [number[], number[]]}} Curve
  * @typedef {{line: number | null, reason: string, hint: string}} Fault
  * @typedef {{parameters: Hand, curve: Curve, residuals: [number[], number[]], spread: number, counted?: number}} Drawn in m; counted: readings, by a fit
- * @typedef {{kind: "length" | "force" | "acceleration", names: [string, string], read: string[], runs?: string[], tracks: [Track, Track],
- *   report?: Report, forces?: {t: number[], F: [number[], number[]]}}} Read
+ * @typedef {{kind: "length" | "force" | "acceleration", names: [string, string], read: string[],
+ *   assumed: ("time" | "length" | "force")[], chosen?: Units | null, run?: string, runs?: string[], tracks: [Track, Track],
+ *   report?: Report, forces?: {t: number[], F: [number[], number[]]}}} Read assumed: no column names their unit; chosen: by the reader or the lesson
  * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
  * @typedef {{kind: string, names: string[], read: string[], law_words: string, added: string, doubt: string, effect: string, known: Known[],
  *   untold: {key: string, name: string, reason: string}[], noise: number, sentences: string[], scene: string,

@@ -10606,7 +10606,7 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
   var PARTS = [19, 61, 103, 211, 499, 997, 9973];
   var TOLERANCES = [1e-6, 1e-9, 1e-12];
   function inside({ id, title, names, measured: measured2, rows, floor, digits = {}, run, breaks }) {
-    const told3 = told(run.header).map(
+    const told32 = told(run.header).map(
       ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
     );
     const said = measured2 && `Measured ${measured2}.`;
@@ -10619,7 +10619,7 @@ ${choice(names)}
 <p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
 <div class="carts-cost-body">
 <div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
-<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told32}</tbody></table></div>
 </div>
 <div class="carts-cost-measure">
 <p class="carts-heading">Error against time</p>
@@ -10763,10 +10763,10 @@ ${rows.map(row)}</tbody>
   }
   function row({ name, sentence, why, wanted, known: known2, yaml, commands }) {
     const lines3 = expectedLines(wanted).map((line2, k) => html`${k > 0 && html`<br>`}${line2}`);
-    const heads = Object.values(METHODS2);
+    const heads2 = Object.values(METHODS2);
     const cells2 = known2.stepped.map((one, k) => {
       const [verdict, off] = steppedCell(wanted, one);
-      return html`<td data-head=${heads[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
+      return html`<td data-head=${heads2[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
     });
     const step = short(known2.stepped[0]?.step ?? 0, 3);
     return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence}</th>
@@ -11134,15 +11134,15 @@ ${further}</div>`;
       (axis2, place2) => axisText(facts, axis2, place2),
       (place2) => valueText2(valueAt(draw, place2), facts)
     );
-    const heads = second ? head : [facts.label];
-    const across3 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
+    const heads2 = second ? head : [facts.label];
+    const across3 = html`<tr><td></td><th scope="colgroup" colspan=${heads2.length}>${first && named(first)}</th></tr>`;
     const rows = lines3.map(
       ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`
     );
     return html`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead>
 ${second && across3}
-<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell2) => html`<th scope="col">${cell2}</th>`)}</tr></thead>
+<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads2.map((cell2) => html`<th scope="col">${cell2}</th>`)}</tr></thead>
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
@@ -11178,12 +11178,33 @@ ${second && across3}
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
-  // ../view/measured/table.js
+  // ../view/measured/units.js
   var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
+  var LETTERS = { time: "t", length: "x", force: "F" };
+  var open = ({ assumed, chosen }) => assumed.filter((kind2) => !chosen?.[kind2]);
+  var told3 = ({ assumed, chosen, read }) => [
+    ...assumed.flatMap(
+      (kind2) => chosen?.[kind2] ? `${LETTERS[kind2]} in ${chosen[kind2]} (as chosen)` : []
+    ),
+    ...read
+  ];
+  function heads(read) {
+    const [letter, unit] = QUANTITY[read.kind];
+    const left = open(read);
+    const its = left.some((kind2) => kind2 === read.kind) ? "" : ` in ${unit}`;
+    return {
+      time: left.includes("time") ? "t" : "t in s",
+      value: `${letter}${its}`,
+      tracks: read.names.map((name) => `${letter} of ${name}${its}`)
+    };
+  }
+
+  // ../view/measured/table.js
   var PLACES = 4;
-  function tableOf2({ kind: kind2, names, tracks }, residuals) {
-    const [letter, unit] = QUANTITY[kind2];
-    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+  function tableOf2(read, residuals) {
+    const { names, tracks } = read;
+    const { time, tracks: its } = heads(read);
+    const head = [time, ...its];
     if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
     const found = /* @__PURE__ */ new Map();
     for (const [k, track] of tracks.entries()) {
@@ -11256,7 +11277,7 @@ ${table3(facts)}
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
 <p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? told3(read).join("; ") : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
   }
@@ -11283,10 +11304,10 @@ ${table3(facts)}
   }
   function table3({ read }) {
     const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
-    const heads = head.map((cell2) => html`<th scope="col">${cell2}</th>`);
+    const heads2 = head.map((cell2) => html`<th scope="col">${cell2}</th>`);
     const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
-    return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+    return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
   }
 
   // ../view/bodies.js
@@ -11423,7 +11444,7 @@ ${table3(facts)}
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
-    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
+    label: (told4) => tr("on {on} by {by} (slope): {size} N", told4),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -11709,9 +11730,9 @@ ${table3(facts)}
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key: key2, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told4) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told4 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks3.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -11936,15 +11957,15 @@ ${table3(facts)}
     const after2 = speeds.length ? `${speeds.join(". ")}.` : "";
     const size = `${figures(impulse)} N s`;
     const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
+    const told4 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after2);
+          return told4(tr("{pair} hit and stay together.", { pair }), shown2, after2);
         }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
+        if (impulse && joined(event, scale)) return told4(...hitAndGoOn(event, telling, pair), shown2);
         if (impulse) {
-          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
+          return told4(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return tr("{mover} touches {other}.", {
@@ -11955,24 +11976,24 @@ ${table3(facts)}
       case "peak":
         return peakSentence(event, telling, laws, bare, pair);
       case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
+        if (!joined(event, scale)) return told4(tr("{pair} separate.", { pair }), shown2, after2);
         const ended = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay = tr("The push between {pair} has ended; they stay together.", ended);
-          return told3(stay, shown2, after2);
+          return told4(stay, shown2, after2);
         }
-        return told3(pushEnded(event, telling, ended.pair), shown2);
+        return told4(pushEnded(event, telling, ended.pair), shown2);
       }
       case "stick":
-        return told3(tr("{pair} stay together.", { pair }), after2);
+        return told4(tr("{pair} stay together.", { pair }), after2);
       case "stop":
         return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
         return names[1] ? tr("{pair} start to move.", { pair }) : tr("{cart} starts to move.", { cart: pair });
       case "release":
         if (impulse || !event.force) {
-          return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
+          return told4(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
         }
         return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
           pair,
@@ -11990,11 +12011,11 @@ ${table3(facts)}
     if (laws[key2] === APART) {
       return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force }) : tr("{pair} are nearest.", { pair });
     }
-    const told3 = forces2 && greatest3;
+    const told4 = forces2 && greatest3;
     if (laws[key2] !== "bumper") {
-      return told3 ? tr("{pair} push hardest: {force} on each.", { pair, force }) : tr("{pair} push hardest.", { pair });
+      return told4 ? tr("{pair} push hardest: {force} on each.", { pair, force }) : tr("{pair} push hardest.", { pair });
     }
-    if (told3) {
+    if (told4) {
       return bare.has(key2) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
     }
     return bare.has(key2) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
@@ -12069,10 +12090,10 @@ ${table3(facts)}
     });
   }
   function labels({ kind: kind2, on, by, size }) {
-    const told3 = { on, by, size };
-    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
+    const told4 = { on, by, size };
+    const brief2 = { ...told4, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
+      viewOf(kind2).label?.(told4) ?? tr("on {on} by {by}: {size} N", told4),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -12289,14 +12310,14 @@ ${rows}</tbody></table></div>
   function phrase(effect, header, numbers) {
     const { kind: kind2, carts, between: between2 } = effect;
     const view = viewOf(kind2);
-    const told3 = {
+    const told4 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
       both: bodiesOf(between2 ?? carts, header.track),
       agent: agent(effect),
       seen: (text3) => numbers ? text3 : ""
     };
-    const parts2 = view.phrase?.(effect, told3) ?? [nameOf(effect)];
+    const parts2 = view.phrase?.(effect, told4) ?? [nameOf(effect)];
     return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {
@@ -13074,11 +13095,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
+      const told4 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told4);
       const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told3,
+        ...told4,
         velocity: seen
       });
     });
@@ -13093,7 +13114,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // ../view/windows.js
   function touches(events, until) {
-    const open = /* @__PURE__ */ new Map();
+    const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
     const found = [];
     for (const event of events) {
@@ -13101,21 +13122,21 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const pair = bodies.join("-");
       const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
-        open.set(pair, { touch, before: before2 });
+        open2.set(pair, { touch, before: before2 });
       } else if (event.kind === "release" && !event.impulse) {
-        open.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before: before2 });
+        open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before: before2 });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
       } else if (event.kind === "separate" || event.kind === "stick") {
-        const keys2 = [`loose ${pair}`, pair].filter((key3) => open.has(key3));
-        const key2 = keys2.length < 2 || begunWith(before2, open.get(String(keys2[0]))) ? keys2[0] : pair;
-        const over2 = key2 && open.get(key2);
+        const keys2 = [`loose ${pair}`, pair].filter((key3) => open2.has(key3));
+        const key2 = keys2.length < 2 || begunWith(before2, open2.get(String(keys2[0]))) ? keys2[0] : pair;
+        const over2 = key2 && open2.get(key2);
         if (!over2) continue;
-        open.delete(key2);
+        open2.delete(key2);
         found.push({ ...over2.touch, end: event.t });
       }
     }
-    for (const { touch } of open.values()) {
+    for (const { touch } of open2.values()) {
       const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
       found.push({ ...touch, end: peak > touch.start ? peak : until, lasts: true });
     }
@@ -13347,7 +13368,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var LOW = { top: 8, bottom: 104 };
   var ROOM2 = 0.06;
   var HEAD = 1.15;
-  var unitOf = ({ kind: kind2 }) => QUANTITY[kind2].join(" in ");
   function reach(lists) {
     let [low, high] = [Infinity, -Infinity];
     for (const list of lists) {
@@ -13377,12 +13397,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.place = place2;
       this.left = left;
     }
-    show(tracks, unit, curve3, touch = null) {
+    show(tracks, heads2, curve3, touch = null) {
       const { t, x } = planes(tracks);
       this.#axis = t;
       this.#cursor = svg("path", { class: "carts-measured-cursor" });
       this.place.replaceChildren(
-        ...frame2(t, x, BOTTOM6, TOP6, unit, true),
+        ...frame2(t, x, BOTTOM6, TOP6, heads2),
         ...touch === null ? [] : band2(t, touch, TOP6, BOTTOM6),
         ...tracks.map(
           (track, k) => svg("path", {
@@ -13401,7 +13421,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const axis2 = span(-most, most, 6);
       this.left.toggleAttribute("hidden", false);
       this.left.replaceChildren(
-        ...frame2(t, axis2, LOW.bottom, LOW.top, unit, false),
+        ...frame2(t, axis2, LOW.bottom, LOW.top, { value: unit }),
         svg("path", {
           class: "carts-measured-zero",
           d: `M${LEFT6} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT5}`
@@ -13445,7 +13465,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       })
     ];
   }
-  function frame2(t, x, bottom, top, unit, named2) {
+  function frame2(t, x, bottom, top, { time, value }) {
     const parts2 = [];
     for (const tick of ticks2(t)) {
       const at = px(across2(t, tick));
@@ -13462,10 +13482,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       transform: `translate(18 ${(top + bottom) / 2}) rotate(-90)`,
       "text-anchor": "middle"
     });
-    label.textContent = unit;
+    label.textContent = value;
     parts2.push(label);
-    if (named2) {
-      const name = text2("carts-unit", RIGHT5, bottom + 31, "t in s");
+    if (time) {
+      const name = text2("carts-unit", RIGHT5, bottom + 31, time);
       put(name, "text-anchor", "end");
       parts2.push(name);
     }
@@ -13767,8 +13787,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told3 = { name, size };
-      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
+      const told4 = { name, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told4), tr("{name}: {size} up", told4)] : [tr("{name}: {size} to the left", told4), tr("{name}: {size} to the right", told4)];
       const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
@@ -14509,11 +14529,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals.energy ?? 3;
     }
-    show(run, open, changed) {
+    show(run, open2, changed) {
       const { events, until } = run.header;
       if (!this.asks) {
         this.#take(run.trajectory.t, ledger(run, touches(events, until), this.camera));
-      } else if (open && this.#of !== run) {
+      } else if (open2 && this.#of !== run) {
         this.#of = run;
         this.waits = tr("Computing …");
         void askParts(this.root).then((parts2) => {
@@ -14643,8 +14663,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       need(this.details, "tbody").replaceChildren(...rows);
     }
     #times(run) {
-      const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
-      const within = told3 ? contactTimes(run) : [];
+      const told4 = this.details.open && OF_CONTACTS.includes(this.quantity);
+      const within = told4 ? contactTimes(run) : [];
       const times2 = /* @__PURE__ */ new Set([...tableTimes(run), ...within]);
       return [...times2].filter((t) => t <= this.#seen).sort((a, b) => a - b);
     }
@@ -14732,8 +14752,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.impulse?.show(run);
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t);
-      const told3 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
-      this.table.show(run, told3, this.#times(run));
+      const told4 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
+      this.table.show(run, told4, this.#times(run));
     }
     grow(seen) {
       this.#seen = seen;
@@ -14877,10 +14897,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const run = this.#run;
       if (!run) return;
       const { t: times2, x, v, a } = run.trajectory;
-      const told3 = isTold(run);
+      const told4 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const force = told3 ? resultant(run, name, t, this.zero) : null;
+        const force = told4 ? resultant(run, name, t, this.zero) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt2(times2, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
           ["v", (valueAt2(times2, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
@@ -15050,8 +15070,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       pieces.push({ key: `arrow ${key2}`, cls: `carts-block-arrow carts-acts ${style}`, d });
       const row2 = `row ${force.kind}`;
       if (named2) {
-        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text3 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
+        const told4 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text3 = told4.find((one) => fits(x, length, one, layout.width)) ?? String(told4.at(-1));
         const [at, anchor] = beside(x, length, text3.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key2}`, cls, text: text3, x: px(at), y: px(y + 5), anchor });
@@ -15154,7 +15174,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told3 = [];
+      const told4 = [];
       for (const push2 of this.#pushes) {
         const forces2 = forcesOn(run, push2, t).map(
           (force) => Math.abs(force) < NOISE * view.force ? 0 : force
@@ -15177,23 +15197,23 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
-          told3.push({ push: push2, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
+          told4.push({ push: push2, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
         }
       }
-      this.#names(told3);
+      this.#names(told4);
     }
-    #names(told3) {
-      const [only] = told3;
+    #names(told4) {
+      const [only] = told4;
       for (const { pair, groups } of this.#pushes) {
-        const on = told3.some(({ push: push2 }) => push2.pair === pair);
+        const on = told4.some(({ push: push2 }) => push2.pair === pair);
         for (const group of groups) {
           put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told3.length === 1 && only && this.#inFull(only)) return;
+      if (told4.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push: push2, sizes, x } of told3) {
+      for (const { push: push2, sizes, x } of told4) {
         const size = Math.max(...sizes);
         const [text3, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
         if (!text3 || !other) continue;
@@ -15211,8 +15231,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         }
       }
     }
-    #inFull(told3) {
-      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
+    #inFull(told4) {
+      return this.#named(told4, told4.link && ` (${told4.link})`) || this.#named(told4, "");
     }
     #named({ push: push2, sizes, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));
@@ -15669,9 +15689,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
-      const open = whole && this.header.plan.length > 0;
+      const open2 = whole && this.header.plan.length > 0;
       const hides = this.root.querySelector(".carts-find") !== null;
-      const model3 = open && !hides ? modelSentences(this.header, this.telling.forces) : [];
+      const model3 = open2 && !hides ? modelSentences(this.header, this.telling.forces) : [];
       this.model.replaceChildren(...model3.map((text3) => html2("li", "", text3)));
       need(this.root, ".carts-model").hidden = !whole || hides;
     }
@@ -15913,7 +15933,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       (one) => need(root, one)
     );
     if (place2 && left && facts.read) {
-      new Figure(place2, left).show(facts.read.tracks, unitOf(facts.read), null);
+      new Figure(place2, left).show(facts.read.tracks, heads(facts.read), null);
     }
     return root.innerHTML;
   }

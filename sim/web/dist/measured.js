@@ -1,5 +1,35 @@
 "use strict";
 (() => {
+  // ../view/measured/units.js
+  var CHOOSE = {
+    time: "what times are in",
+    length: "what lengths are in",
+    force: "what forces are in"
+  };
+  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
+  var LETTERS = { time: "t", length: "x", force: "F" };
+  var open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
+  function missing(read) {
+    const left = open(read).map((kind) => CHOOSE[kind]);
+    return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
+  }
+  var told = ({ assumed, chosen, read }) => [
+    ...assumed.flatMap(
+      (kind) => chosen?.[kind] ? `${LETTERS[kind]} in ${chosen[kind]} (as chosen)` : []
+    ),
+    ...read
+  ];
+  function heads(read) {
+    const [letter, unit] = QUANTITY[read.kind];
+    const left = open(read);
+    const its = left.some((kind) => kind === read.kind) ? "" : ` in ${unit}`;
+    return {
+      time: left.includes("time") ? "t" : "t in s",
+      value: `${letter}${its}`,
+      tracks: read.names.map((name) => `${letter} of ${name}${its}`)
+    };
+  }
+
   // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
@@ -411,7 +441,7 @@
   var STORE = "answers";
   var PATIENCE2 = 2e4;
   var SETTLE_AFTER = 400;
-  function open(name) {
+  function open2(name) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name, 1);
       request.onupgradeneeded = () => request.result.createObjectStore(STORE);
@@ -425,12 +455,12 @@
     });
   }
   async function reopening(name) {
-    let base = await open(name);
+    let base = await open2(name);
     return async (mode, durability = "relaxed") => {
       try {
         return base.transaction(STORE, mode, { durability });
       } catch {
-        base = await open(name);
+        base = await open2(name);
         return base.transaction(STORE, mode, { durability });
       }
     };
@@ -774,26 +804,6 @@
     }
   };
 
-  // ../view/measured/table.js
-  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
-  var PLACES = 4;
-  function tableOf({ kind, names, tracks }, residuals) {
-    const [letter, unit] = QUANTITY[kind];
-    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
-    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
-    const found = /* @__PURE__ */ new Map();
-    for (const [k, track] of tracks.entries()) {
-      for (const [n, t] of track.t.entries()) {
-        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
-        cells[k] = fixed(Number(track.value[n]), PLACES);
-        if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
-        found.set(t, cells);
-      }
-    }
-    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
-    return { head, rows };
-  }
-
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
   function axisDecimals(axis) {
@@ -822,7 +832,6 @@
   var LOW = { top: 8, bottom: 104 };
   var ROOM = 0.06;
   var HEAD = 1.15;
-  var unitOf = ({ kind }) => QUANTITY[kind].join(" in ");
   function reach(lists) {
     let [low, high] = [Infinity, -Infinity];
     for (const list of lists) {
@@ -852,12 +861,12 @@
       this.place = place2;
       this.left = left;
     }
-    show(tracks, unit, curve, touch = null) {
+    show(tracks, heads2, curve, touch = null) {
       const { t, x } = planes(tracks);
       this.#axis = t;
       this.#cursor = svg("path", { class: "carts-measured-cursor" });
       this.place.replaceChildren(
-        ...frame(t, x, BOTTOM, TOP, unit, true),
+        ...frame(t, x, BOTTOM, TOP, heads2),
         ...touch === null ? [] : band(t, touch, TOP, BOTTOM),
         ...tracks.map(
           (track, k) => svg("path", {
@@ -876,7 +885,7 @@
       const axis = span(-most, most, 6);
       this.left.toggleAttribute("hidden", false);
       this.left.replaceChildren(
-        ...frame(t, axis, LOW.bottom, LOW.top, unit, false),
+        ...frame(t, axis, LOW.bottom, LOW.top, { value: unit }),
         svg("path", {
           class: "carts-measured-zero",
           d: `M${LEFT} ${px(up(axis, 0, LOW.top, LOW.bottom))}H${RIGHT}`
@@ -920,7 +929,7 @@
       })
     ];
   }
-  function frame(t, x, bottom, top, unit, named) {
+  function frame(t, x, bottom, top, { time, value }) {
     const parts = [];
     for (const tick of ticks(t)) {
       const at = px(across(t, tick));
@@ -937,10 +946,10 @@
       transform: `translate(18 ${(top + bottom) / 2}) rotate(-90)`,
       "text-anchor": "middle"
     });
-    label.textContent = unit;
+    label.textContent = value;
     parts.push(label);
-    if (named) {
-      const name = text("carts-unit", RIGHT, bottom + 31, "t in s");
+    if (time) {
+      const name = text("carts-unit", RIGHT, bottom + 31, time);
       put(name, "text-anchor", "end");
       parts.push(name);
     }
@@ -950,6 +959,26 @@
     const made = svg("text", { class: name, x, y });
     made.textContent = words;
     return made;
+  }
+
+  // ../view/measured/table.js
+  var PLACES = 4;
+  function tableOf(read, residuals) {
+    const { names, tracks } = read;
+    const { time, tracks: its } = heads(read);
+    const head = [time, ...its];
+    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    const found = /* @__PURE__ */ new Map();
+    for (const [k, track] of tracks.entries()) {
+      for (const [n, t] of track.t.entries()) {
+        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+        cells[k] = fixed(Number(track.value[n]), PLACES);
+        if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
+        found.set(t, cells);
+      }
+    }
+    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
+    return { head, rows };
   }
 
   // src/measured/result.js
@@ -1486,7 +1515,7 @@
     }
     readings(name, read, motion) {
       this.forget();
-      say(this.#part("said"), [name, ...read.read].filter(Boolean).join("; "));
+      say(this.#part("said"), [name, ...told(read)].filter(Boolean).join("; "));
       this.#part("legend").replaceChildren(...legend(read));
       this.#part("model").hidden = !motion;
       this.#part("world").hidden = !motion;
@@ -1498,7 +1527,7 @@
       else if (!motion) this.#points(read);
     }
     #points(read) {
-      this.figure.show(read.tracks, unitOf(read), null);
+      this.figure.show(read.tracks, heads(read), null);
       showTable(need(this.root, ".carts-measured-table table"), read, null);
       say(this.#part("spread"), "");
     }
@@ -1506,7 +1535,7 @@
       const { forces, kind } = read;
       const summed = kind === "force";
       const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
-      this.figure.show(tracks, unitOf(read), null);
+      this.figure.show(tracks, heads(read), null);
       if (forces && summed) {
         const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
         this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
@@ -1516,7 +1545,7 @@
       if (read.report) showResult(this.#part("result"), read.report);
     }
     draw(read, drawn) {
-      this.figure.show(read.tracks, unitOf(read), drawn.curve, drawn.parameters.touch);
+      this.figure.show(read.tracks, heads(read), drawn.curve, drawn.parameters.touch);
       this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1e3);
       this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
       showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
@@ -1589,12 +1618,6 @@
   }
 
   // src/measured/settings.js
-  var WORDS = {
-    time: "what times are in",
-    length: "what lengths are in",
-    force: "what forces are in"
-  };
-  var LETTERS = { time: "t in", length: "x in", force: "F in" };
   var Settings = class {
     #masses = [];
     #names = ["A", "B"];
@@ -1660,14 +1683,12 @@
         html("span", "carts-quiet", "if you have a balance")
       );
     }
-    offer({ runs = [], read: notes }) {
+    offer({ runs = [], run = "" }) {
       this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
       if (this.run.options.length === runs.length) return;
       this.run.replaceChildren(...runs.map((name) => new Option(name)));
       this.run.value = this.#wanted;
-      if (this.run.selectedIndex >= 0) return;
-      const told3 = (name) => notes.some((n) => n.startsWith(`run ${name} is`));
-      this.run.selectedIndex = Math.max(0, runs.findIndex(told3));
+      if (this.run.selectedIndex < 0) this.run.value = run;
     }
     clear(effect) {
       this.effect.value = effect;
@@ -1705,24 +1726,6 @@
         ] = select.value;
       }
       return units;
-    }
-    #left(read) {
-      if (read.kind === "acceleration") return [];
-      const kinds = (
-        /** @type {("time" | "length" | "force")[]} */
-        ["time", read.kind]
-      );
-      return kinds.filter((kind) => !this.chosen[kind]).filter(
-        (kind) => read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say"))
-      );
-    }
-    missing(read) {
-      const left = this.#left(read).map((kind) => WORDS[kind]);
-      return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
-    }
-    told(read) {
-      const left = this.#left(read).map((kind) => LETTERS[kind]);
-      return read.read.filter((note) => !left.some((letter) => note.startsWith(letter)));
     }
     get kept() {
       return {
@@ -1805,7 +1808,7 @@
       right.from = t;
     }
   }
-  function told(before, segments, cart, k) {
+  function told2(before, segments, cart, k) {
     const own = ofCart(segments, cart);
     const sides = [own[k], own[k + 1]].filter((one) => one !== void 0);
     const push = sides.find((one) => one.kind === "contact");
@@ -1944,7 +1947,7 @@
       this.#put();
     }
     #commit(cart, k) {
-      this.given = told(this.given, this.#segments, cart, k);
+      this.given = told2(this.given, this.#segments, cart, k);
       this.changed();
     }
     #asFound() {
@@ -2198,17 +2201,17 @@
         const still = this.#read === read && !this.#tried;
         if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
       }
-      #show(read, drawn) {
+      #show(found, drawn) {
+        const read = { ...found, chosen: this.settings?.chosen ?? null };
         this.#read = read;
         this.#tried = false;
         this.settings?.offer(read);
         this.report = read.report ?? null;
-        const missing2 = drawn ? this.settings?.missing(read) : "";
-        if (missing2) this.#refuse([{ line: null, reason: missing2, hint: "" }]);
-        const motion = read.kind === "length" && !missing2 && drawn !== null;
+        const left = drawn ? missing(read) : "";
+        if (left) this.#refuse([{ line: null, reason: left, hint: "" }]);
+        const motion = read.kind === "length" && !left && drawn !== null;
         this.strip?.show(null);
-        const told3 = missing2 ? this.settings?.told(read) : null;
-        this.picture?.readings(this.#name, told3 ? { ...read, read: told3 } : read, motion);
+        this.picture?.readings(this.#name, read, motion);
         if (!motion) return;
         this.hands?.reach(read.tracks, read.names);
         this.settings?.named(read.names);
@@ -2491,10 +2494,10 @@
     "payload-damaged": CAME_NOT,
     "python-failed": tr("Python could not start. Load the page again, or try another browser.")
   };
-  var told2 = (reason) => isOnWeb() && ON_WEB[reason] || MESSAGES[reason];
+  var told3 = (reason) => isOnWeb() && ON_WEB[reason] || MESSAGES[reason];
   var RuntimeFailure = class extends Error {
     constructor(reason, detail = "", file = "") {
-      super(told2(reason) ?? told2("python-failed"));
+      super(told3(reason) ?? told3("python-failed"));
       this.name = "RuntimeFailure";
       this.reason = reason;
       this.detail = detail;
@@ -2560,17 +2563,17 @@
       const script2 = document.createElement("script");
       script2.src = src;
       script2.async = true;
-      const missing2 = () => reject(new RuntimeFailure("payload-missing", src, name));
+      const missing3 = () => reject(new RuntimeFailure("payload-missing", src, name));
       const settle = (then) => () => {
         held?.stop();
         script2.remove();
         then();
       };
-      const held = isOnWeb() ? watch(HELD, settle(missing2)) : null;
+      const held = isOnWeb() ? watch(HELD, settle(missing3)) : null;
       script2.onload = settle(resolve);
       script2.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runOnce(src, name).then(resolve, reject));
-        else missing2();
+        else missing3();
       });
       document.head.append(script2);
     });
@@ -3025,11 +3028,11 @@
     /** @type {HTMLScriptElement | null} */
     document.currentScript
   );
-  var missing = missingFeatures();
-  if (missing.length) {
+  var missing2 = missingFeatures();
+  if (missing2.length) {
     for (const note of document.querySelectorAll("carts-measured .carts-note")) {
       note.hidden = false;
-      note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 103, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
+      note.textContent = `This browser is too old to fit the readings (missing: ${missing2.join(", ")}); Chrome or Edge 103, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
     }
   } else {
     const client = pagePython(() => [MEASURED]);

@@ -1134,9 +1134,9 @@
 
   // src/teach/drafts.js
   var Drafts = class {
-    constructor(told3) {
+    constructor(told4) {
       const { site, page: page2 } = place();
-      this.hash = told3.hash;
+      this.hash = told4.hash;
       this.before = `${page2}#`;
       this.store = openAll(`${site}~teacher`);
     }
@@ -1309,9 +1309,9 @@
       this.session = session2;
     }
     async ask(text2) {
-      const { told: told3, client, page: page2 } = this.session;
+      const { told: told4, client, page: page2 } = this.session;
       const { header } = await client.ask(this.#looking, () => ({
-        ...{ kind: "teach", do: "look", lesson: told3.lesson, files: told3.files },
+        ...{ kind: "teach", do: "look", lesson: told4.lesson, files: told4.files },
         ...{ text: text2(), have: page2.have }
       }));
       return (
@@ -1701,24 +1701,45 @@ ${further}</div>`;
       (axis2, place4) => axisText(facts, axis2, place4),
       (place4) => valueText(valueAt(draw, place4), facts)
     );
-    const heads = second ? head : [facts.label];
-    const across2 = html2`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
+    const heads2 = second ? head : [facts.label];
+    const across2 = html2`<tr><td></td><th scope="colgroup" colspan=${heads2.length}>${first && named(first)}</th></tr>`;
     const rows = lines3.map(
       ([name, ...cells]) => html2`<tr><th scope="row">${name}</th>${cells.map((cell) => html2`<td>${cell}</td>`)}</tr>`
     );
     return html2`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead>
 ${second && across2}
-<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell) => html2`<th scope="col">${cell}</th>`)}</tr></thead>
+<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads2.map((cell) => html2`<th scope="col">${cell}</th>`)}</tr></thead>
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
-  // ../view/measured/table.js
+  // ../view/measured/units.js
   var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
+  var LETTERS = { time: "t", length: "x", force: "F" };
+  var open2 = ({ assumed, chosen }) => assumed.filter((kind2) => !chosen?.[kind2]);
+  var told3 = ({ assumed, chosen, read }) => [
+    ...assumed.flatMap(
+      (kind2) => chosen?.[kind2] ? `${LETTERS[kind2]} in ${chosen[kind2]} (as chosen)` : []
+    ),
+    ...read
+  ];
+  function heads(read) {
+    const [letter, unit] = QUANTITY[read.kind];
+    const left = open2(read);
+    const its = left.some((kind2) => kind2 === read.kind) ? "" : ` in ${unit}`;
+    return {
+      time: left.includes("time") ? "t" : "t in s",
+      value: `${letter}${its}`,
+      tracks: read.names.map((name) => `${letter} of ${name}${its}`)
+    };
+  }
+
+  // ../view/measured/table.js
   var PLACES = 4;
-  function tableOf2({ kind: kind2, names, tracks }, residuals) {
-    const [letter, unit] = QUANTITY[kind2];
-    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+  function tableOf2(read, residuals) {
+    const { names, tracks } = read;
+    const { time, tracks: its } = heads(read);
+    const head = [time, ...its];
     if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
     const found = /* @__PURE__ */ new Map();
     for (const [k, track] of tracks.entries()) {
@@ -1791,7 +1812,7 @@ ${table2(facts)}
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
 <p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? told3(read).join("; ") : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
   }
@@ -1818,10 +1839,10 @@ ${table2(facts)}
   }
   function table2({ read }) {
     const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
-    const heads = head.map((cell) => html2`<th scope="col">${cell}</th>`);
+    const heads2 = head.map((cell) => html2`<th scope="col">${cell}</th>`);
     const lines3 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
-    return html2`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+    return html2`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
   }
 
   // ../view/bodies.js
@@ -1942,7 +1963,7 @@ ${table2(facts)}
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
-    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
+    label: (told4) => tr("on {on} by {by} (slope): {size} N", told4),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -2137,9 +2158,9 @@ ${table2(facts)}
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told4) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told4 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -3116,11 +3137,11 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
+      const told4 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told4);
       const seen2 = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told3,
+        ...told4,
         velocity: seen2
       });
     });
@@ -3232,8 +3253,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       element.querySelector("template.carts-shown")
     );
     if (shown2) {
-      const open2 = { ...raw, ...JSON.parse(shown2.dataset.baked ?? "{}") };
-      shown2.innerHTML = inside3(bakedOf(open2), true).text;
+      const open3 = { ...raw, ...JSON.parse(shown2.dataset.baked ?? "{}") };
+      shown2.innerHTML = inside3(bakedOf(open3), true).text;
     }
     element.insertAdjacentHTML("afterbegin", inside3(bakedOf(raw)).text);
   }
@@ -3621,13 +3642,13 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
           error
         );
         this.tell(`Notes and marking guides could not be put back: ${message}`);
-        const open2 = () => {
+        const open3 = () => {
           this.#offer.remove();
           openInstead(this.session, own);
         };
         this.#offer.replaceChildren(
           "Your changes here are then not in the text: ",
-          button("Open that file in place of this text", open2, "carts-teach-instead")
+          button("Open that file in place of this text", open3, "carts-teach-instead")
         );
         if (this.session.withheld) this.root.append(this.#offer);
       }
@@ -4100,7 +4121,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.tools.draw();
     }
     #build(pieces) {
-      const open2 = new Set(
+      const open3 = new Set(
         this.#editors.filter((e) => e.root.open).map((e) => e.piece.id || e.piece.line)
       );
       const typing = this.#editors.find((editor) => editor.area === document.activeElement);
@@ -4114,7 +4135,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
           opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "start" })
         });
         editor.piece = piece;
-        editor.root.open = open2.has(piece.id || piece.line);
+        editor.root.open = open3.has(piece.id || piece.line);
         return editor;
       });
       this.list.replaceChildren(...this.#editors.map((editor) => editor.root));
@@ -4196,13 +4217,13 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return this.#values.size > 0;
     }
     add(name, done) {
-      const told3 = done.then(
+      const told4 = done.then(
         (why) => why && `${name}: ${why}`,
         (error) => `${name}: ${/** @type {Error} */
         error.message}`
       );
-      this.#values.set(told3, name);
-      void told3.then(() => this.#values.delete(told3));
+      this.#values.set(told4, name);
+      void told4.then(() => this.#values.delete(told4));
     }
     async all(patience = PATIENCE4) {
       if (!this.some) return [];
@@ -4210,10 +4231,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const late = new Promise((resolve) => {
         timer = setTimeout(resolve, patience);
       });
-      const one = ([told4, name]) => Promise.race([told4, late.then(() => `${name}: Python has not answered yet.`)]);
-      const told3 = await Promise.all([...this.#values].map(one));
+      const one = ([told5, name]) => Promise.race([told5, late.then(() => `${name}: Python has not answered yet.`)]);
+      const told4 = await Promise.all([...this.#values].map(one));
       clearTimeout(timer);
-      return [...new Set(told3.filter(Boolean))];
+      return [...new Set(told4.filter(Boolean))];
     }
   };
 
@@ -4226,12 +4247,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     look = null;
     #working = false;
     #typed = new UnderWay();
-    constructor({ told: told3, client, assets, drafts, link }) {
-      this.told = told3;
+    constructor({ told: told4, client, assets, drafts, link }) {
+      this.told = told4;
       this.client = client;
       this.drafts = drafts;
       this.link = link;
-      this.base = told3.text ?? "";
+      this.base = told4.text ?? "";
       this.history = new History(this.base);
       const article = (
         /** @type {HTMLElement} */
@@ -4416,10 +4437,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     );
     const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
     const assets = new URL("../", address).href;
-    const told3 = await loadLesson(address);
+    const told4 = await loadLesson(address);
     const base = new URL(`runtime/${new URL(address).search}`, assets).href;
     const client = new Client((more) => startRuntime({ base, packages: [PACKAGE, ...more] }));
-    const made2 = new Session({ told: told3, client, assets, drafts: new Drafts(told3), link });
+    const made2 = new Session({ told: told4, client, assets, drafts: new Drafts(told4), link });
     await made2.open();
     return made2;
   }
@@ -4430,7 +4451,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (link) link.textContent = `This browser is too old for it (missing: ${missing.join(", ")})`;
       return;
     }
-    if (session) void session.then((open2) => open2.show());
+    if (session) void session.then((open3) => open3.show());
     else {
       session = begin();
       session.catch((error) => {

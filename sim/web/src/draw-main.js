@@ -11,11 +11,12 @@ import { scaleFor } from "../../view/map/bands.js";
 import { palette, pixels } from "../../view/map/pixels.js";
 import { inside as mapInside } from "../../view/map/skeleton.js";
 import { inside as measuredInside } from "../../view/measured/skeleton.js";
+import { heads } from "../../view/measured/units.js";
 import { inside } from "../../view/skeleton/scene.js";
 import { stage } from "../../view/skeleton/stage.js";
 import { windowsOf } from "../../view/windows.js";
 import { CostStage } from "./cost/stage.js";
-import { Figure, unitOf } from "./measured/figure.js";
+import { Figure } from "./measured/figure.js";
 import { bakedOf } from "./scene/baked.js";
 import { Drawing } from "./scene/drawing.js";
 import { Stage } from "./scene/stage.js";
@@ -87,7 +88,7 @@ function measured(facts) {
     need(root, one),
   );
   if (place && left && facts.read) {
-    new Figure(place, left).show(facts.read.tracks, unitOf(facts.read), null);
+    new Figure(place, left).show(facts.read.tracks, heads(facts.read), null);
   }
   return root.innerHTML;
 }

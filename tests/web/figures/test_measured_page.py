@@ -53,9 +53,12 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
         "Choose what times are in and what lengths are in", timeout=STARTS
     )
     said = page.locator(".carts-measured-said")
-    expect(said).not_to_contain_text("as you say")  # before anybody said it
+    axes = page.locator(".carts-measured-figure .carts-unit")
+    expect(said).not_to_contain_text("as chosen")  # before anybody chose
+    expect(axes).to_have_text(["x", "t"])
     units(page)
-    expect(said).to_contain_text("t in s (as you say); x in m (as you say)")
+    expect(said).to_contain_text("t in s (as chosen); x in m (as chosen)")
+    expect(axes).to_have_text(["x in m", "t in s"])
     expect(faults).to_be_empty()
     expect(page.locator(".carts-measured-said")).to_contain_text("decimal comma")
     page.locator(".carts-measured-masses input").first.fill("0.5")

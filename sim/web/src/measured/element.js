@@ -1,5 +1,6 @@
 /** `<carts-measured>`: readings of real carts, the model laid over them by hand, and its fit by Python. */
 
+import { missing } from "../../../view/measured/units.js";
 import { need } from "../shared/dom.js";
 import { Asking } from "./asking.js";
 import { wireButtons } from "./buttons.js";
@@ -167,18 +168,18 @@ export function measuredElement(client, base) {
       if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
     }
 
-    /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
-    #show(read, drawn) {
+    /** Points, and where units are known the model. @param {Read} found @param {Drawn | null} drawn */
+    #show(found, drawn) {
+      const read = { ...found, chosen: this.settings?.chosen ?? null };
       this.#read = read;
       this.#tried = false;
       this.settings?.offer(read);
       this.report = read.report ?? null;
-      const missing = drawn ? this.settings?.missing(read) : "";
-      if (missing) this.#refuse([{ line: null, reason: missing, hint: "" }]);
-      const motion = read.kind === "length" && !missing && drawn !== null;
+      const left = drawn ? missing(read) : "";
+      if (left) this.#refuse([{ line: null, reason: left, hint: "" }]);
+      const motion = read.kind === "length" && !left && drawn !== null;
       this.strip?.show(null);
-      const told = missing ? this.settings?.told(read) : null;
-      this.picture?.readings(this.#name, told ? { ...read, read: told } : read, motion);
+      this.picture?.readings(this.#name, read, motion);
       if (!motion) return;
       this.hands?.reach(read.tracks, read.names);
       this.settings?.named(read.names);

@@ -1,6 +1,5 @@
 /** Readings over time as points, the model as lines, what is left over below. */
 
-import { QUANTITY } from "../../../view/measured/table.js";
 import { fixed, px } from "../../../view/numbers.js";
 import { axisDecimals, span, ticks } from "../../../view/scales.js";
 import { put, svg } from "../shared/dom.js";
@@ -12,9 +11,6 @@ const [LEFT, RIGHT, TOP, BOTTOM] = [78, 630, 10, 250]; // on a phone “−200�
 const LOW = { top: 8, bottom: 104 }; // of the residuals
 const ROOM = 0.06; // of the values, above and below the points
 const HEAD = 1.15; // of the greatest residual
-
-/** @param {import("../../../view/measured/types.js").Read} read @returns {string} what the axis of the values says */
-export const unitOf = ({ kind }) => QUANTITY[kind].join(" in ");
 
 /** @param {number[][]} lists @returns {[number, number]} */
 function reach(lists) {
@@ -67,15 +63,15 @@ export class Figure {
   }
 
   /**
-   * @param {Track[]} tracks @param {string} unit
+   * @param {Track[]} tracks @param {{time: string, value: string}} heads what the axes say
    * @param {{t: number[], x: number[][]} | null} curve of the model @param {number | null} touch
    */
-  show(tracks, unit, curve, touch = null) {
+  show(tracks, heads, curve, touch = null) {
     const { t, x } = planes(tracks);
     this.#axis = t;
     this.#cursor = svg("path", { class: "carts-measured-cursor" });
     this.place.replaceChildren(
-      ...frame(t, x, BOTTOM, TOP, unit, true),
+      ...frame(t, x, BOTTOM, TOP, heads),
       ...(touch === null ? [] : band(t, touch, TOP, BOTTOM)),
       ...tracks.map((track, k) =>
         svg("path", {
@@ -96,7 +92,7 @@ export class Figure {
     const axis = span(-most, most, 6);
     this.left.toggleAttribute("hidden", false);
     this.left.replaceChildren(
-      ...frame(t, axis, LOW.bottom, LOW.top, unit, false),
+      ...frame(t, axis, LOW.bottom, LOW.top, { value: unit }),
       svg("path", {
         class: "carts-measured-zero",
         d: `M${LEFT} ${px(up(axis, 0, LOW.top, LOW.bottom))}H${RIGHT}`,
@@ -150,8 +146,8 @@ function band(t, touch, top, bottom) {
   ];
 }
 
-/** Grid lines with their numbers. @param {Axis} t @param {Axis} x @param {number} bottom @param {number} top @param {string} unit @param {boolean} named */
-function frame(t, x, bottom, top, unit, named) {
+/** Grid lines with their numbers. @param {Axis} t @param {Axis} x @param {number} bottom @param {number} top @param {{time?: string, value: string}} heads */
+function frame(t, x, bottom, top, { time, value }) {
   const parts = [];
   for (const tick of ticks(t)) {
     const at = px(across(t, tick));
@@ -168,10 +164,10 @@ function frame(t, x, bottom, top, unit, named) {
     transform: `translate(18 ${(top + bottom) / 2}) rotate(-90)`,
     "text-anchor": "middle",
   });
-  label.textContent = unit;
+  label.textContent = value;
   parts.push(label);
-  if (named) {
-    const name = text("carts-unit", RIGHT, bottom + 31, "t in s");
+  if (time) {
+    const name = text("carts-unit", RIGHT, bottom + 31, time);
     put(name, "text-anchor", "end");
     parts.push(name);
   }

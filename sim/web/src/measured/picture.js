@@ -1,9 +1,10 @@
 /** Everything that is drawn of the readings and of the model: figure, residuals, carts, table, faults. */
 
+import { heads, told } from "../../../view/measured/units.js";
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
-import { Figure, unitOf } from "./figure.js";
+import { Figure } from "./figure.js";
 import { showResult, showTable } from "./result.js";
 import { Source } from "./source.js";
 import { Stage } from "./stage.js";
@@ -49,7 +50,7 @@ export class Picture {
   /** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
   readings(name, read, motion) {
     this.forget();
-    say(this.#part("said"), [name, ...read.read].filter(Boolean).join("; "));
+    say(this.#part("said"), [name, ...told(read)].filter(Boolean).join("; "));
     this.#part("legend").replaceChildren(...legend(read));
     this.#part("model").hidden = !motion;
     this.#part("world").hidden = !motion;
@@ -63,7 +64,7 @@ export class Picture {
 
   /** @param {Read} read */
   #points(read) {
-    this.figure.show(read.tracks, unitOf(read), null);
+    this.figure.show(read.tracks, heads(read), null);
     showTable(need(this.root, ".carts-measured-table table"), read, null);
     say(this.#part("spread"), "");
   }
@@ -73,7 +74,7 @@ export class Picture {
     const { forces, kind } = read;
     const summed = kind === "force"; // accelerations of unlike masses have no sum of use
     const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
-    this.figure.show(tracks, unitOf(read), null);
+    this.figure.show(tracks, heads(read), null);
     if (forces && summed) {
       const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
       this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
@@ -85,7 +86,7 @@ export class Picture {
 
   /** The model over the readings. @param {Read} read @param {Drawn} drawn */
   draw(read, drawn) {
-    this.figure.show(read.tracks, unitOf(read), drawn.curve, drawn.parameters.touch);
+    this.figure.show(read.tracks, heads(read), drawn.curve, drawn.parameters.touch);
     this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1000);
     this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
     showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);

@@ -5,13 +5,6 @@ import { html, need } from "../shared/dom.js";
 /** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 /** @typedef {import("../../../view/measured/types.js").Read} Read */
 
-const WORDS = {
-  time: "what times are in",
-  length: "what lengths are in",
-  force: "what forces are in",
-};
-const LETTERS = { time: "t in", length: "x in", force: "F in" };
-
 export class Settings {
   /** @type {HTMLInputElement[]} */
   #masses = [];
@@ -72,14 +65,12 @@ export class Settings {
   }
 
   /** The runs of a log, and that which was read: the first may have been stopped at once. @param {Read} read */
-  offer({ runs = [], read: notes }) {
+  offer({ runs = [], run = "" }) {
     this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
     if (this.run.options.length === runs.length) return;
     this.run.replaceChildren(...runs.map((name) => new Option(name)));
     this.run.value = this.#wanted;
-    if (this.run.selectedIndex >= 0) return;
-    const told = (/** @type {string} */ name) => notes.some((n) => n.startsWith(`run ${name} is`));
-    this.run.selectedIndex = Math.max(0, runs.findIndex(told));
+    if (this.run.selectedIndex < 0) this.run.value = run;
   }
 
   /** Another film has another clock and other carts, another log other runs. @param {string} effect the usual one of these readings */
@@ -117,29 +108,6 @@ export class Settings {
       units[/** @type {"time"} */ (select.dataset.kind)] = select.value;
     }
     return units;
-  }
-
-  /** What the file leaves open and the reader has not chosen. @param {Read} read */
-  #left(read) {
-    if (read.kind === "acceleration") return []; // a phone names its units
-    const kinds = /** @type {("time" | "length" | "force")[]} */ (["time", read.kind]);
-    return kinds
-      .filter((kind) => !this.chosen[kind])
-      .filter((kind) =>
-        read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say")),
-      );
-  }
-
-  /** What is asked for. @param {Read} read @returns {string} empty: nothing */
-  missing(read) {
-    const left = this.#left(read).map((kind) => WORDS[kind]);
-    return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
-  }
-
-  /** How it was read, but for units that nobody has said. @param {Read} read */
-  told(read) {
-    const left = this.#left(read).map((kind) => LETTERS[kind]);
-    return read.read.filter((note) => !left.some((letter) => note.startsWith(letter)));
   }
 
   /** Of these, what is kept. */
