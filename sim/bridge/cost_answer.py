@@ -7,8 +7,9 @@
 The first is answered with both runs over one time grid, column after column: t, x of each cart as
 stepped, x of each cart exactly, energy of motion as stepped and exactly. `parts` is how many steps
 the run's length is divided into; `rk45` and `adaptive` have `rtol` instead. The second is answered
-with one measured row (several for row 0) of about `of`; a page asks for them one by one. The third
-says what one more digit costs, out of such rows, and where rounding begins.
+with one measured row (several for row 0) of about `of`; a page asks for them one by one. Of a
+method that cannot follow the scene it has none, and `not_run` with the reason. The third says what
+one more digit costs, out of such rows, and where rounding begins.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from sim.dynamics.cost.report import digits_of, floor_of, row_object, speed_of
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
 from sim.dynamics.result.ledger import kinetic
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import sample
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
@@ -55,11 +57,14 @@ def _row(scene: Scene, number: int) -> dict[str, Any]:
     listed = ways(scene, finest=FINEST)
     truth = exact(scene)
     alive()
+    answer: dict[str, Any] = {"of": len(listed) + 1}
     if number <= 0 or number > len(listed):
-        rows = exact_rows(scene, truth)
-    else:
-        rows = [row(scene, truth, listed[number - 1])]
-    return {"rows": [row_object(one) for one in rows], "of": len(listed) + 1}
+        return answer | {"rows": [row_object(one) for one in exact_rows(scene, truth)]}
+    way = listed[number - 1]
+    try:
+        return answer | {"rows": [row_object(row(scene, truth, way))]}
+    except UnsolvedError as error:
+        return answer | {"rows": [], "not_run": {"method": way.method, "reason": error.message}}
 
 
 def _digits(scene: Scene, rows: list[dict[str, Any]]) -> dict[str, Any]:

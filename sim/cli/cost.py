@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import math
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
 from sim.cli import scene_file
+from sim.cli.progress import line, still_computing
 from sim.cli.proved import proved
 from sim.cli.tables import table
 from sim.cli.write_out import write_out
@@ -97,25 +97,21 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
 
 
 def _measured(scene: Scene) -> tuple[Exact, list[CostRow], list[NotRun]]:
-    """The truth, all rows and what cannot be run, with a line on the terminal that says how far it
-    is."""
-    truth, rows, not_run = exact(scene), list[CostRow](), list[NotRun]()
-    certified = proved(scene, truth)
-    if certified:
-        truth, _ = certified
-    total, shown = len(ways(scene)) + 3, sys.stderr.isatty()
-    for row in cost(scene, truth):
-        if isinstance(row, NotRun):
-            not_run.append(row)
-        else:
-            rows.append(row)
-        if shown:
-            method = row.way.method if isinstance(row, NotRun) else row.method
-            done = len(rows) + len(not_run)
-            sys.stderr.write(f"\r{done} of about {total} rows: {method:<16}")
-            sys.stderr.flush()
-    if shown:
-        sys.stderr.write("\r" + " " * 60 + "\r")
+    """The truth, all rows and what cannot be run, with a line that says how far it is."""
+    rows, not_run, total = list[CostRow](), list[NotRun](), len(ways(scene)) + 3
+    with still_computing(), line() as write:
+        truth = exact(scene)
+        certified = proved(scene, truth)
+        if certified:
+            truth, _ = certified
+        for row in cost(scene, truth):
+            if isinstance(row, NotRun):
+                not_run.append(row)
+            else:
+                rows.append(row)
+            if write:
+                method = row.way.method if isinstance(row, NotRun) else row.method
+                write(f"{len(rows) + len(not_run)} of about {total} rows: {method}")
     if certified:
         rows.insert(sum(row.method.startswith("exact") for row in rows), certified[1])
     return truth, rows, not_run

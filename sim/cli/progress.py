@@ -58,7 +58,7 @@ def still_computing() -> Iterator[None]:
 def run_on_terminal(name: str, scene: Scene, **options: Any) -> Run:
     """Run the scene of file `name`; what cannot be solved ends the command with 1."""
     try:
-        with still_computing(), _line() as write:
+        with still_computing(), line() as write:
             return run(scene, progress=write and _of_run(write, scene.until), **options)
     except UnsolvedError as error:
         fail([Finding(shown_name(name), 1, 1, "unsolved", error.message, error.hint)])
@@ -72,7 +72,7 @@ def _of_run(write: Write, until: float) -> Callable[[float, int], None]:
 def pages_on_terminal(config: Any) -> Iterator[None]:
     """While the generator with these settings runs: a bar for the pages that are made."""
     plugin = config.plugins["carts"]
-    with _line() as write:
+    with line() as write:
         if write:
             plugin.progress = partial(_write_bar, write)
         try:
@@ -87,7 +87,7 @@ def _write_bar(write: Write, done: int, of: int) -> None:
 
 
 @contextmanager
-def _line() -> Iterator[Write | None]:
+def line() -> Iterator[Write | None]:
     """On a terminal: one line on standard error, written anew, gone at the end. Else nothing."""
     if not sys.stderr.isatty():
         yield None

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner
 
-from sim.cli import main
+from sim.cli import main, progress
 from sim.dynamics.cost import measure
 from sim.dynamics.cost.digits import one_more_digit
 from sim.dynamics.cost.distance import far
@@ -214,3 +214,12 @@ def test_programs_get_no_error_of_a_run_that_blew_up() -> None:
 
 def test_a_cart_that_is_nowhere_is_endlessly_far() -> None:
     assert far((1.0, math.nan), (1.0, 2.0)) == far((math.nan, 1.0), (1.0, 1.0)) == math.inf
+
+
+def test_what_is_measured_for_long_says_so_where_nobody_sees_a_line_rewritten(
+    few: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    done = CliRunner().invoke(main, ["cost", few, "--json"])
+    assert done.stderr == "Still computing after 0 s. Ctrl+C ends it.\n"
+    assert json.loads(done.stdout)["rows"]

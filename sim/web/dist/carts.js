@@ -656,7 +656,7 @@
   // src/cost/measuring.js
   var ADAPTIVE = ["rk45", "adaptive"];
   var PACKAGES = ["numpy", "scipy"];
-  async function measureAll(client2, root, scene, { going, rows, tell: tell2 }) {
+  async function measureAll(client2, root, scene, { going, rows, refused, tell: tell2 }) {
     const ask = async (what) => {
       const request = () => ({ kind: "cost", scene, ...what });
       const { header } = await client2.ask(need(root, ".carts-cost-go"), request);
@@ -675,6 +675,7 @@
       of = answer.of;
       found3.push(...answer.rows);
       rows(found3);
+      if (answer.not_run) refused(answer.not_run.method, answer.not_run.reason);
       const progress = (
         /** @type {HTMLProgressElement} */
         need(root, ".carts-cost-progress")
@@ -1206,6 +1207,7 @@
         this.#fresh = 0;
         showWorking(this, true);
         say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
+        const refused = /* @__PURE__ */ new Map();
         try {
           const done = await measureAll(client2, this, this.#scene, {
             going: () => this.#measuring === turn,
@@ -1214,11 +1216,14 @@
               this.#rows(rows);
               this.#fresh = rows.length;
             },
+            refused: (method, reason) => refused.set(method, reason),
             tell: (floor, digits) => this.#figure?.tell(floor, digits)
           });
           if (!done) return;
           this.#measuring = 0;
-          say(need(this, ".carts-cost-say"), "Measured just now, by Python in this browser.");
+          const left = [...refused].map(([method, reason]) => ` ${method} cannot run it: ${reason}.`);
+          const just = "Measured just now, by Python in this browser.";
+          say(need(this, ".carts-cost-say"), just + left.join(""));
         } catch (error) {
           this.#measuring = 0;
           this.#fail(

@@ -148,6 +148,7 @@ export function costElement(client) {
       this.#fresh = 0;
       showWorking(this, true);
       say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
+      const refused = new Map(); // what a method that cannot follow the scene says
       try {
         const done = await measureAll(client, this, this.#scene, {
           going: () => this.#measuring === turn,
@@ -156,11 +157,14 @@ export function costElement(client) {
             this.#rows(rows);
             this.#fresh = rows.length;
           },
+          refused: (method, reason) => refused.set(method, reason),
           tell: (floor, digits) => this.#figure?.tell(floor, digits),
         });
         if (!done) return;
         this.#measuring = 0;
-        say(need(this, ".carts-cost-say"), "Measured just now, by Python in this browser.");
+        const left = [...refused].map(([method, reason]) => ` ${method} cannot run it: ${reason}.`);
+        const just = "Measured just now, by Python in this browser.";
+        say(need(this, ".carts-cost-say"), just + left.join(""));
       } catch (error) {
         this.#measuring = 0;
         this.#fail(/** @type {Error} */ (error));

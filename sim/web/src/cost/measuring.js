@@ -6,6 +6,7 @@ import { refusal } from "../shared/waiting.js";
 /** @typedef {import("../../../view/cost/figure.js").CostRow} CostRow */
 /**
  * @typedef {{going: () => boolean, rows: (rows: CostRow[]) => void,
+ *   refused: (method: string, reason: string) => void,
  *   tell: (floor: number, digits: Record<string, number>) => void}} Watching
  */
 
@@ -17,7 +18,7 @@ export const PACKAGES = ["numpy", "scipy"]; // for the methods that choose their
  * @param {import("../runtime/client.js").Client} client @param {HTMLElement} root @param {object | undefined} scene
  * @param {Watching} watching @returns {Promise<boolean>}
  */
-export async function measureAll(client, root, scene, { going, rows, tell }) {
+export async function measureAll(client, root, scene, { going, rows, refused, tell }) {
   const ask = async (/** @type {object} */ what) => {
     const request = () => ({ kind: "cost", scene, ...what });
     const { header } = await client.ask(need(root, ".carts-cost-go"), request);
@@ -34,6 +35,7 @@ export async function measureAll(client, root, scene, { going, rows, tell }) {
     of = answer.of;
     found.push(...answer.rows);
     rows(found);
+    if (answer.not_run) refused(answer.not_run.method, answer.not_run.reason);
     const progress = /** @type {HTMLProgressElement} */ (need(root, ".carts-cost-progress"));
     progress.value = (row + 1) / of;
     say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
