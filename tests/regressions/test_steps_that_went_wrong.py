@@ -72,6 +72,14 @@ FOUND: dict[str, dict[str, Any]] = {
             {"push": {"cart": "A", "force": 1}},
         ],
     },
+    "a trial step through a magnet is taken again, shorter": {
+        "carts": {
+            "A": {"mass": 1, "position": 0.1},
+            "B": {"mass": 1, "position": 0.4, "velocity": -2},
+        },
+        "until": 1,
+        "effects": [{"magnets": {"between": ["A", "B"], "strength": 1e-8, "power": 2.5}}],
+    },
 }  # fmt: skip
 
 

@@ -104,7 +104,10 @@ class AdaptiveStepper(LocatedStepper):
 
         def slope(tau: float, y: Any) -> list[float]:
             s, v = self._split(y)
-            return [*v, *field.accelerations(t + tau, s, v, h)]
+            try:
+                return [*v, *field.accelerations(t + tau, s, v, h)]
+            except UnsolvedError:  # a trial beyond where forces are known: the step is shortened
+                return [math.nan] * (2 * count)
 
         return getattr(integrate, self.solver)(
             slope,
