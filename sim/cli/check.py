@@ -46,9 +46,30 @@ def command(
     """
     if as_json and form == "github":
         raise click.UsageError("--json and --format github exclude each other.")
-    root = Path.cwd()
-    if not paths:
-        root = nearest_site(root) or root
+    root = Path.cwd() if paths else nearest_site(Path.cwd()) or Path.cwd()
+    places = _places(paths, root)
+    readable = [place for place in places if place != root / SETTINGS]
+    found = check_paths(readable, root, hints=True)
+    if not paths or root / SETTINGS in places:
+        found = [*findings(root), *found]
+    counted = [] if defaults else [finding for finding in found if finding.code in (CODE, TEXT)]
+    found = [finding for finding in found if finding not in counted]
+    if form == "github":
+        for finding in found:
+            click.echo(finding.as_annotation())
+    if as_json or form == "json":
+        click.echo(
+            json.dumps([finding.as_row() for finding in found], ensure_ascii=False, indent=2)
+        )
+    else:
+        if counted:
+            click.echo(_by_default(counted))
+        report(found)
+    ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)
+
+
+def _places(paths: tuple[Path, ...], root: Path) -> list[Path]:
+    """Where to look; raises UsageError where there is nothing to check."""
     for path in paths:
         if not path.exists():
             raise click.UsageError(f"There is no file or folder “{path}”.")
@@ -66,33 +87,21 @@ def command(
                 "(.yml) are looked for in folders called scenes. Or name a file: carts check "
                 "my-scene.yml"
             )
-    readable = [place for place in places if place != root / SETTINGS]
-    found = check_paths(readable, root, hints=True)
-    if not paths or root / SETTINGS in places:
-        found = [*findings(root), *found]
-    counted = [] if defaults else [finding for finding in found if finding.code in (CODE, TEXT)]
-    found = [finding for finding in found if finding not in counted]
-    if form == "github":
-        for finding in found:
-            click.echo(finding.as_annotation())
-    if as_json or form == "json":
-        click.echo(
-            json.dumps([finding.as_row() for finding in found], ensure_ascii=False, indent=2)
-        )
-    else:
-        if counted:
-            texts = sum(finding.code == TEXT for finding in counted)
-            lessons = len({finding.file for finding in counted})
-            open_text = f", the text below {texts} prediction{'s' * (texts > 1)} does not"
-            waiting = len(counted) - texts
-            wait = "scene or question waits" if waiting == 1 else "scenes and questions wait"
-            click.echo(
-                f"{waiting} {wait} by default until a run was watched, in {lessons} "
-                f"lesson{'s' * (lessons > 1)}"
-                f"{open_text if texts else ''}: carts check --defaults lists them."
-            )
-        report(found)
-    ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)
+    return places
+
+
+def _by_default(counted: list[Finding]) -> str:
+    """What waits because nobody says otherwise, counted."""
+    texts = sum(finding.code == TEXT for finding in counted)
+    lessons = len({finding.file for finding in counted})
+    open_text = f", the text below {texts} prediction{'s' * (texts > 1)} does not"
+    waiting = len(counted) - texts
+    wait = "scene or question waits" if waiting == 1 else "scenes and questions wait"
+    return (
+        f"{waiting} {wait} by default until a run was watched, in {lessons} "
+        f"lesson{'s' * (lessons > 1)}"
+        f"{open_text if texts else ''}: carts check --defaults lists them."
+    )
 
 
 def report(found: list[Finding]) -> None:

@@ -14,6 +14,7 @@ from sim.cli.tables import certificate_as_text, columns_as_csv, run_as_text
 from sim.cli.typed_options import typed
 from sim.dynamics.loop.run import MOST_EVENTS
 from sim.dynamics.report.document import report
+from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES
 
@@ -90,10 +91,7 @@ def command(
     """
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
-    if step is not None and method in ("exact", *ADAPTIVE):
-        raise click.UsageError(f"--step does not go with --method {method}: it has no fixed step.")
-    if rtol is not None and method not in ADAPTIVE:
-        raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
+    _of_method(method, step, rtol)
     if certified and (as_csv or method != "exact"):
         raise click.UsageError("--certify goes with the exact run, as text or with --json.")
     if world is not None:
@@ -122,16 +120,29 @@ def command(
         keep_motion=as_csv or not no_events,
     )
     certificate = _certificate(description) if certified else None
+    if as_csv:
+        click.echo(columns_as_csv(trajectory(finished)), nl=False)
+    else:
+        _tell(finished, certificate, as_json=as_json)
+
+
+def _tell(finished: Run, certificate: dict[str, Any] | None, *, as_json: bool) -> None:
     if as_json:
         told = {**report(finished), "impossible": []}
         told |= {"certificate": certificate} if certificate else {}
         click.echo(json.dumps(told, allow_nan=False, ensure_ascii=False))
-    elif as_csv:
-        click.echo(columns_as_csv(trajectory(finished)), nl=False)
-    else:
-        click.echo(run_as_text(finished))
-    if certificate is not None and not as_json:
+        return
+    click.echo(run_as_text(finished))
+    if certificate is not None:
         click.echo(f"\n{certificate_as_text(certificate)}")
+
+
+def _of_method(method: str, step: float | None, rtol: float | None) -> None:
+    """Refuses a step or a tolerance that this method does not have."""
+    if step is not None and method in ("exact", *ADAPTIVE):
+        raise click.UsageError(f"--step does not go with --method {method}: it has no fixed step.")
+    if rtol is not None and method not in ADAPTIVE:
+        raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
 
 
 def _no_others(ctx: click.Context, names: tuple[str, ...], what: str) -> None:

@@ -19,9 +19,8 @@ from sim.cli.measured.unused import OF_UNITS, only_of_positions, warn_of_model, 
 from sim.cli.tables import table
 from sim.cli.typed_options import typed
 from sim.cli.write_out import write_out
-from sim.measured.analysis import Wanted, analysed
+from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.events.story import Hints
-from sim.measured.model.fit import Fit
 from sim.measured.model.unknowns import Effect
 from sim.measured.refusal import FitError
 from sim.measured.report import forces_report, model_as_tracker
@@ -139,15 +138,8 @@ def command(
     """
     if len(files) > 2:
         raise click.UsageError("One file with both carts, or two files with one cart each.")
-    low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
-    if low is not None and high is not None and low >= high:
-        raise click.UsageError(f"--from {begin} is not before --until {end}.")
     units = Units(time=time, length=length, force=force, run=run)
-    measured = cut(readings(files, units), low, high)
-    only_of_positions(ctx, measured.kind)
-    said = units_said(measured.assumed, units, typed(ctx, OF_UNITS))
-    measured = replace(measured, notes=(*said, *measured.notes))
-    warn_of_units(ctx, measured)
+    measured = _read(ctx, files, units, begin, end)
     hints = Hints(
         at=quantity("--contact", contact, TIME),
         flips=named("--flip", flips, measured.names),
@@ -156,53 +148,53 @@ def command(
         together=together,
         segments=segments("--segment", spans, measured.names),
     )
-    refused: FitError | None = None
-    made: Fit | None = None
-    if measured.kind != "length":
-        report = _forces(files[0], measured)
-    else:
-        effect = ASKED.get((friction, tilt))
-        found = analysed(
-            measured,
-            Wanted(
-                law=cast(Any, law),
-                effect=effect,
-                masses=weighed(masses, measured.names),
-                hints=hints,
-            ),
-        )
-        report, made, refused = found.report, found.fit, found.refused
-        report["strip"] = strip(found.story.segments, measured.names)
-        measured = found.story.measured
-        if made is None and refused is None:
-            warn_of_model(ctx)
-    _write(report, measured, made, refused, scene_file, tracker_file)
-    lines = report.pop("strip", [])
+    wanted = Wanted(
+        law=cast(Any, law),
+        effect=ASKED.get((friction, tilt)),
+        masses=weighed(masses, measured.names),
+        hints=hints,
+    )
+    found = analysed(measured, wanted) if measured.kind == "length" else None
+    report = found.report if found else _forces(files[0], measured)
+    _write(ctx, found, scene_file, tracker_file)
     if as_json:
         click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
     else:
-        click.echo(_as_text(report, lines))
-    if refused:
-        _fail(f"{files[0]}: error: {refused.reason}", refused.hint)
+        above = strip(found.story.segments, measured.names) if found else []
+        click.echo(_as_text(report, above))
+    if found and found.refused:
+        _fail(f"{files[0]}: error: {found.refused.reason}", found.refused.hint)
     for path in filter(None, (scene_file, tracker_file)) if not as_json else ():
         click.echo(f"Written: {path}")
 
 
+def _read(
+    ctx: click.Context, files: tuple[str, ...], units: Units, begin: str | None, end: str | None
+) -> Measured:
+    """The readings between two times, with what is said of their units."""
+    low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
+    if low is not None and high is not None and low >= high:
+        raise click.UsageError(f"--from {begin} is not before --until {end}.")
+    measured = cut(readings(files, units), low, high)
+    only_of_positions(ctx, measured.kind)
+    warn_of_units(ctx, measured)
+    said = units_said(measured.assumed, units, typed(ctx, OF_UNITS))
+    return replace(measured, notes=(*said, *measured.notes))
+
+
 def _write(
-    report: dict[str, Any],
-    measured: Measured,
-    made: Fit | None,
-    refused: FitError | None,
-    scene_file: Path | None,
-    tracker_file: Path | None,
+    ctx: click.Context, found: Analysis | None, scene_file: Path | None, tracker_file: Path | None
 ) -> None:
     """The files of a bounce that are asked for."""
+    made, refused = (found.fit, found.refused) if found else (None, None)
+    if found and not made and not refused:
+        warn_of_model(ctx)
     if made is None and (scene_file or tracker_file) and not refused:
         raise click.UsageError("--scene and --tracker need a bounce, seen in positions.")
-    if scene_file and made:
-        write_out(scene_file, report["scene"], "--scene FILE")
-    if tracker_file and made:
-        write_out(tracker_file, model_as_tracker(measured, made), "--tracker FILE")
+    if scene_file and found and made:
+        write_out(scene_file, found.report["scene"], "--scene FILE")
+    if tracker_file and found and made:
+        write_out(tracker_file, model_as_tracker(found.story.measured, made), "--tracker FILE")
 
 
 def _forces(name: str, measured: Measured) -> dict[str, Any]:

@@ -17,6 +17,10 @@ from sim.pages.offline.open_me import NAME as OPEN_ME
 from sim.pages.offline.open_me import open_me
 
 KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.zip"}
+HOW = {
+    "stick": f"Students unpack it and double-click “{OPEN_ME}”.",
+    "hosted": "Unpack it into a folder of a web server; any address will do.",
+}
 
 
 @click.command("pack")
@@ -59,11 +63,7 @@ def command(
     carts pack --teacher-word OWL
     """
     here = site_folder.here()
-    forms = {"hosted": hosted, "scorm": scorm, "single": single}
-    asked = [name for name, wanted in forms.items() if wanted]
-    if len(asked) > 1:
-        told = " and ".join(f"--{name}" for name in asked)
-        raise click.UsageError(f"{told} do not go together: each is a zip of its own.")
+    kind = _kind({"hosted": hosted, "scorm": scorm, "single": single})
     if teacher_word is not None and not teacher_word.strip():
         raise click.UsageError("--teacher-word is empty. A word of yours: --teacher-word OWL")
     if out and out.suffix.lower() != ".zip":  # no computer would know how to open it
@@ -77,7 +77,6 @@ def command(
 
         pack_lessons(ctx, here, out or here.root / "build" / "lessons.single.zip")
         return
-    kind = asked[0] if asked else "stick"
     out = out or here.root / "build" / KINDS[kind]
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "site"
@@ -94,10 +93,17 @@ def command(
             (site / OPEN_ME).write_text(page, encoding="utf-8", newline="\n")
         pack_site(site, out, scorm=(here.title, here.site_id) if kind == "scorm" else None)
     click.echo(f"{out}: {size_of(out)}")
-    if kind == "stick":
-        click.echo(f"Students unpack it and double-click “{OPEN_ME}”.")
-    elif kind == "hosted":
-        click.echo("Unpack it into a folder of a web server; any address will do.")
+    if kind in HOW:
+        click.echo(HOW[kind])
+
+
+def _kind(forms: dict[str, bool]) -> str:
+    """Of the zip: the one that is asked for."""
+    asked = [name for name, wanted in forms.items() if wanted]
+    if len(asked) > 1:
+        told = " and ".join(f"--{name}" for name in asked)
+        raise click.UsageError(f"{told} do not go together: each is a zip of its own.")
+    return asked[0] if asked else "stick"
 
 
 def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:

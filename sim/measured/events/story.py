@@ -71,21 +71,8 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
             named, contact = segments(grid, found) if longer != contact else named, longer
         named = with_segments(grid, named, hints.segments, found)
         story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
-        if contact is None and hands:
-            raise FitError(
-                "both carts set out from rest, each away from its sensor: they are pushed towards "
-                "each other, by hands, and the readings end before they meet",
-                "let the recording go on until the carts have met and parted",
-                "no-contact",
-            )
         if contact is None:
-            raise FitError(
-                "no contact is found: at no time do the readings show that both carts change "
-                "their velocity together",
-                "choose the seconds around one contact in which nobody holds a cart; after a weak "
-                "push, push harder or take finer readings",
-                "no-contact",
-            )
+            raise _no_contact(by_hands=bool(hands))
         step = in_step(grid, contact.begin, contact.end)
         story = replace(story, step=step)
         sides = sides_of(measured.tracks, contact, named)
@@ -117,6 +104,23 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         return replace(story, outcome=outcome, together=beside)
     except FitError as error:
         return replace(story, refused=error)
+
+
+def _no_contact(*, by_hands: bool) -> FitError:
+    if by_hands:
+        return FitError(
+            "both carts set out from rest, each away from its sensor: they are pushed towards "
+            "each other, by hands, and the readings end before they meet",
+            "let the recording go on until the carts have met and parted",
+            "no-contact",
+        )
+    return FitError(
+        "no contact is found: at no time do the readings show that both carts change "
+        "their velocity together",
+        "choose the seconds around one contact in which nobody holds a cart; after a weak "
+        "push, push harder or take finer readings",
+        "no-contact",
+    )
 
 
 def _at(hints: Hints) -> float | None:

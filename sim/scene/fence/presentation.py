@@ -83,9 +83,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
     opened = _choices("with", table, (), (*VIEWS, *TOOLS), problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
-    forces = _choice("forces", table, FORCES, problems)
-    if forces in FORCES[1:]:
-        _no_hidden_graphs(table, show, problems)
+    forces = _forces(table, show, problems)
     slow = _choice("slow", table, ("auto", "never", "stops"), problems)
     watch = _choice("watch", table, ("first", "free"), problems) if "watch" in table else ""
     boxes = _choice("boxes", table, ("mass", "alike"), problems)
@@ -99,12 +97,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         controls = read_controls(table.get("controls", []), scene, problems, effects)
         switches = read_switches(table.get("controls", []), effects, problems)
         presets = read_presets(table.get("presets", {}), scene_part, problems)
-    predict = None
-    if "predict" in table:
-        asked = table["predict"]
-        predict = read_predict(asked, scene, problems) if scene else None
-        if scene is None:
-            kind_of(asked, problems)
+    predict = _predict(table, scene, problems)
     worlds: tuple[Any, ...] = ()
     if "worlds" in table and scene is not None:  # else nothing of them is even imported
         worlds = import_module(WORLDS).read_worlds(table["worlds"], scene, problems)
@@ -156,10 +149,23 @@ def _identity(table: Mapping[str, Any], problems: list[Problem], *, named: bool)
     return str(identity)
 
 
-def _no_hidden_graphs(
-    table: Mapping[str, Any], show: tuple[str, ...], problems: list[Problem]
-) -> None:
-    """A graph that would tell forces that are not shown is an error, if it was asked for."""
+def _predict(
+    table: Mapping[str, Any], scene: Scene | None, problems: list[Problem]
+) -> Predict | None:
+    """The prediction, if there is one; without a scene only its kind can be judged."""
+    if "predict" not in table:
+        return None
+    if scene is None:
+        kind_of(table["predict"], problems)
+        return None
+    return read_predict(table["predict"], scene, problems)
+
+
+def _forces(table: Mapping[str, Any], show: tuple[str, ...], problems: list[Problem]) -> str:
+    """How forces are shown; a graph that would tell them is an error, if it was asked for."""
+    forces = _choice("forces", table, FORCES, problems)
+    if forces not in FORCES[1:]:
+        return forces
     telling = [quantity for quantity in show if quantity in FORCE_GRAPHS]
     if "show" in table and telling:
         problems.append(
@@ -170,6 +176,7 @@ def _no_hidden_graphs(
                 f"leave {' and '.join(telling)} out of show, or write forces: shown",
             )
         )
+    return forces
 
 
 def _choice(
