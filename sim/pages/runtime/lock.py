@@ -19,7 +19,7 @@ from .node import RuntimePackError, code_key
 
 Lock = dict[str, object]  # pyodide-lock.json, as plain values
 MADE = "lock.json"
-TOOLS = ("pyodide-lock", "pkginfo")
+TOOLS = ("pyodide-cli", "pyodide-lock", "pkginfo")
 
 # What a wheel offers for import. The tool looks for .py files, and there are none left.
 IMPORTS = {
@@ -38,7 +38,7 @@ IMPORTS = {
 
 def tool_works() -> bool:
     """Whether `pyodide lockfile add-wheels` is there and can read our wheels."""
-    return sys.version_info >= (3, 12) and all(map(find_spec, ("pyodide_lock", "pkginfo")))
+    return sys.version_info >= (3, 12) and all(map(find_spec, ("pyodide_cli", "pyodide_lock", "pkginfo")))
 
 
 def make_lock(release: Path, wheels: Mapping[str, Path], cache: Cache) -> Lock:
