@@ -24,6 +24,8 @@ _WRITTEN = {
     "sec": "s", "secs": "s", "second": "s", "seconds": "s", "sekunden": "s", "с": "s", "秒": "s",
     "saat": "s", "мс": "ms", "毫秒": "ms", "meter": "m", "metre": "m", "meters": "m", "metres": "m",
     "centimeters": "cm", "centimetres": "cm", "millimeters": "mm", "millimetres": "mm",
+    "centimeter": "cm", "centimetre": "cm", "millimeter": "mm", "millimetre": "mm",
+    "zentimeter": "cm", "milliseconds": "ms", "millisekunden": "ms", "msec": "ms",
     "inch": "in", "inches": "in", "foot": "ft", "feet": "ft",
     "м": "m", "米": "m", "см": "cm", "厘米": "cm", "мм": "mm", "毫米": "mm",
     "м/с": "m/s", "米/秒": "m/s", "mps": "m/s", "m s-1": "m/s", "m·s⁻¹": "m/s", "m s⁻¹": "m/s",
@@ -39,8 +41,15 @@ _HEAD = (
     re.compile(
         r"(?P<name>.+?)\s+(?:in|en(?=\s+(?:[cm]?m|m?s)\b))\s+(?P<unit>[^\W\d_]{1,4}(?:/s|/h)?)\s*"
     ),
-    re.compile(r"(?P<name>t|time|\w*\d|\w+_\w+|[xsd][a-zA-Z])_(?P<unit>[cm]?m|m?s)"),
+    re.compile(r"(?P<name>t|time|\w*\d|\w+_\w+|[xsd][a-zA-Z])[_ ](?P<unit>[cm]?m|m?s)"),
+    re.compile(r"(?P<name>.+?)\s+(?P<unit>[cm]m|ms|[cm]?m/s)"),
 )
+_TOLD = (
+    re.compile(r"(?P<name>.*?)\s*[(\[]\s*(?:in\s+)?(?P<unit>[^()\[\]]+)[)\]]"),
+    re.compile(r"(?P<name>.+?)\s*,\s*(?P<unit>.+)"),
+    re.compile(r"(?P<name>.+)\s+in\s+(?P<unit>.+)"),
+)
+"""What else is a unit if it is one that is known: “x (in cm)”, “x, cm”, “x in inches”."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,14 +74,14 @@ def narrow(text: str) -> str:
 
 def head(text: str) -> tuple[str, str]:
     """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there."""
-    text = narrow(text)
-    for pattern in _HEAD:
-        if match := pattern.fullmatch(text.strip()):
+    text = narrow(text).strip()
+    for pattern in _TOLD:
+        if (match := pattern.fullmatch(text)) and kind_of_unit(match["unit"]):
             return match["name"].strip(), match["unit"].strip()
-    name, _, unit = text.strip().rpartition(" in ")
-    if name and kind_of_unit(unit):  # written out: “x in inches”
-        return name.strip(), unit.strip()
-    return text.strip(), ""
+    for pattern in _HEAD:
+        if match := pattern.fullmatch(text):
+            return match["name"].strip(), match["unit"].strip()
+    return text, ""
 
 
 def plain_unit(unit: str) -> str:

@@ -169,3 +169,35 @@ def test_a_marker_that_is_hidden_at_first_moves_no_columns(head: bool, empty_unt
     found = read_measured([with_frames(text, empty_until=empty_until, head=head)])
     for one, two in zip(plain.tracks, found.tracks, strict=True):
         assert two.value[-1] - two.value[5] == pytest.approx(one.value[-1] - one.value[5], abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("time", "place"),
+    [
+        ("t s", "{} cm"),
+        ("t, s", "{}, cm"),
+        ("t (in s)", "{} (in cm)"),
+        ("Zeit in Sekunden", "{} in Zentimeter"),
+        ("time [seconds]", "{} [centimetres]"),
+        ("| t (s)", "{} (cm)"),
+    ],
+)
+def test_a_unit_that_stands_in_a_head_in_whatever_way_is_read(time: str, place: str) -> None:
+    centimetres = [[100.0 * x for x in xs] for xs in (A, B)]
+    text = table([time, place.format("A"), place.format("B")], TIMES, *centimetres)
+    if time.startswith("|"):  # as Markdown writes tables
+        head, *rows = text.strip().split("\n")
+        text = "\n".join(
+            row.replace(";", "|")
+            for row in (head, "| :---;---:;---:", *(f"| {row}" for row in rows))
+        )
+    found = read_measured([text])
+    assert found.names == ("A", "B")
+    assert found.tracks[0].value == pytest.approx(A)
+    assert found.tracks[1].value == pytest.approx(B)
+
+
+def test_a_word_behind_a_comma_or_in_brackets_that_is_no_unit_stays_in_the_name() -> None:
+    assert head("Run 1, x") == ("Run 1, x", "")
+    assert head("Smart Cart s") == ("Smart Cart s", "")
+    assert head("x (in)") == ("x", "in")
