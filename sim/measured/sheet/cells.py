@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from sim.measured.refusal import Fault, refuse, shown
 from sim.measured.sheet.commas import MINUS, with_decimal_commas
 from sim.measured.sheet.labelled import without_labels
+from sim.measured.sheet.lying import stood_up
 from sim.scene.encoded import of_a_spreadsheet
 
 MOST_BYTES = 4_000_000
@@ -101,6 +102,8 @@ def rows_of(text: str) -> Rows:
     separator = _separator([line for _, line in filled])
     cells = [_cells(k, line, separator) for k, line in filled]
     cells = with_decimal_commas(cells) if separator == "," else cells
+    if upright := stood_up(cells):
+        return Rows(tuple(Row(filled[0][0], row) for row in upright), separator)
     rows = tuple(Row(k, row) for (k, _), row in zip(filled, cells, strict=True))
     for row in rows:
         if len(row.cells) > MOST_COLUMNS:
