@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -105,3 +106,27 @@ def test_a_law_for_carts_that_stick_is_told_to_change_nothing(tmp_path: Path) ->
     result = fit(tmp_path / "capture.tsv", sticks, "--law", "paper", "--json")
     assert json.loads(result.stdout)["outcome"] == "stick"
     assert result.stderr.startswith("warning: --law changes nothing: it belongs to the model")
+
+
+def test_without_scipy_the_command_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    result = fit(tmp_path / "film.txt", FILM)
+    assert result.exit_code == 1
+    assert isinstance(result.exception, SystemExit)  # no traceback
+    assert "needs the Python package scipy" in result.stderr
+    assert "pip install scipy" in result.stderr
+
+
+def test_units_that_were_assumed_and_cannot_be_are_named(tmp_path: Path) -> None:
+    film_of = film(truth(), 30)
+    rows = zip(film_of.tracks[0].t, *(one.value for one in film_of.tracks), strict=True)
+    text = "\n".join(["t;A;B", *(f"{1e3 * t:.1f};{1e2 * a};{1e2 * b}" for t, a, b in rows)])
+    said = fit(tmp_path / "film.txt", text).stderr
+    assert "--time ms" in said
+    assert "--length cm" in said
+    assert (
+        "warning" not in fit(tmp_path / "film.txt", text, "--time", "ms", "--length", "cm").stderr
+    )
+    assert "warning" not in fit(tmp_path / "film.txt", FILM).stderr

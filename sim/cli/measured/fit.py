@@ -11,10 +11,10 @@ from typing import Any, NoReturn, cast
 
 import click
 
-from sim.cli.measured.given import cut, readings
+from sim.cli.measured.given import cut, needs_scipy, readings
 from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
 from sim.cli.measured.printed import ladder, strip
-from sim.cli.measured.units_said import units_said
+from sim.cli.measured.units_said import units_said, warn_of_assumed
 from sim.cli.measured.unused import OF_UNITS, only_of_positions, warn_of_model, warn_of_units
 from sim.cli.tables import table
 from sim.cli.typed_options import typed
@@ -138,6 +138,7 @@ def command(
     """
     if len(files) > 2:
         raise click.UsageError("One file with both carts, or two files with one cart each.")
+    needs_scipy()
     units = Units(time=time, length=length, force=force, run=run)
     measured = _read(ctx, files, units, begin, end)
     hints = Hints(
@@ -178,7 +179,9 @@ def _read(
     measured = cut(readings(files, units), low, high)
     only_of_positions(ctx, measured.kind)
     warn_of_units(ctx, measured)
-    said = units_said(measured.assumed, units, typed(ctx, OF_UNITS))
+    given = typed(ctx, OF_UNITS)
+    warn_of_assumed(measured, given)
+    said = units_said(measured.assumed, units, given)
     return replace(measured, notes=(*said, *measured.notes))
 
 

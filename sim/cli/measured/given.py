@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from importlib.util import find_spec
 from typing import NoReturn
 
 import click
@@ -13,6 +14,17 @@ from sim.measured.sheet.runs import run_place
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import MOST_ZIPPED, texts_of
+
+
+def needs_scipy() -> None:
+    """Ends the command with what to do, where a fit has nothing to be made with."""
+    if find_spec("scipy") is None:
+        click.echo(
+            "error: carts fit needs the Python package scipy, and it is not here\n"
+            "  hint: python -m pip install scipy. The page in the browser brings its own",
+            err=True,
+        )
+        sys.exit(1)
 
 
 def readings(files: tuple[str, ...], units: Units) -> Measured:
