@@ -9,13 +9,12 @@ velocities stand. A scene comes from the model in both cases.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sim.measured.events.outcome import PERHAPS
-from sim.measured.events.quantities import mass_ratio, told_of
+from sim.measured.events.quantities import told_of
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import Segment
@@ -26,9 +25,10 @@ from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
 from sim.measured.model.instant import perhaps_instant
-from sim.measured.model.quantity import Untold
 from sim.measured.model.unknowns import EFFECTS, RUBS, Effect
+from sim.measured.model.unseen_length import of_any_length
 from sim.measured.refusal import FitError, ReadingError
+from sim.measured.same_ratio import same_ratio
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between
 from sim.measured.words import head_of
@@ -101,7 +101,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     bounces = made is not None and _bounces(made)
     if refused and not (overruled and white and bounces):
         return Analysis(story, base_report(measured, story, None, refused), None, refused)
-    if made is not None and white and (refused or _same(story, made, wanted)):
+    if made is not None and white and (refused or same_ratio(story, made, wanted.effect)):
         made = _doubted(story, made, rows, wanted)
         report = by_model(measured, story, made, rows, wanted.masses, wanted.every)
         effect = made.asked.effect
@@ -157,7 +157,9 @@ def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
     cut = _thinned(_free(story), MOST_SKETCHED if smooth else MOST_FITTED)
     plain = fit(cut, Asked(law=wanted.law, distance=wanted.hints.distance))
     # of smooth readings the model is for the scene alone
-    return compare(cut, plain, () if smooth else EFFECTS[1:], wanted.effect)
+    if smooth:
+        return compare(cut, plain, (), wanted.effect)
+    return of_any_length(compare(cut, plain, EFFECTS[1:], wanted.effect), cut)
 
 
 def _free(story: Story) -> Measured:
@@ -233,18 +235,3 @@ def _at_the_turn(made: Fit) -> bool:
     middle, push = (p.v[0] + p.ratio * p.v[1]) / (1.0 + p.ratio), p.e * p.approach / (1.0 + p.ratio)
     after = middle - p.ratio * push, middle + push
     return min(map(abs, after)) < TURN * p.approach
-
-
-def _same(story: Story, made: Fit, wanted: Wanted) -> bool:
-    """Whether the model's mass ratio lies in the interval of the velocities; else white residuals
-    deceive. An effect that the reader asks for is the reader's to judge."""
-    if story.frames is not None and story.frames.joined:
-        return False  # one model of both places cannot know that two sensors have two scales
-    if wanted.effect is not None or not (story.outcome and story.speeds and story.step):
-        return True
-    ratio = mass_ratio(story.speeds, story.step, story.outcome, story.measured.names)
-    if isinstance(ratio, Untold):
-        return True
-    half = made.factor * made.sd("ln_ratio")
-    low, high = math.log(ratio.low) - half, math.log(ratio.high) + half
-    return low <= math.log(made.parameters.ratio) <= high

@@ -57,11 +57,13 @@ STILL = 4.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asked:
-    """How to fit. `distance`: m, from mark to mark when the bumpers just touch, if it is known."""
+    """How to fit. `distance`: m, from mark to mark when the bumpers just touch, if it is known;
+    `lasts`: the length of the contact is that of the start."""
 
     law: Law = "bumper"
     effect: Effect = "none"
     distance: float | None = None
+    lasts: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +180,7 @@ def _solve(
     import numpy as np
     from scipy.optimize import least_squares
 
-    names = names_of(start, asked.effect, asked.distance)
+    names = names_of(start, asked.effect, asked.distance, lasts=asked.lasts)
     low, high = bounds_of(names, t, x)
     begin = np.clip([READ[name](start) for name in names], low + 1e-9 * (high - low),
                     high - 1e-9 * (high - low))  # fmt: skip
@@ -200,7 +202,7 @@ def _made(
 ) -> Fit:
     import numpy as np
 
-    names = names_of(p, asked.effect, asked.distance)
+    names = names_of(p, asked.effect, asked.distance, lasts=asked.lasts)
     residuals = _residuals(p, asked.law, t, x)
     freedom = len(residuals) - len(names)
     if freedom < 3:

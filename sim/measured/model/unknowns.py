@@ -15,9 +15,13 @@ LEANS: tuple[Effect, ...] = ("tilt", "both")
 """Effects with a friction of each cart, and those with a tilt of the track."""
 
 
-def names_of(p: Parameters, effect: Effect, distance: float | None) -> tuple[str, ...]:
-    """The unknowns of a fit with this effect; `distance` in m, if it is known."""
-    names = ["touch", "x", "ln_ratio", "e", "ln_w0"]
+def names_of(
+    p: Parameters, effect: Effect, distance: float | None, *, lasts: bool = False
+) -> tuple[str, ...]:
+    """The unknowns of a fit with this effect; `distance` in m, if it is known; `lasts`: how long
+    the contact lasts is known."""
+    names = ["touch", "x", "ln_ratio", "e"]
+    names += [] if lasts else ["ln_w0"]
     names += ["distance"] if distance is None else []
     names += [f"v{k + 1}" for k in range(2) if not p.rests[k]]
     names += ["friction1", "friction2"] if effect in RUBS else []
@@ -50,7 +54,7 @@ def with_values(p: Parameters, names: Sequence[str], values: Sequence[float]) ->
         v=(got.get("v1", p.v[0]), got.get("v2", p.v[1])),
         ratio=math.exp(got["ln_ratio"]),
         e=got["e"],
-        w0=math.exp(got["ln_w0"]),
+        w0=math.exp(got["ln_w0"]) if "ln_w0" in got else p.w0,
         friction=(got.get("friction1", 0.0), got.get("friction2", 0.0)),
         tilt=got.get("tilt", 0.0),
         rests=p.rests,

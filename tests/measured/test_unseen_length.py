@@ -1,0 +1,50 @@
+"""A contact in which no reading lies has a length that is not told; what was seen is told."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from sim.measured.analysis import analysed
+from sim.measured.model.effects import compare
+from sim.measured.model.fit import fit
+from sim.measured.model.known import WIDEST
+from sim.measured.model.unseen_length import of_any_length
+from sim.measured.tracks import Measured
+from tests.measured.makers import film, truth
+
+BRAKED: tuple[dict[str, Any], ...] = ({"friction": {"coefficient": 0.008}},)
+
+
+def hard(seed: int) -> Measured:
+    """Hard bumpers at 30 frames a second on a track that brakes: no frame lies in the contact."""
+    return film(truth(contact=0.02, effects=BRAKED), 30, 1.5e-3, seed)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_film_with_no_frame_inside_a_hard_bump_tells_bounciness_and_masses(seed: int) -> None:
+    report = analysed(hard(seed)).report
+    known = {one["key"]: one for one in report["known"]}
+    real = truth(contact=0.02, effects=BRAKED)
+    assert known["e"]["low"] <= real.e <= known["e"]["high"]
+    assert known["mass_ratio"]["low"] <= real.ratio <= known["mass_ratio"]["high"]
+    touch = known.get("touch")
+    assert touch is None or touch["high"] - touch["low"] < 0.25  # seconds, not hours
+    assert "duration" not in known
+
+
+def test_a_contact_that_readings_lie_in_is_told_as_before() -> None:
+    measured = film(truth(contact=0.2, effects=BRAKED), 60, 3e-4, 0)
+    rows = compare(measured, fit(measured))
+    assert all(row.fit.sd("ln_w0") <= WIDEST for row in rows)
+    assert of_any_length(rows, measured) == rows
+
+
+def test_the_length_itself_stays_untold() -> None:
+    measured = hard(1)
+    rows = compare(measured, fit(measured))
+    for row, after in zip(rows, of_any_length(rows, measured), strict=True):
+        if after.fit is not row.fit:
+            assert math.isinf(after.fit.sd("ln_w0"))
