@@ -10,7 +10,7 @@ from sim.measured.events.momentum import Momentum, momentum_of
 from sim.measured.events.quantities import loss, told_of
 from sim.measured.events.story import Story
 from sim.measured.events.wild import of_aside
-from sim.measured.events.words import of_momentum, of_rung, of_scatter, of_story, of_taken
+from sim.measured.events.words import as_sure, of_momentum, of_rung, of_scatter, of_story, of_taken
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared
 from sim.measured.model.fit import Fit
@@ -41,7 +41,8 @@ def by_model(
         kept = kept[:1]
     report = motion_report(story.measured, made, kept, masses, _share(made, story))
     base = base_report(measured, story, "bounce", None)
-    sentences = [*base["sentences"], *_momentum_said(story, masses), *report["sentences"]]
+    happened = as_sure(base["sentences"], report["known"])
+    sentences = [*happened, *_momentum_said(story, masses), *report["sentences"]]
     return base | report | {
         "outcome": "bounce", "momentum": _momentum(story, masses), "sentences": sentences,
         "readings": base["readings"],
@@ -67,16 +68,17 @@ def by_velocities(
     ))  # fmt: skip
     base = base_report(measured, story, story.outcome, None)
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
-    said = [*base["sentences"], *_momentum_said(story, masses)]
+    told = [row_of(one) for one in known]
+    said = [*as_sure(base["sentences"], told), *_momentum_said(story, masses)]
     if balance := of_balance(ratio, masses, names, synthetic=measured.synthetic):
         said.append(balance)
     model: dict[str, Any] = {}
     if made is not None:
-        told = {one.key: one for one in known}
+        by_key = {one.key: one for one in known}
         better = replace(made, parameters=replace(
             made.parameters,
-            e=told["e"].value if "e" in told else min(max(made.parameters.e, 0.0), 1.0),
-            ratio=told["mass_ratio"].value if "mass_ratio" in told else made.parameters.ratio,
+            e=by_key["e"].value if "e" in by_key else min(max(made.parameters.e, 0.0), 1.0),
+            ratio=by_key["mass_ratio"].value if "mass_ratio" in by_key else made.parameters.ratio,
         ))  # fmt: skip
         model = motion_report(story.measured, better, rows, masses)
         untold += [
@@ -86,7 +88,7 @@ def by_velocities(
         ]  # fmt: skip
     kept = {key: model[key] for key in _FROM_MODEL if key in model}
     return base | kept | {
-        "known": [row_of(one) for one in known],
+        "known": told,
         "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
         "momentum": _momentum(story, masses),
         "sentences": [*said, of_law(synthetic=measured.synthetic)],

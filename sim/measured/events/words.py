@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from typing import Any
+
 from sim.measured.events.momentum import Momentum
 from sim.measured.events.rungs import Rung
 from sim.measured.events.sides import Speeds
@@ -14,6 +17,10 @@ OUTCOMES = {
     "explosion": "An explosion: the carts were together and push each other apart. There is no "
     "bounciness.",
 }
+PARTED_PERHAPS = (
+    "The carts come together and push each other. Whether they part again or stay together, these "
+    "readings do not tell."
+)
 STUCK_PERHAPS = (
     "After the contact the carts move on together, as far as these readings show: bounciness e is "
     "below "
@@ -43,6 +50,12 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
             f"velocity at {listed}. To take another, use only the readings around it."
         )
     return said
+
+
+def as_sure(said: Sequence[str], known: Sequence[Mapping[str, Any]]) -> list[str]:
+    """The sentences, without that the carts part where e, of the rows that are told, may be 0."""
+    perhaps = any(one["key"] == "e" and one["low"] <= 0.0 for one in known)
+    return [PARTED_PERHAPS if perhaps and one == OUTCOMES["bounce"] else one for one in said]
 
 
 def of_taken(speeds: Speeds) -> str:
