@@ -106,3 +106,25 @@ def test_a_boundary_is_dragged_moved_by_keys_kept_and_put_back(
     expect(page.locator(".carts-measured-as-found")).to_have_count(0, timeout=STARTS)
     settled(page)
     assert contact(page)["from"] == pytest.approx(found["from"])
+
+
+ACROSS = """() => {
+  const of = (name) => document.querySelector(name).getBoundingClientRect();
+  const figure = of(".carts-measured-figure"), bar = of(".carts-measured-strip-bar");
+  const at = (x) => figure.x + (figure.width * x) / 640;
+  return [bar.left - at(78), bar.right - at(630)];
+}"""
+"""How far the ends of the strip are from those of the axis of time."""
+
+
+def test_the_strip_lies_over_the_readings_that_it_tells_of_on_wide_and_narrow_pages(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = open_page(benches / "film.html")
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    page.locator(".carts-measured-fit").click()
+    expect(page.locator(EDGE)).to_have_count(4, timeout=2 * STARTS)
+    for width in (1600, 1280, 360):
+        page.set_viewport_size({"width": width, "height": 800})
+        left, right = page.evaluate(ACROSS)
+        assert abs(left) < 3 and abs(right) < 3, width
