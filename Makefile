@@ -50,12 +50,13 @@ pictures: site browsers
 	@$(PY) -m tests.pictures
 
 #   make test          every test, browsers included (two cores: 20 to 35 minutes)
+# Python keeps what it compiles, also where the machine says no: tests start it hundreds of times.
 test: site browsers
-	@CARTS_SITE_MADE=site $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder
+	@PYTHONDONTWRITEBYTECODE= CARTS_SITE_MADE=site $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
 #   make test-fast     the tests that need no browser and no site (two minutes)
 test-fast: node_modules/ready
-	@$(PY) -m pytest -m "not browser and not slow"
+	@PYTHONDONTWRITEBYTECODE= $(PY) -m pytest -m "not browser and not slow"
 
 #   make test-old      a lesson in Chromium 80 to 119 from npm (320 MB, once), and the table of the docs
 test-old: site
