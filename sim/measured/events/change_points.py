@@ -11,6 +11,7 @@ this are compiled and do not run in a page; on 160 cells it is a few matrix prod
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -64,10 +65,19 @@ def _leavings(x: Floats) -> Floats:
     n = len(x)
     rss = np.full((n + 1, n + 1), np.inf)
     for length in range(SHORTEST, n + 1):
-        basis = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, length), 3))[0]
+        basis = _quadratics(length)
         windows = np.lib.stride_tricks.sliding_window_view(x, length)
         windows = windows - windows.mean(axis=1, keepdims=True)
         left = np.sum(windows**2, axis=1) - np.sum((windows @ basis) ** 2, axis=1)
         starts = np.arange(n - length + 1)
         rss[starts, starts + length] = np.maximum(left, 0.0)
     return rss
+
+
+@cache
+def _quadratics(length: int) -> Floats:
+    """An orthonormal basis of the quadratics on so many cells: of each of a few hundred lengths,
+    asked for by every cart."""
+    import numpy as np
+
+    return np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, length), 3))[0]

@@ -134,7 +134,13 @@ def in_node(script: str, data: object) -> Any:
         'const data = JSON.parse(readFileSync(0, "utf8"));\n'
         f"const source = {json.dumps(source)};\n"
         f"const view = {json.dumps((ROOT / 'sim' / 'view').as_uri())};\n"
-        "const give = (value) => process.stdout.write(JSON.stringify(value));\n"
+        # what only waits (a page's patience, five seconds of it) is not waited for once all is told
+        "const [later, waiting] = [globalThis.setTimeout, []];\n"
+        "globalThis.setTimeout = (...given) => waiting[waiting.push(later(...given)) - 1];\n"
+        "const give = (value) => {\n"
+        "  process.stdout.write(JSON.stringify(value));\n"
+        "  for (const one of waiting) one.unref();\n"
+        "};\n"
     )
     done = subprocess.run(
         [str(node_program()), "--input-type=module", "-e", head + script],
