@@ -6,6 +6,7 @@ import csv
 import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from importlib import metadata
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -87,8 +88,9 @@ def licence_file(works: Iterable[Notice]) -> str:
     return "\n".join(parts)
 
 
-def _rows() -> list[dict[str, Any]]:
-    return list(yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8")))
+@cache
+def _rows() -> tuple[dict[str, Any], ...]:
+    return tuple(yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8")))
 
 
 def _version(named: str, node_modules: Path) -> str:
@@ -101,15 +103,18 @@ def _version(named: str, node_modules: Path) -> str:
     return metadata.version(named)
 
 
-def _licences_of(package: str) -> Iterator[PurePosixPath]:
+@cache
+def _licences_of(package: str) -> tuple[PurePosixPath, ...]:
     """The licence texts of an installed package; its list of files is long, and read once."""
     listed = metadata.distribution(package).read_text("RECORD") or ""
-    for row in csv.reader(listed.splitlines()):
-        path = PurePosixPath(row[0])
-        if path.parts[0].endswith(".dist-info") and (
-            "licenses" in path.parts or path.name.startswith("LICENSE")
-        ):
-            yield path
+    its_own = (PurePosixPath(row[0]) for row in csv.reader(listed.splitlines())
+               if ".dist-info/" in row[0])  # fmt: skip
+    return tuple(
+        path
+        for path in its_own
+        if path.parts[0].endswith(".dist-info")
+        and ("licenses" in path.parts or path.name.startswith("LICENSE"))
+    )
 
 
 def _texts(row: dict[str, Any], node_modules: Path) -> Iterator[tuple[str, str]]:

@@ -36,7 +36,7 @@ from sim.pages.site.joined_files import (
     leave_out,
     put_ready_pages,
 )
-from sim.pages.site.last_build import Preview, text_box
+from sim.pages.site.last_build import COMPILED, Preview, text_box
 from sim.pages.site.messages import do_not_count_warnings, report, stopping
 from sim.pages.site.site_id import facts_of
 from sim.pages.teach.doors import Doors
@@ -190,11 +190,10 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
 
     def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:
         """Only the scripts in the theme's templates are trusted; its words are in each language."""
-        speak(env, str(config.theme.get("language") or ENGLISH))
-        if self.serving:
-            env.bytecode_cache = self.preview
+        names = env.list_templates(extensions=["html"])
+        speak(env, str(config.theme.get("language") or ENGLISH), frozenset(names))
+        env.bytecode_cache = COMPILED
         if not self.build.trusted:
-            names = env.list_templates(extensions=["html"])
             sources = (env.loader.get_source(env, name)[0] for name in names if env.loader)
             self.build.trusted = trusted_scripts(sources)
         return env

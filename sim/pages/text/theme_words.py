@@ -52,9 +52,8 @@ MENU_WORDS = frozenset(
 those pages are."""
 
 
-def speak(env: Environment, of_site: str) -> None:
+def speak(env: Environment, of_site: str, templates: frozenset[str]) -> None:
     """Change the theme's templates in place. `of_site`: the theme's language in mkdocs.yml."""
-    templates = frozenset(env.list_templates())
     if env.loader is None or not {_LANGUAGE, _SEARCH} <= templates:
         return  # another theme
     search, *_ = env.loader.get_source(env, _SEARCH)
