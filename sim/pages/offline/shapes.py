@@ -122,7 +122,13 @@ def _paint(row: bytearray, spans: list[tuple[float, float]], shape: Shape) -> No
     if not spans:
         return
     first, last = math.floor(min(a for a, _ in spans)), math.ceil(max(b for _, b in spans))
-    for x in range(max(0, first), min(len(row) // 3, last)):
+    first, last = max(0, first), min(len(row) // 3, last)
+    whole, rest = first, first  # pixels in which every line is covered
+    if len(spans) == SUB:
+        whole = min(last, max(first, math.ceil(max(a for a, _ in spans))))
+        rest = max(whole, min(last, math.floor(min(b for _, b in spans))))
+        row[3 * whole : 3 * rest] = bytes(shape.colour) * (rest - whole)
+    for x in (*range(first, whole), *range(rest, last)):
         covered = sum(max(0.0, min(b, x + 1) - max(a, x)) for a, b in spans) / SUB
         for k, wanted in enumerate(shape.colour):
             row[3 * x + k] = round(row[3 * x + k] + (wanted - row[3 * x + k]) * covered)

@@ -73,17 +73,20 @@ def _prepared(fence: Fence, lesson_run: Run) -> Prepared | None:
     numbers = lesson_run.numbers
     fit = 2 * MOST_BYTES // len(gzipped(numbers.tobytes()))  # together they are smaller
     most = min(MOST_RUNS, MOST_NUMBERS // len(numbers), fit)
+    made: dict[str, Run] = {}  # a smaller grid has many of the settings of the one before
     while (grid := grid_of(fence, most)) is not None:
-        found = _packed(fence, grid)
+        found = _packed(fence, grid, made)
         if found.size <= MOST_BYTES:
             return found
         most = most * MOST_BYTES * 9 // (10 * found.size)
     return None
 
 
-def _packed(fence: Fence, grid: Grid) -> Prepared:
+def _packed(fence: Fence, grid: Grid, made: dict[str, Run]) -> Prepared:
     scene, _ = without_title(fence.plain)
-    runs = [bake_with(scene, changes) for changes in grid.settings()]
+    settings = {repr(changes): changes for changes in grid.settings()}
+    made.update({k: bake_with(scene, v) for k, v in settings.items() if k not in made})
+    runs = [made[repr(changes)] for changes in grid.settings()]
     payload, scripts = make_payload(fence.id, _bytes(grid, runs))
     parts = tuple(dict(vars(part)) for part in payload.parts)
     sliders = {one.set: one for one in fence.controls}
