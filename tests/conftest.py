@@ -6,7 +6,7 @@ import fcntl
 import os
 import re
 import shutil
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
@@ -32,12 +32,23 @@ def hosted_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _built_once(factory: pytest.TempPathFactory, name: str, *, hosted: bool) -> Path:
-    """The site, built by the first worker of a run that needs it. Tests do not write into it.
-
-    `make test` has just built the one for double click, and says where: `CARTS_SITE_MADE`.
-    """
+    """The site. `make test` has just built the one for double click, and says where:
+    `CARTS_SITE_MADE`."""
     from sim.cli.site.build import build_site
 
+    def make(folder: Path) -> None:
+        if not hosted and (made := os.environ.get("CARTS_SITE_MADE")):
+            shutil.copytree(ROOT / made, folder)
+        else:
+            built = build_site(ROOT, hosted=hosted, strict=True, site_dir=folder)
+            assert built is not None, "the site cannot be built: see the messages above"
+
+    return made_once(factory, name, make)
+
+
+def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
+    """A folder that is not there yet, made by the first worker of a run that needs it. Tests do not
+    write into it."""
     own = factory.getbasetemp()
     shared = own.parent if os.environ.get("PYTEST_XDIST_WORKER") else own
     folder = shared / f"shared-{name}"
@@ -45,11 +56,8 @@ def _built_once(factory: pytest.TempPathFactory, name: str, *, hosted: bool) -> 
         fcntl.flock(lock, fcntl.LOCK_EX)
         done = shared / f"{name}.built"
         if not done.exists():
-            if not hosted and (made := os.environ.get("CARTS_SITE_MADE")):
-                shutil.copytree(ROOT / made, folder)
-            else:
-                built = build_site(ROOT, hosted=hosted, strict=True, site_dir=folder)
-                assert built is not None, "the site cannot be built: see the messages above"
+            shutil.rmtree(folder, ignore_errors=True)  # of a worker that failed
+            make(folder)
             done.touch()
     return folder
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.conftest import made_once
 from tests.web.conftest import browser, browser_name, driver, open_page, site_server
 
 __all__ = ["browser", "browser_name", "driver", "open_page", "site_server"]
@@ -64,12 +65,14 @@ class Installed:
 @pytest.fixture(scope="session")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The wheel, built as `make wheel` does."""
-    folder = tmp_path_factory.mktemp("wheel")
-    subprocess.run(
-        [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)],
-        cwd=ROOT, check=True, env={**os.environ, "CARTS_CACHE": str(CACHE)},
-    )  # fmt: skip
-    (made,) = folder.glob("*.whl")
+
+    def make(folder: Path) -> None:
+        subprocess.run(
+            [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)],
+            cwd=ROOT, check=True, env={**os.environ, "CARTS_CACHE": str(CACHE)},
+        )  # fmt: skip
+
+    (made,) = made_once(tmp_path_factory, "wheel", make).glob("*.whl")
     return made
 
 

@@ -1,15 +1,18 @@
-"""A small site of the shipped lessons, built once for double click and once for a server."""
+"""A small site of the shipped lessons, built once for double click and once for a server, for all
+workers of a run."""
 
 from __future__ import annotations
 
 import os
 import shutil
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from sim.cli.site.build import build_site
+from tests.conftest import made_once
 from tests.web.conftest import browser, browser_name, driver, open_page, site_server
 
 __all__ = ["browser", "browser_name", "driver", "open_page", "site_server"]
@@ -38,18 +41,21 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 @pytest.fixture(scope="session")
-def lessons(project: Path) -> Path:
+def lessons(project: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Its site, for double click."""
-    built = build_site(project, hosted=False, strict=False, site_dir=project / "site")
-    assert built is not None, "the lessons cannot be built: see the messages above"
-    return built
+    return made_once(tmp_path_factory, "lessons", partial(build, project, hosted=False))
 
 
 @pytest.fixture(scope="session")
-def hosted_lessons(project: Path) -> Path:
+def hosted_lessons(project: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Its site for a server, in a folder of the server as with GitHub's pages."""
-    built = build_site(
-        project, hosted=True, strict=False, site_dir=project / "www" / "school" / "p"
-    )
+
+    def make(server: Path) -> None:
+        build(project, server / "school" / "p", hosted=True)
+
+    return made_once(tmp_path_factory, "server", make) / "school" / "p"
+
+
+def build(project: Path, site: Path, *, hosted: bool) -> None:
+    built = build_site(project, hosted=hosted, strict=False, site_dir=site)
     assert built is not None, "the lessons cannot be built: see the messages above"
-    return built
