@@ -38,8 +38,45 @@ SHARES = 5
 """The least difference of two readings is looked at as so many steps, and fewer."""
 
 
+EVENLY = 0.1
+"""Share of the steps that may differ from the one before, of a cart that goes evenly."""
+
+DECIMALS = 7
+"""Of readings as they are written, in m; more are those of a program, and no rounding."""
+
+
 def step_of(values: Floats) -> float:
-    """m. The step to which all these readings are rounded; 0 where there is none."""
+    """m. The step to which all these readings, in the order of time, are rounded; 0 where there is
+    none. The way of a cart from frame to frame is no such step, where more decimals tell it."""
+    step = _common(values)
+    return min(step, _decimal(values)) if _goes_evenly(values, step) else step
+
+
+def _goes_evenly(values: Floats, step: float) -> bool:
+    """Whether a cart goes as many steps in each frame, as one does whose readings are exact."""
+    import numpy as np
+
+    if step == 0.0:
+        return False
+    counts = np.round(np.diff(values) / step)
+    moving = (counts[1:] != 0) & (counts[:-1] != 0)
+    changes = counts[1:][moving] != counts[:-1][moving]
+    return bool(len(changes)) and float(np.mean(changes)) <= EVENLY
+
+
+def _decimal(values: Floats) -> float:
+    """m. Of the last decimal that is written; 0 where there are too many."""
+    import numpy as np
+
+    for places in range(DECIMALS):
+        shown = values * 10.0**places
+        if np.all(np.abs(shown - np.round(shown)) < WHOLE):
+            return float(10.0**-places)
+    return 0.0
+
+
+def _common(values: Floats) -> float:
+    """m. What all differences are whole numbers of; 0 where there is nothing."""
     import numpy as np
 
     gaps = np.diff(np.unique(values))

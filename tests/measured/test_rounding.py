@@ -40,6 +40,18 @@ def test_readings_that_are_not_rounded_have_no_step() -> None:
     assert step_of(np.full(9, 0.3)) == 0.0
 
 
+@pytest.mark.parametrize("places", [4, 5, 6, 15])
+def test_the_way_of_an_even_cart_is_no_step_to_which_its_readings_are_rounded(places: int) -> None:
+    """As whoever tries the page types them: at rest, a push, one velocity, as many decimals."""
+    t = np.arange(70) / 30
+    exact = 1.1 + 0.5 * np.maximum(0.0, t - 1.0)
+    assert step_of(np.round(exact, places)) == pytest.approx(10.0**-places if places < 7 else 0.0)
+
+
+def test_a_cart_that_covers_one_step_in_each_reading_has_the_step_of_its_decimals() -> None:
+    assert step_of(np.round(0.3 + 0.01 * np.arange(60), 2)) == pytest.approx(0.01)
+
+
 @pytest.mark.parametrize("m", [1, 2, 3, 4])
 def test_a_cart_that_covers_a_step_in_m_readings_may_be_off_by_a_2m_th_of_it(m: int) -> None:
     exact = STEP * np.arange(120) / m + 0.3 * STEP / m
