@@ -11,7 +11,7 @@ import pytest
 from sim.measured.analysis import analysed
 from sim.measured.events.contacts import contacts
 from sim.measured.events.grid import grid_of
-from sim.measured.tracks import Measured
+from sim.measured.tracks import Measured, read_measured
 from tests.measured.makers import film, truth
 
 HIT = truth(mass=0.5, ratio=1.5, e=0.6, v=(0.43, 0.0), contact=0.05, gap=0.75, after=1.3)
@@ -43,3 +43,20 @@ def test_a_film_in_whole_centimetres_is_told_and_its_intervals_hold(seed: int) -
     assert told["e"]["low"] < HIT.e < told["e"]["high"]
     if ratio := told.get("mass_ratio"):
         assert ratio["low"] < HIT.ratio < ratio["high"]
+
+
+@pytest.mark.parametrize("frame", [0.04, 0.05, 0.1])
+@pytest.mark.parametrize("ratio", [1.0, 2.0])
+def test_ideal_numbers_that_somebody_types_hold_the_truth(ratio: float, frame: float) -> None:
+    """A cart that rests, one number again and again, and a bump of no length; e = 0.6."""
+    touch, v, common = 1.5, 0.5, 0.5 / (1.0 + ratio)
+    after = common - 0.3 * ratio / (1.0 + ratio), common + 0.3 / (1.0 + ratio)
+    lines = ["t (s);A (m);B (m)"]
+    for k in range(round(3.0 / frame)):
+        t = k * frame
+        a = 0.1 + v * min(t, touch) + after[0] * max(0.0, t - touch)
+        lines.append(f"{t:.3f};{a:.2f};{1.05 + after[1] * max(0.0, t - touch):.2f}")
+    report = analysed(read_measured(["\n".join(lines)])).report
+    known = {one["key"]: one for one in report["known"]}
+    assert known["mass_ratio"]["low"] <= ratio <= known["mass_ratio"]["high"]
+    assert known["e"]["low"] <= 0.6 <= known["e"]["high"]

@@ -27,6 +27,10 @@ STANDS = 0.02
 TIDIER = 0.5
 """Times the noise of the moving ones. Of eight readings with one noise 2 in 100 are so tidy."""
 
+TIDIEST = 1e-3
+"""Times that. One number again and again, as a device of whole steps or somebody who types writes
+it, has no noise at all: what counts still less makes the sums of all others rounding."""
+
 FEWEST = 8
 
 
@@ -43,6 +47,6 @@ def sizes_of(residuals: Both, t: Both, p: Parameters) -> Both:
     share = 1.0
     if len(still) >= FEWEST and len(moving) >= FEWEST:
         tidy, usual = (math.sqrt(float(np.mean(part**2))) for part in (still, moving))
-        share = tidy / usual if 0.0 < tidy < TIDIER * usual else 1.0
+        share = max(TIDIEST, tidy / usual) if tidy < TIDIER * usual else 1.0
     first, second = (np.where(k, share, 1.0) for k in stands)
     return first, second
