@@ -54,7 +54,7 @@ def counts_of(answers: Any, topics: Sequence[Topic] = ()) -> Counts:
     broken = sheets.filter(sheets.rows != sheets.sheet_rows).select("file", "rows", "sheet_rows")
     counting = sheets.filter(sheets.counts)
     mine = _with_sheets(answers, counting)
-    waiting = _waiting(mine)
+    waiting = _waiting(mine).cache()  # three counts ask for it
     totals = _totals(mine, waiting)
     whole = counting.left_join(totals, "sheet").drop("sheet_right")
     whole = whole.mutate(total=whole.total.fill_null(0)).cache()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from sim.measured.model.motion import Motion, pull
+from sim.measured.model.motion import Motion, State, pull
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,8 +16,11 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 
-def places(motion: Motion, cart: int, t: Floats) -> Floats:
-    """m. Places of a cart at the times t [s]."""
+def places(
+    motion: Motion, cart: int, t: Floats, states: dict[float, State] | None = None
+) -> Floats:
+    """m. Places of a cart at the times t [s]. `states`: of both carts within the contact, to be
+    handed on to the other cart, which mostly has the same times."""
     import numpy as np
 
     p = motion.parameters
@@ -31,7 +34,12 @@ def places(motion: Motion, cart: int, t: Floats) -> Floats:
     x[after] = _flown(ends[cart], speeds[cart], gone, p.friction[cart], p.tilt)
     inside = np.flatnonzero(~before & ~after)
     if inside.size:
-        x[inside] = [motion.state(float(t[k]))[0][cart] for k in inside]
+        known = {} if states is None else states
+        times = t[inside].tolist()
+        for time in times:
+            if time not in known:
+                known[time] = motion.state(time)
+        x[inside] = [known[time][0][cart] for time in times]
     return x
 
 

@@ -27,7 +27,7 @@ from sim.measured.model.contact import Law
 from sim.measured.model.covariance import covariance_of
 from sim.measured.model.curves import places
 from sim.measured.model.guess import CALM, EACH_SIDE, guesses
-from sim.measured.model.motion import Motion, Parameters
+from sim.measured.model.motion import Motion, Parameters, State
 from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, RUBS, Effect, names_of, with_values
 from sim.measured.refusal import FitError, only
@@ -168,8 +168,8 @@ def _residuals(p: Parameters, law: Law, t: Any, x: Any) -> Floats:
     """m. Measured minus model, cart after cart."""
     import numpy as np
 
-    motion = Motion(p, law)
-    return np.concatenate([x[k] - places(motion, k, t[k]) for k in range(2)])
+    motion, states = Motion(p, law), dict[float, State]()
+    return np.concatenate([x[k] - places(motion, k, t[k], states) for k in range(2)])
 
 
 def _solve(
