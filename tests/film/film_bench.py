@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.film.collision import QUICK, Filmed, filmed
 from tests.film.maker import Stage
 from tests.measured.makers import truth
-from tests.web.figures.measured_site import build_measured
+from tests.web.figures.measured_bench import benches
+
+__all__ = ["benches"]  # a fixture
 
 MADE = truth()
 STAGE = Stage(noise=3, tilt=0.02)
 STARTS = 60_000  # ms; Python with scipy on a loaded computer
 AIMS = ("A", "B", "one", "other")
-
-
-@pytest.fixture(scope="module")
-def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_measured(tmp_path_factory.mktemp("films"))
 
 
 @pytest.fixture(scope="module")

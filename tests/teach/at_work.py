@@ -16,9 +16,14 @@ WAIT = 60_000  # ms; on a busy computer
 def open_teacher(open_page: OpenPage, site: Path, name: str = LESSON, **context: Any) -> Page:
     """The page of a lesson with teacher mode opened by its link."""
     page = open_page(site / "worksheets" / f"{name}.html", folder=site, **context)
+    enter(page)
+    return page
+
+
+def enter(page: Page) -> None:
+    """Through the link of the lesson into teacher mode."""
     page.click(".carts-teach-door a")
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
-    return page
 
 
 def settled(page: Page) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, expect
 
-from tests.teach.at_work import LESSON, WAIT, open_teacher, saved, settled
+from tests.teach.at_work import LESSON, WAIT, enter, saved, settled
 from tests.web.conftest import OpenPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.one_browser]
@@ -16,22 +17,65 @@ NO_PYTHON = "window.Worker = class { constructor() { throw new Error('no worker'
 KEPT = "Draft kept in this browser."
 
 
-def with_draft(open_page: OpenPage, lessons: Path) -> tuple[Page, str]:
-    """A lesson of which a draft was kept, and its text."""
-    page = open_teacher(open_page, lessons, LESSON)
+# What teacher mode keeps, as it lies in the browser; and the same put into one that has nothing.
+TAKE = """async () => {
+  const [{ name, version }] = (await indexedDB.databases()).filter(({ name }) =>
+    name.endsWith("~teacher"));
+  const asked = indexedDB.open(name);
+  const base = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
+  const all = (request) => new Promise((done) => (request.onsuccess = () => done(request.result)));
+  const stores = [];
+  for (const kind of base.objectStoreNames) {
+    const store = base.transaction(kind).objectStore(kind);
+    if (store.keyPath !== null || store.autoIncrement) throw new Error("keys lie beside values");
+    stores.push([kind, await all(store.getAllKeys()), await all(store.getAll())]);
+  }
+  base.close();
+  return { name, version, stores };
+}"""
+PUT = """async ({ name, version, stores }) => {
+  const asked = indexedDB.open(name, version);
+  asked.onupgradeneeded = () => stores.forEach(([kind]) => asked.result.createObjectStore(kind));
+  const base = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
+  for (const [kind, keys, values] of stores) {
+    const filled = base.transaction(kind, "readwrite");
+    keys.forEach((key, k) => filled.objectStore(kind).put(values[k], key));
+    await new Promise((done) => (filled.oncomplete = done));
+  }
+  base.close();
+  history.replaceState(null, "", "#teacher"); // reloaded, the page opens in teacher mode
+}"""
+
+
+@pytest.fixture(scope="module")
+def typed(lessons: Path, browser: Browser) -> tuple[Any, str]:
+    """A draft that was typed once for all tests of this file: what is kept, and its text."""
+    page = browser.new_page()
+    page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri())
+    enter(page)
     piece = page.locator(".carts-teach-piece").filter(has_text="Text Newton's third law").first
     piece.locator("summary").click()
     area = piece.get_by_label("Text in Markdown")
     area.fill(area.input_value().replace("# Newton's third law", "# An hour of work", 1))
     settled(page)
     expect(page.locator(".carts-teach-state")).to_have_text(KEPT)
-    return page, saved(page).decode()
+    kept, text = page.evaluate(TAKE), saved(page).decode()
+    assert "# An hour of work" in text
+    page.close()
+    return kept, text
+
+
+def with_draft(open_page: OpenPage, lessons: Path, typed: tuple[Any, str]) -> tuple[Page, str]:
+    """A lesson of which a draft was kept, to be loaded again in teacher mode; the draft's text."""
+    page = open_page(lessons / "worksheets" / f"{LESSON}.html", folder=lessons)
+    page.evaluate(PUT, typed[0])
+    return page, typed[1]
 
 
 def test_without_python_a_kept_draft_is_what_is_shown_and_changed(
-    lessons: Path, open_page: OpenPage
+    lessons: Path, open_page: OpenPage, typed: tuple[Any, str]
 ) -> None:
-    page, draft = with_draft(open_page, lessons)
+    page, draft = with_draft(open_page, lessons, typed)
     page.add_init_script(NO_PYTHON)
     page.reload()
     page.wait_for_selector(".carts-teach[data-state=unchecked]", timeout=WAIT)
@@ -48,9 +92,9 @@ def test_without_python_a_kept_draft_is_what_is_shown_and_changed(
 
 
 def test_no_published_text_can_be_typed_over_while_the_draft_comes_back(
-    lessons: Path, open_page: OpenPage
+    lessons: Path, open_page: OpenPage, typed: tuple[Any, str]
 ) -> None:
-    page, draft = with_draft(open_page, lessons)
+    page, draft = with_draft(open_page, lessons, typed)
     page.add_init_script(
         """window.shown = new Set();
         setInterval(() => {
@@ -65,9 +109,9 @@ def test_no_published_text_can_be_typed_over_while_the_draft_comes_back(
 
 
 def test_a_draft_that_was_put_aside_is_no_longer_said_to_be_back(
-    lessons: Path, open_page: OpenPage
+    lessons: Path, open_page: OpenPage, typed: tuple[Any, str]
 ) -> None:
-    page, _ = with_draft(open_page, lessons)
+    page, _ = with_draft(open_page, lessons, typed)
     page.reload()
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
     expect(page.locator(".carts-teach-status")).to_contain_text("is back")

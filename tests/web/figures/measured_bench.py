@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
+from tests.conftest import made_once
 from tests.web.conftest import OpenPage
 from tests.web.figures.measured_site import build_measured
 
@@ -14,9 +15,10 @@ LIVE = "carts-measured[data-state=live]"
 STARTS = 60_000  # ms; Python with scipy on a loaded computer
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_measured(tmp_path_factory.mktemp("measured"))
+    """The same for all files of tests and all workers."""
+    return made_once(tmp_path_factory, "measured", build_measured)
 
 
 def opened(open_page: OpenPage, place: Path) -> Page:

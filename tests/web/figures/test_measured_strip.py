@@ -9,18 +9,14 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.figures.measured_bench import LIVE, STARTS
-from tests.web.figures.measured_site import build_measured
+from tests.web.figures.measured_bench import LIVE, STARTS, benches
+
+__all__ = ["benches"]  # a fixture
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
 EDGE = ".carts-measured-edge"
 TARGET = 24  # px, of a finger
-
-
-@pytest.fixture(scope="module")
-def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_measured(tmp_path_factory.mktemp("strip"))
 
 
 def contact(page: Page) -> dict[str, Any]:

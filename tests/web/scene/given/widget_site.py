@@ -19,6 +19,7 @@ from sim.pages.runtime import default_cache, pack
 from sim.pages.runtime.node import node_program
 from sim.pages.widget import render
 from sim.scene import Fence, read_fence
+from tests.conftest import made_once
 from tests.web.runtime.boot_site import ROOT, STRICT, bundle
 from tests.web.site.pages_of import DRAWN
 
@@ -153,16 +154,12 @@ def in_node(script: str, data: object) -> Any:
 LIVE = 20_000  # ms; a loaded machine in the tests, not the goal
 
 
-_built: list[Path] = []
-
-
 @pytest.fixture(scope="session")
 def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every file of tests that imports this has a copy of its own, to write into; the site itself
-    is built once by every worker."""
-    if not _built:
-        _built.append(build_site(tmp_path_factory.mktemp("widget-built") / "site"))
-    return shutil.copytree(_built[0], tmp_path_factory.mktemp("widget") / "site")
+    is built once for all workers."""
+    built = made_once(tmp_path_factory, "widgets", build_site)
+    return shutil.copytree(built, tmp_path_factory.mktemp("widget") / "site")
 
 
 def in_windows(page: Page, widths: Iterable[int], height: int) -> Iterator[int]:
