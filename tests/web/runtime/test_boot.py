@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Page
 
 from sim.pages.runtime.payload import write_payload
 from tests.web.conftest import OpenPage
@@ -17,9 +18,16 @@ pytestmark = pytest.mark.browser
 Server = Callable[[Path], str]
 
 
-def test_python_answers_from_a_double_clicked_file(open_page: OpenPage, boot_site: Path) -> None:
-    page = open_page(boot_site / "index.html")
-    result = booted(page)
+@pytest.fixture(scope="module")
+def started(open_for_all: OpenPage, boot_site: Path) -> Page:
+    """A double-clicked page in which Python has started, for the tests that only look at it."""
+    page = open_for_all(boot_site / "index.html")
+    booted(page)
+    return page
+
+
+def test_python_answers_from_a_double_clicked_file(started: Page) -> None:
+    result = booted(started)
     assert result["start"] == "snapshot"
     assert result["header"]["ok"] is True
     assert result["header"]["id"] == 7
@@ -38,27 +46,21 @@ def test_python_answers_from_a_server(
     assert result["header"]["ok"] is True
 
 
-def test_nothing_of_the_payload_stays_in_the_page(open_page: OpenPage, boot_site: Path) -> None:
-    page = open_page(boot_site / "index.html")
-    booted(page)
-    assert page.evaluate("Object.keys(window.__cartsParts)") == []
-    assert page.evaluate("document.querySelectorAll('script[src*=runtime]').length") == 0
+def test_nothing_of_the_payload_stays_in_the_page(started: Page) -> None:
+    assert started.evaluate("Object.keys(window.__cartsParts)") == []
+    assert started.evaluate("document.querySelectorAll('script[src*=runtime]').length") == 0
 
 
 @pytest.mark.one_browser
-def test_progress_only_grows(open_page: OpenPage, boot_site: Path) -> None:
-    page = open_page(boot_site / "index.html")
-    booted(page)
-    fractions = [p["fraction"] for p in page.evaluate("window.progress")]
+def test_progress_only_grows(started: Page) -> None:
+    fractions = [p["fraction"] for p in started.evaluate("window.progress")]
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1
 
 
 @pytest.mark.one_browser
-def test_answers_come_in_the_order_of_the_requests(open_page: OpenPage, boot_site: Path) -> None:
-    page = open_page(boot_site / "index.html")
-    booted(page)
-    ids = page.evaluate(
+def test_answers_come_in_the_order_of_the_requests(started: Page) -> None:
+    ids = started.evaluate(
         """Promise.all([1, 2, 3].map((id) => runtime.request({ id, kind: "run", scene: {} })
              .then(({ header }) => [header.id, header.ok])))"""
     )
