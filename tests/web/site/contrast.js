@@ -12,20 +12,23 @@
     const linear = rgb.map((v) => (v <= 10.31 ? v / 3294.6 : ((v / 255 + 0.055) / 1.055) ** 2.4));
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
   };
-  const behind = (element) => {
-    const layers = [];
-    for (let e = element; e; e = e.parentElement) {
-      const layer = parse(getComputedStyle(e).backgroundColor);
-      if (layer.alpha > 0) layers.push(layer);
-      if (layer.alpha === 1) break;
-    }
-    return layers.reduceRight((back, layer) => over(layer, back), [255, 255, 255]);
+  // Texts have most of what they lie in in common: each element is asked once, for itself and for
+  // all that lies in it.
+  const once = (find) => {
+    const found = new Map();
+    const ask = (element) => {
+      if (!found.has(element)) found.set(element, find(element, ask));
+      return found.get(element);
+    };
+    return ask;
   };
-  const opacity = (element) => {
-    let all = 1;
-    for (let e = element; e; e = e.parentElement) all *= Number(getComputedStyle(e).opacity);
-    return all;
-  };
+  const behind = once((element, ask) => {
+    const layer = element && parse(getComputedStyle(element).backgroundColor);
+    if (!layer) return [255, 255, 255];
+    return layer.alpha === 1 ? layer.rgb : over(layer, ask(element.parentElement));
+  });
+  const opacity = once((element, ask) =>
+    element ? Number(getComputedStyle(element).opacity) * ask(element.parentElement) : 1);
   const pale = [];
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (texts.nextNode()) {
