@@ -136,12 +136,15 @@ def in_node(script: str, data: object) -> Any:
         f"const source = {json.dumps(source)};\n"
         f"const view = {json.dumps((ROOT / 'sim' / 'view').as_uri())};\n"
         # what only waits (a page's patience, five seconds of it) is not waited for once all is told
-        "const [later, waiting] = [globalThis.setTimeout, []];\n"
-        "globalThis.setTimeout = (...given) => waiting[waiting.push(later(...given)) - 1];\n"
-        "const give = (value) => {\n"
-        "  process.stdout.write(JSON.stringify(value));\n"
-        "  for (const one of waiting) one.unref();\n"
-        "};\n"
+        # (all inside of `give`: a script may call its own things as it likes)
+        "const give = (() => {\n"
+        "  const [later, waiting] = [globalThis.setTimeout, []];\n"
+        "  globalThis.setTimeout = (...given) => waiting[waiting.push(later(...given)) - 1];\n"
+        "  return (value) => {\n"
+        "    process.stdout.write(JSON.stringify(value));\n"
+        "    for (const one of waiting) one.unref();\n"
+        "  };\n"
+        "})();\n"
     )
     done = subprocess.run(
         [str(node_program()), "--input-type=module", "-e", head + script],
