@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 
 Step = Literal["nothing", "friction", "tilt", "drag", "both"]
 STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag", "both")
+ROLLS = 4.0
+"""Standard deviations of what bends its line: a cart that turns round is slow and does not rest."""
+
 HUBER = 1.5
 """Robust standard deviations beyond which a reading counts less."""
 
@@ -34,6 +37,20 @@ def slopes_of(sides: Sequence[Side]) -> list[float]:
     import numpy as np
 
     return [float(np.polyfit(tau, x, 1)[0]) for tau, x in sides]
+
+
+def steps_of(sides: Sequence[Side]) -> tuple[Step, ...]:
+    """The steps that may be true: a tilt that moves one cart leaves no other at rest before the
+    contact, unless friction holds it (`both`)."""
+    import numpy as np
+
+    slopes = slopes_of(sides)
+    for slope, side in zip(slopes[:2], sides, strict=False):
+        (bend, *_), covariance = np.polyfit(*side, 2, cov=True)
+        rolls = bend**2 > ROLLS**2 * covariance[0, 0]
+        if abs(slope) < STILL * max(map(abs, slopes)) and not rolls:
+            return tuple(step for step in STEPS if step != "tilt")
+    return STEPS
 
 
 def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats:

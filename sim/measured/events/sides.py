@@ -9,8 +9,9 @@ contact, and what brakes the carts, in steps of a ladder:
     drag        − c_k v τ²/2         one c for each cart (to first order in τ)
     both        friction and a tilt, which pushes no cart that rests
 
-A step is judged by readings it has not seen (`rungs`). Least squares with Huber's loss, linear in
-all numbers (`brakes`).
+Where a cart rests before the contact no tilt alone is told (`steps_of`). A step is judged by
+readings it has not seen (`rungs`). Least squares with Huber's loss, linear in all numbers
+(`brakes`).
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from sim.measured.events.brakes import STEPS, Side, Step, design, solved
+from sim.measured.events.brakes import STEPS, Side, Step, design, solved, steps_of
 from sim.measured.events.contacts import Contact
 from sim.measured.events.rungs import (
     BETTER,
@@ -164,28 +165,26 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
 
     far, near = held_back(sides)
     predicted = {step: predictions(far, near, step) for step in STEPS}
-    errors = [(step, missed(near, predicted[step])) for step in STEPS]
+    errors = {step: missed(near, places) for step, places in predicted.items()}
+    could = steps_of(sides)
     best, chance = STEPS[0], chance_of(sides)
-    for step, error in errors:
+    for step in could:
         clearly = HALVED if step == "both" else min(BETTER, 1.0 - chance)
-        if error < clearly * dict(errors)[best]:
+        if errors[step] < clearly * errors[best]:
             best = step
-    least = dict(errors)[best]
+    within = max(AS_GOOD, 1.0 + chance) * errors[best]
     found = [solved([_nearest(side, share) for side in sides], best) for share in SHARES]
     whole, covariance, alike = found[0]
     v = np.array([one[0][1:8:2] for one in found])
     spread = v - v.mean(axis=0)
     mean = v.mean(axis=0)
-    others = [
-        step
-        for step, error in errors
-        if step != best and error < max(AS_GOOD, 1.0 + chance) * least
-    ]
+    others = [step for step in could if step != best and errors[step] < within]
     apart = np.array([solved(sides, step)[0][1:8:2] - whole[1:8:2] for step in others])
     total = covariance[1:8:2, 1:8:2] + spread.T @ spread / (len(SHARES) - 1)
     # As likely as the best; both hold friction and a tilt, and are no further chance beside these.
     likely = 0.25 / max(1, len({*others} - {"both"}))
     total += likely * apart.T @ apart if others else 0.0
+    told = {step: predicted[step] for step in could}
     if best == "nothing":
         total += _faint(sides, whole, covariance)
     total[np.diag_indices(4)] += (UNSEEN * _braked(sides, best, whole)) ** 2
@@ -194,8 +193,8 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
         covariance=tuple(tuple(map(float, row)) for row in total),
         places=tuple(map(float, whole[0:8:2])),  # type: ignore[arg-type]
         step=best,
-        held_out=tuple(errors),
-        rungs=rungs_of(predicted, near, scatter := scatter_of(sides, best), chance),
+        held_out=tuple(errors.items()),
+        rungs=rungs_of(told, near, scatter := scatter_of(sides, best), chance),
         scatter=scatter,
         alike=alike,
     )
