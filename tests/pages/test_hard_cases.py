@@ -42,6 +42,12 @@ def test_the_page_has_a_row_for_every_case_of_the_suite() -> None:
         assert read_scene(asked["scene"]) == read_scene(case.plain)
 
 
+def test_the_prose_of_the_page_writes_numbers_as_its_table_does() -> None:
+    """“31 415” in a sentence and “31415” in the row that it speaks of were two ways of writing."""
+    prose = (ROOT / "docs/accuracy/hard-cases.md").read_text(encoding="utf-8")
+    assert re.findall(r"\d[ \u00a0\u202f]\d{3}\b", prose + MADE) == []
+
+
 def test_a_cart_that_comes_to_rest_within_a_rounding_is_right() -> None:
     """RK4 was wrong by 5e-16 m/s: nothing moves at the start, and 1 % was taken of nought."""
     tried = KNOWN["rest-on-a-soft-wall"]["stepped"]
