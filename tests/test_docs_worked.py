@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -17,7 +18,8 @@ from sim.lesson import read as lesson_read
 from sim.lesson.key_file import item_key
 from sim.pages.runtime.node import node_program
 
-DEVELOPERS = Path(__file__).parents[1] / "docs" / "developers"
+ROOT = Path(__file__).parents[1]
+DEVELOPERS = ROOT / "docs" / "developers"
 
 
 def code(page: str, language: str) -> list[str]:
@@ -56,3 +58,26 @@ def test_the_added_question_type_marks_alike_in_both_languages(
                 [str(node_program()), str(file)], capture_output=True, text=True, check=True
             )
             assert json.loads(done.stdout) == case["mark"]
+
+
+def test_the_rule_of_the_added_question_type_passes_the_type_checker_among_ours(
+    tmp_path: Path,
+) -> None:
+    """Copied as it stood, it had five errors of types: `make lint` refused it."""
+    for folder in ("sim/web/src", "sim/view"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    file = tmp_path / "sim/web/src/question/marking/mark.js"
+    (rule,) = code("add-a-question-type.md", "js")
+    ours = file.read_text(encoding="utf-8")
+    assert "const RULES = {" in ours
+    file.write_text(ours.replace("const RULES = {", "const RULES = {\n  claim,") + rule, "utf-8")
+    settings = {"extends": str(ROOT / "sim/web/tsconfig.json"), "include": [str(file)]}
+    (tmp_path / "tsconfig.json").write_text(json.dumps(settings), encoding="utf-8")
+    checker = ROOT / "node_modules/typescript/bin/tsc"
+    done = subprocess.run(
+        [str(node_program()), str(checker), "-p", str(tmp_path)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout
