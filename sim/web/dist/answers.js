@@ -2924,7 +2924,8 @@
   // src/question/marking/typed-number.js
   var LONGEST3 = 40;
   var NUMBER2 = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
-  var BARE = /^[\s+\-−–\d.,eE]*$/;
+  var BARE = /^[\s+\-−–±\d.,eE]*$/;
+  var INTERVAL = /^\(?(.+?)\s*(?:±|\+\/?-)\s*[\d.,]+\)?/;
   function withUnit(typed, unit) {
     const text = typed.trim();
     return text && unit && BARE.test(tidy(text)) ? `${text} ${unit}` : text;
@@ -2933,7 +2934,7 @@
     return unit && said.endsWith(` ${unit}`) ? said.slice(0, -unit.length - 1) : said;
   }
   function readNumber(typed, units) {
-    const text = withExponent(tidy(typed));
+    const text = withExponent(tidy(typed)).replace(INTERVAL, "$1");
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);

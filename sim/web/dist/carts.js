@@ -1221,7 +1221,7 @@
           });
           if (!done) return;
           this.#measuring = 0;
-          const left = [...refused].map(([method, reason]) => ` ${method} cannot run it: ${reason}.`);
+          const left = [...refused].map(([method, reason]) => ` ${method}: ${reason}.`);
           const just = "Measured just now, by Python in this browser.";
           say(need(this, ".carts-cost-say"), just + left.join(""));
         } catch (error) {

@@ -664,8 +664,9 @@
   // src/question/marking/typed-number.js
   var LONGEST2 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var INTERVAL = /^\(?(.+?)\s*(?:±|\+\/?-)\s*[\d.,]+\)?/;
   function readNumber(typed, units) {
-    const text = withExponent(tidy(typed));
+    const text = withExponent(tidy(typed)).replace(INTERVAL, "$1");
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
     const grouped2 = twoReadings(text);

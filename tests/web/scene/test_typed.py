@@ -167,19 +167,19 @@ def test_a_value_refused_while_python_starts_does_not_end_the_scene() -> None:
 
 def test_a_sign_that_stands_apart_and_wide_figures_are_read_alike_everywhere() -> None:
     typed = ["- 0.5", "－０．５", "- 1,000", "１，０００", "− 3", "- -3"]
-    scene, question, words = in_node(
+    scene, question, *words = in_node(
         """const { readTyped } = await import(source + "/shared/typed.js");
         const { readNumber, withUnit } = await import(
           source + "/question/marking/typed-number.js");
         give([data.map(readTyped), data.map((one) => readNumber(one, { kg: 1 })),
-          withUnit("－５", "kg")]);""",
+          withUnit("－５", "kg"), withUnit("0.03 ± 0.01", "N")]);""",
         typed,
     )
     assert [one.get("value") for one in scene] == [-0.5, -0.5, None, None, -3, None]
     assert [one.get("value") for one in question] == [one.get("value") for one in scene]
     assert scene[2]["problem"].startswith("-1,000 can mean -1 or -1000")
     assert scene[3]["problem"].startswith("1,000 can mean 1 or 1000")
-    assert words == "－５ kg"
+    assert words == ["－５ kg", "0.03 ± 0.01 N"]
 
 
 def test_what_is_no_unit_of_the_question_is_answered_with_what_to_type() -> None:

@@ -7,7 +7,10 @@ import { sameUnit, withExponent } from "./notation.js";
 const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
 
-const BARE = /^[\s+\-−–\d.,eE]*$/; // a number without a unit
+const BARE = /^[\s+\-−–±\d.,eE]*$/; // a number without a unit, or a value with its interval
+
+// the interval of “0.741 ± 0.017 m/s”, as a table of results has it: the value is what is asked for
+const INTERVAL = /^\(?(.+?)\s*(?:±|\+\/?-)\s*[\d.,]+\)?/;
 
 /** What was typed, in words: a bare number with the question's unit. @param {string} typed @param {string} unit */
 export function withUnit(typed, unit) {
@@ -25,7 +28,7 @@ export function withoutUnit(said, unit) {
  * @returns {{value: number} | {problem: string}}
  */
 export function readNumber(typed, units) {
-  const text = withExponent(tidy(typed));
+  const text = withExponent(tidy(typed)).replace(INTERVAL, "$1");
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   const grouped = twoReadings(text);
