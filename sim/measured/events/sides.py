@@ -178,7 +178,8 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     v = np.array([one[0][1:8:2] for one in found])
     spread = v - v.mean(axis=0)
     mean = v.mean(axis=0)
-    others = [step for step in could if step != best and errors[step] < within]
+    # What brakes in a way that no step has may look like a tilt, also where none can be.
+    others = [step for step in STEPS if step != best and errors[step] < within]
     apart = np.array([solved(sides, step)[0][1:8:2] - whole[1:8:2] for step in others])
     total = covariance[1:8:2, 1:8:2] + spread.T @ spread / (len(SHARES) - 1)
     # As likely as the best; both hold friction and a tilt, and are no further chance beside these.
