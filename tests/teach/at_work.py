@@ -44,4 +44,5 @@ BYTES = """async () => [...new Uint8Array(await window.files.pop().arrayBuffer()
 def saved(page: Page, button: str = ".carts-teach-save") -> bytes:
     page.evaluate(CATCH)
     page.click(button)
+    page.wait_for_function("() => window.files.length")  # a page that still works makes it later
     return bytes(page.evaluate(BYTES))
