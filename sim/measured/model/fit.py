@@ -57,8 +57,7 @@ STILL = 4.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asked:
-    """How to fit. `distance`: m, from mark to mark when the bumpers just touch, if it is known;
-    `lasts`: the length of the contact is that of the start."""
+    """How to fit. `distance`: m, of the marks at the touch, if known; `lasts`: as the start."""
 
     law: Law = "bumper"
     effect: Effect = "none"
@@ -154,8 +153,7 @@ def _with_rest(p: Parameters, t: Any, x: Any) -> Parameters:
         if int(np.sum(before)) < EACH_SIDE:
             rests.append(False)
             continue
-        times, places_ = t[k][before], x[k][before]
-        tau = times - times.mean()
+        tau, places_ = t[k][before] - t[k][before].mean(), x[k][before]
         slope = float(tau @ places_ / (tau @ tau))
         left = places_ - places_.mean() - slope * tau
         sd = math.sqrt(float(left @ left) / max(1, len(left) - 2) / float(tau @ tau))
