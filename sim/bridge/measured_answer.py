@@ -38,7 +38,7 @@ from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.story_report import segment_rows
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
-from sim.measured.units import LETTERS, Units
+from sim.measured.units import Units
 from sim.measured.zipped import texts_of
 
 SHORTEST = 1e-4
@@ -83,15 +83,7 @@ def _law(request: Mapping[str, Any]) -> Law:
 def _read(request: Mapping[str, Any]) -> dict[str, Any]:
     """What stands in the text; for forces the comparison too, for carts a model to start with."""
     measured = _measured(request)
-    answer: dict[str, Any] = {
-        "kind": measured.kind,
-        "names": list(measured.names),
-        "read": list(measured.notes),
-        "assumed": [kind for kind in LETTERS if kind in measured.assumed],
-        "run": measured.run,
-        "runs": list(measured.runs),
-        "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
-    }
+    answer = measured.plain() | {"run": measured.run, "runs": list(measured.runs)}
     if measured.kind != "length":
         pair = third_law(measured)
         return answer | {

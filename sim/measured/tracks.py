@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from sim.measured.readers import read_text
 from sim.measured.refusal import ReadingError, of_readings, refuse, shown
 from sim.measured.track import FEWEST, Content, Reading, Track
-from sim.measured.units import Kind, Units
+from sim.measured.units import LETTERS, Kind, Units
 
 LARGEST = 1e9
 """In SI. Nothing that a class measures is larger."""
@@ -46,6 +47,16 @@ class Measured:
     def names(self) -> tuple[str, str]:
         """Of both."""
         return self.tracks[0].name, self.tracks[1].name
+
+    def plain(self) -> dict[str, Any]:
+        """What was read, as plain values: for a page that is built, and for one that is live."""
+        return {
+            "kind": self.kind,
+            "names": list(self.names),
+            "read": list(self.notes),
+            "assumed": [kind for kind in LETTERS if kind in self.assumed],
+            "tracks": [{"t": list(one.t), "value": list(one.value)} for one in self.tracks],
+        }
 
 
 def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:

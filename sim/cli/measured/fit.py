@@ -188,7 +188,8 @@ def _read(
 def _write(
     ctx: click.Context, found: Analysis | None, scene_file: Path | None, tracker_file: Path | None
 ) -> None:
-    """The files of a bounce that are asked for."""
+    """Writes the files of a bounce that are asked for; where there was none, what only it has is
+    warned of or refused."""
     made, refused = (found.fit, found.refused) if found else (None, None)
     if found and not made and not refused:
         warn_of_model(ctx)

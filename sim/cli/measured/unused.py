@@ -6,7 +6,7 @@ import click
 
 from sim.cli.typed_options import typed
 from sim.measured.track import Content
-from sim.measured.tracks import Measured
+from sim.measured.tracks import HELD, Measured
 
 OF_POSITIONS = {
     "law": "--law", "friction": "--friction", "tilt": "--tilt", "contact": "--contact",
@@ -15,9 +15,6 @@ OF_POSITIONS = {
 }  # fmt: skip
 OF_UNITS = ("time", "length", "force")
 OF_MODEL = ("law", "friction", "tilt")
-_HOLDS: dict[Content, str] = {
-    "length": "positions", "force": "forces", "acceleration": "accelerations"
-}  # fmt: skip
 
 
 def only_of_positions(ctx: click.Context, kind: Content) -> None:
@@ -25,7 +22,7 @@ def only_of_positions(ctx: click.Context, kind: Content) -> None:
     wrong = typed(ctx, OF_POSITIONS)
     if wrong and kind != "length":
         options = ", ".join(OF_POSITIONS[name] for name in wrong)
-        raise click.UsageError(f"{options}: for positions only; these files hold {_HOLDS[kind]}.")
+        raise click.UsageError(f"{options}: for positions only; these files hold {HELD[kind]}.")
 
 
 def warn_of_units(ctx: click.Context, measured: Measured) -> None:
@@ -34,9 +31,7 @@ def warn_of_units(ctx: click.Context, measured: Measured) -> None:
         if name in measured.assumed:
             continue
         absent = name not in ("time", measured.kind)
-        why = (
-            f"the files hold {_HOLDS[measured.kind]}" if absent else "the files name their own unit"
-        )
+        why = f"the files hold {HELD[measured.kind]}" if absent else "the files name their own unit"
         _warn(f"--{name} {ctx.params[name]}", why)
 
 

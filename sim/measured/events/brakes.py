@@ -46,9 +46,10 @@ def steps_of(sides: Sequence[Side]) -> tuple[Step, ...]:
 
     slopes = slopes_of(sides)
     for slope, side in zip(slopes[:2], sides, strict=False):
+        if abs(slope) >= STILL * max(map(abs, slopes)):
+            continue
         (bend, *_), covariance = np.polyfit(*side, 2, cov=True)
-        rolls = bend**2 > ROLLS**2 * covariance[0, 0]
-        if abs(slope) < STILL * max(map(abs, slopes)) and not rolls:
+        if not bend**2 > ROLLS**2 * covariance[0, 0]:
             return tuple(step for step in STEPS if step != "tilt")
     return STEPS
 

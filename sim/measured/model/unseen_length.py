@@ -48,6 +48,8 @@ def of_any_length(rows: list[Compared], measured: Measured) -> list[Compared]:
 
 def _spread(made: Fit, measured: Measured) -> Fit:
     """One fit, whose length the readings do not tell, over the lengths that they allow."""
+    import numpy as np
+
     frame = frame_of(measured)
     bumped = 0.0 < made.duration <= LENGTHS[-1] * frame and made.squares > 0.0
     if made.sd("ln_w0") <= WIDEST or not bumped:
@@ -56,16 +58,14 @@ def _spread(made: Fit, measured: Measured) -> Fit:
     if not tried:
         return made
     total = sum(weight for weight, _ in tried)
-    wide = [[0.0] * len(made.unknowns) for _ in made.unknowns]
+    values, wide = np.array(made.values), np.zeros((len(made.unknowns),) * 2)
     for weight, one in tried:
-        for i, name in enumerate(one.unknowns):
-            for k, other in enumerate(one.unknowns):
-                row, column = made.unknowns.index(name), made.unknowns.index(other)
-                apart = (one.values[i] - made.values[row]) * (one.values[k] - made.values[column])
-                wide[row][column] += weight / total * (one.covariance[i][k] + apart)
-    known = made.unknowns.index("ln_w0")
-    wide[known][known] = math.inf
-    return replace(made, covariance=tuple(tuple(row) for row in wide))
+        at = [made.unknowns.index(name) for name in one.unknowns]
+        apart = np.array(one.values) - values[at]
+        wide[np.ix_(at, at)] += weight / total * (one.covariance + np.outer(apart, apart))
+    length = made.unknowns.index("ln_w0")
+    wide[length, length] = math.inf
+    return replace(made, covariance=tuple(tuple(map(float, row)) for row in wide))
 
 
 def _by_length(made: Fit, measured: Measured, frame: float) -> list[tuple[float, Fit]]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sim.measured.units import LETTERS, OFFERED
+from sim.measured.units import OFFERED
 from sim.pages.measured.block import MeasuredBlock
 from sim.pages.templates import element
 
@@ -44,11 +44,4 @@ def _read(block: MeasuredBlock) -> dict[str, Any] | None:
     measured = block.measured
     if measured is None:
         return None
-    return {
-        "kind": measured.kind,
-        "names": list(measured.names),
-        "read": list(measured.notes),
-        "assumed": [kind for kind in LETTERS if kind in measured.assumed],
-        "chosen": _units(block),
-        "tracks": [{"t": list(t.t), "value": list(t.value)} for t in measured.tracks],
-    }
+    return measured.plain() | {"chosen": _units(block)}

@@ -38,9 +38,7 @@ IMPORTS = {
 
 def tool_works() -> bool:
     """Whether `pyodide lockfile add-wheels` is there and can read our wheels."""
-    return sys.version_info >= (3, 12) and all(
-        map(find_spec, ("pyodide_cli", "pyodide_lock", "pkginfo"))
-    )
+    return sys.version_info >= (3, 12) and all(find_spec(t.replace("-", "_")) for t in TOOLS)
 
 
 def make_lock(release: Path, wheels: Mapping[str, Path], cache: Cache) -> Lock:

@@ -8,9 +8,13 @@ const CHOOSE = {
   force: "what forces are in",
 };
 
-/** What readings of each kind are, and their unit. @type {Record<Read["kind"], [string, string]>} */
-const QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
-const LETTERS = { time: "t", length: "x", force: "F" };
+/** What readings of each kind are, and their unit. @type {Record<Read["kind"] | "time", [string, string]>} */
+const QUANTITY = {
+  time: ["t", "s"],
+  length: ["x", "m"],
+  force: ["F", "N"],
+  acceleration: ["a", "m/s²"],
+};
 
 /** @param {Read} read */
 const open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
@@ -24,7 +28,7 @@ export function missing(read) {
 /** How it was read. @param {Read} read @returns {string[]} */
 export const told = ({ assumed, chosen, read }) => [
   ...assumed.flatMap((kind) =>
-    chosen?.[kind] ? `${LETTERS[kind]} in ${chosen[kind]} (as chosen)` : [],
+    chosen?.[kind] ? `${QUANTITY[kind][0]} in ${chosen[kind]} (as chosen)` : [],
   ),
   ...read,
 ];
@@ -35,12 +39,14 @@ export const told = ({ assumed, chosen, read }) => [
  * @returns {{time: string, value: string, tracks: string[]}}
  */
 export function heads(read) {
-  const [letter, unit] = QUANTITY[read.kind];
   const left = open(read);
-  const its = left.some((kind) => kind === read.kind) ? "" : ` in ${unit}`;
+  const named = (/** @type {Read["kind"] | "time"} */ kind, of = "") => {
+    const [letter, unit] = QUANTITY[kind];
+    return `${letter}${of}${left.some((one) => one === kind) ? "" : ` in ${unit}`}`;
+  };
   return {
-    time: left.includes("time") ? "t" : "t in s",
-    value: `${letter}${its}`,
-    tracks: read.names.map((name) => `${letter} of ${name}${its}`),
+    time: named("time"),
+    value: named(read.kind),
+    tracks: read.names.map((name) => named(read.kind, ` of ${name}`)),
   };
 }

@@ -6,8 +6,12 @@
     length: "what lengths are in",
     force: "what forces are in"
   };
-  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
-  var LETTERS = { time: "t", length: "x", force: "F" };
+  var QUANTITY = {
+    time: ["t", "s"],
+    length: ["x", "m"],
+    force: ["F", "N"],
+    acceleration: ["a", "m/s²"]
+  };
   var open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
   function missing(read) {
     const left = open(read).map((kind) => CHOOSE[kind]);
@@ -15,18 +19,20 @@
   }
   var told = ({ assumed, chosen, read }) => [
     ...assumed.flatMap(
-      (kind) => chosen?.[kind] ? `${LETTERS[kind]} in ${chosen[kind]} (as chosen)` : []
+      (kind) => chosen?.[kind] ? `${QUANTITY[kind][0]} in ${chosen[kind]} (as chosen)` : []
     ),
     ...read
   ];
   function heads(read) {
-    const [letter, unit] = QUANTITY[read.kind];
     const left = open(read);
-    const its = left.some((kind) => kind === read.kind) ? "" : ` in ${unit}`;
+    const named = (kind, of = "") => {
+      const [letter, unit] = QUANTITY[kind];
+      return `${letter}${of}${left.some((one) => one === kind) ? "" : ` in ${unit}`}`;
+    };
     return {
-      time: left.includes("time") ? "t" : "t in s",
-      value: `${letter}${its}`,
-      tracks: read.names.map((name) => `${letter} of ${name}${its}`)
+      time: named("time"),
+      value: named(read.kind),
+      tracks: read.names.map((name) => named(read.kind, ` of ${name}`))
     };
   }
 

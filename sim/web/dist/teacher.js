@@ -1714,23 +1714,29 @@ ${second && across2}
   }
 
   // ../view/measured/units.js
-  var QUANTITY = { length: ["x", "m"], force: ["F", "N"], acceleration: ["a", "m/s²"] };
-  var LETTERS = { time: "t", length: "x", force: "F" };
+  var QUANTITY = {
+    time: ["t", "s"],
+    length: ["x", "m"],
+    force: ["F", "N"],
+    acceleration: ["a", "m/s²"]
+  };
   var open2 = ({ assumed, chosen }) => assumed.filter((kind2) => !chosen?.[kind2]);
   var told3 = ({ assumed, chosen, read }) => [
     ...assumed.flatMap(
-      (kind2) => chosen?.[kind2] ? `${LETTERS[kind2]} in ${chosen[kind2]} (as chosen)` : []
+      (kind2) => chosen?.[kind2] ? `${QUANTITY[kind2][0]} in ${chosen[kind2]} (as chosen)` : []
     ),
     ...read
   ];
   function heads(read) {
-    const [letter, unit] = QUANTITY[read.kind];
     const left = open2(read);
-    const its = left.some((kind2) => kind2 === read.kind) ? "" : ` in ${unit}`;
+    const named3 = (kind2, of = "") => {
+      const [letter, unit] = QUANTITY[kind2];
+      return `${letter}${of}${left.some((one) => one === kind2) ? "" : ` in ${unit}`}`;
+    };
     return {
-      time: left.includes("time") ? "t" : "t in s",
-      value: `${letter}${its}`,
-      tracks: read.names.map((name) => `${letter} of ${name}${its}`)
+      time: named3("time"),
+      value: named3(read.kind),
+      tracks: read.names.map((name) => named3(read.kind, ` of ${name}`))
     };
   }
 
