@@ -18,9 +18,9 @@ from tests.measured.makers import film, truth
 BRAKED: tuple[dict[str, Any], ...] = ({"friction": {"coefficient": 0.008}},)
 
 
-def hard(seed: int) -> Measured:
+def hard(seed: int, v: tuple[float, float] = (0.8, 0.0)) -> Measured:
     """Hard bumpers at 30 frames a second on a track that brakes: no frame lies in the contact."""
-    return film(truth(contact=0.02, effects=BRAKED), 30, 1.5e-3, seed)
+    return film(truth(contact=0.02, effects=BRAKED, v=v), 30, 1.5e-3, seed)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -48,3 +48,11 @@ def test_the_length_itself_stays_untold() -> None:
     for row, after in zip(rows, of_any_length(rows, measured), strict=True):
         if after.fit is not row.fit:
             assert math.isinf(after.fit.sd("ln_w0"))
+
+
+@pytest.mark.parametrize("seed", [1, 11, 15])
+def test_a_cart_that_creeps_or_stands_as_the_length_has_it_is_still_read(seed: int) -> None:
+    measured = hard(seed, (0.4, 0.03))
+    rows = compare(measured, fit(measured))
+    after = of_any_length(rows, measured)
+    assert [row.fit.values for row in after] == [row.fit.values for row in rows]

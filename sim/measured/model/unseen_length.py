@@ -82,6 +82,8 @@ def _by_length(made: Fit, measured: Measured, frame: float) -> list[tuple[float,
             one = fit(measured, replace(made.asked, lasts=True), at)
         except FitError:
             continue
+        if not set(one.unknowns) <= set(made.unknowns):
+            continue  # beside another length a cart that stood moves: another model
         weight = math.exp(min(half * math.log(made.squares / one.squares), 50.0))
         found.append((weight, one))
         if weight < AS_MUCH * max(other for other, _ in found):
