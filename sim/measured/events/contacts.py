@@ -35,6 +35,9 @@ LOUDER, FADED = 5.0, 4.0
 alone is louder than the second in one cell of thirty; at half of it, in every second one, and such
 a contact goes on for seconds."""
 
+DROWNED = 0.2
+"""Of the peak: a louder quartile of one side is the contact itself, in a film that ends with it."""
+
 DIP = 0.05
 """s. A trace that comes back so soon belongs to the same contact."""
 
@@ -115,13 +118,15 @@ def _one_each(spans: list[tuple[int, int]], ahead: int) -> list[tuple[int, int]]
 
 def _edges(trace: Floats, peak: int, ahead: int, level: float) -> tuple[int, int]:
     """Where the trace has faded: the next cell is below, and so is the mean of the next few. A dip
-    (a sign that turns) is no end, nor does one loud cell of noise go on with it."""
+    (a sign that turns) is no end, nor does one loud cell of noise go on with it. Noise may be
+    louder after the push than before, where a cart stood still: each side fades into its own."""
     import numpy as np
 
     ends = []
     for side in (trace[peak::-1], trace[peak:]):
+        own = min(FADED * float(np.percentile(side, 25)), DROWNED * float(trace[peak]))
         means = np.convolve(side[1:], np.ones(ahead) / ahead)[ahead - 1 :]
-        over = (side[1:] > level) | (means > level)
+        over = (side[1:] > max(level, own)) | (means > max(level, own))
         far = int(np.argmin(over)) if not over.all() else len(side) - 1
         ends.append(far)
     return peak - ends[0], peak + ends[1]
