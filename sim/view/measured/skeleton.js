@@ -61,7 +61,8 @@ function source({ name, units, offered, read }) {
       (unit) =>
         html`<option value=${unit}${units?.[kind] === unit && html` selected`}>${unit}</option>`,
     );
-    return html`${k > 0 && " "}<label>${text} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
+    const said = read && !read.assumed.some((one) => one === kind) && html` hidden`;
+    return html`${k > 0 && " "}<label${said}>${text} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
   });
   const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
   return html`<div class="carts-measured-source">

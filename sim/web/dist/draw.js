@@ -11274,7 +11274,8 @@ ${table3(facts)}
       const options = offered[kind2].map(
         (unit) => html`<option value=${unit}${units?.[kind2] === unit && html` selected`}>${unit}</option>`
       );
-      return html`${k > 0 && " "}<label>${text3} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
+      const said = read && !read.assumed.some((one) => one === kind2) && html` hidden`;
+      return html`${k > 0 && " "}<label${said}>${text3} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
     });
     const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
     return html`<div class="carts-measured-source">

@@ -1689,7 +1689,11 @@
         html("span", "carts-quiet", "if you have a balance")
       );
     }
-    offer({ runs = [], run = "" }) {
+    offer({ assumed, runs = [], run = "" }) {
+      for (const select of this.units) {
+        const open3 = assumed.some((kind) => kind === select.dataset.kind);
+        select.closest("label")?.toggleAttribute("hidden", !open3);
+      }
       this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
       if (this.run.options.length === runs.length) return;
       this.run.replaceChildren(...runs.map((name) => new Option(name)));

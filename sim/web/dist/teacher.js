@@ -1809,7 +1809,8 @@ ${table2(facts)}
       const options = offered[kind2].map(
         (unit) => html2`<option value=${unit}${units?.[kind2] === unit && html2` selected`}>${unit}</option>`
       );
-      return html2`${k > 0 && " "}<label>${text2} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
+      const said = read && !read.assumed.some((one) => one === kind2) && html2` hidden`;
+      return html2`${k > 0 && " "}<label${said}>${text2} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
     });
     const own = html2`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
     return html2`<div class="carts-measured-source">

@@ -64,8 +64,12 @@ export class Settings {
     );
   }
 
-  /** The runs of a log, and that which was read: the first may have been stopped at once. @param {Read} read */
-  offer({ runs = [], run = "" }) {
+  /** What these readings leave open: units that no file names, and the run of a log that was read (the first may have been stopped at once). @param {Read} read */
+  offer({ assumed, runs = [], run = "" }) {
+    for (const select of this.units) {
+      const open = assumed.some((kind) => kind === select.dataset.kind);
+      select.closest("label")?.toggleAttribute("hidden", !open);
+    }
     this.run.closest("label")?.toggleAttribute("hidden", runs.length < 2);
     if (this.run.options.length === runs.length) return;
     this.run.replaceChildren(...runs.map((name) => new Option(name)));
