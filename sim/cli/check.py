@@ -109,7 +109,7 @@ def report(found: list[Finding]) -> None:
     for finding in found:
         click.echo(str(finding))
     if any(finding.code == "relevance" for finding in found):
-        click.echo("Of hints about effects, carts plan --relevance SCENE.yml tells more.")
+        click.echo("Of hints about effects, carts plan --relevance LESSON.md#ID tells more.")
     wrong = [finding for finding in found if finding.severity != "hint"]
     if wrong:
         click.echo(f"{len(wrong)} finding{'s' if len(wrong) > 1 else ''}")

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @click.command("plan")
-@click.argument("scene", metavar="SCENE.yml")
+@click.argument("scene", metavar="SCENE")
 @click.option("--json", "as_json", is_flag=True, help="Print a JSON list.")
 @click.option(
     "--relevance",
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 def command(scene: str, as_json: bool, relevance: bool) -> None:
     """Say how a scene would be solved, phase by phase, and why.
 
-    SCENE.yml is a scene file; - reads standard input.
+    SCENE is a scene file, or LESSON.md#ID, a scene of a lesson; - reads standard input.
 
     \b
     carts plan my-scene.yml
     carts plan --json my-scene.yml
-    carts plan --relevance my-scene.yml
+    carts plan --relevance worksheets/newtons-third-law.md#third-heavy-into-light
     """
     description = scene_file.read(scene)
     if description.written:

@@ -25,7 +25,7 @@ METHODS = ("exact", *NAMES)
 
 
 @click.command("run")
-@click.argument("scene", metavar="SCENE.yml")
+@click.argument("scene", metavar="SCENE")
 @click.option(
     "--method",
     type=click.Choice(METHODS),
@@ -80,12 +80,13 @@ def command(
 ) -> None:
     """Run a scene and say what happened.
 
-    SCENE.yml is a scene file; - reads standard input.
+    SCENE is a scene file, or LESSON.md#ID, a scene of a lesson; - reads standard input.
 
     \b
     carts run my-scene.yml
     carts run my-scene.yml --method rk4 --step 0.01
     carts run my-scene.yml --json
+    carts run worksheets/newtons-third-law.md#third-heavy-into-light
     carts run my-scene.yml --certify
     carts run my-scene.yml --world bigger-pushes-more
     """

@@ -1,7 +1,8 @@
-"""Reading the scene that a command was given: a file, or `-` for standard input."""
+"""Reading the scene that a command was given: a file, one of a lesson, or - for standard input."""
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import NoReturn
 import click
 
 from sim.cli.named_file import bytes_of
+from sim.cli.scene_of_lesson import scene_in
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import read_scene_text
 from sim.pages.findings import AuthorError, Finding
@@ -18,6 +20,9 @@ from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml.source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
 from sim.scene.fence.presentation import Fence
+
+OF_LESSON = re.compile(r"(?P<lesson>.+\.md)(?:#(?P<id>.*))?")
+"""A lesson, and after # which of its scenes."""
 
 MOST_BYTES = 4 * MAX_CHARACTERS
 """Never read more: a path may lead to a film, or to a device without an end."""
@@ -34,9 +39,13 @@ def read(name: str, laws: Mapping[str, str] | None = None) -> Scene:
 
 def read_shown(name: str, laws: Mapping[str, str] | None = None) -> Fence:
     """The scene with those keys; problems as above."""
-    shown = shown_name(name)
+    shown, of_lesson = shown_name(name), OF_LESSON.fullmatch(name)
     folder = Path.cwd() if name == "-" else Path(name).parent
     try:
+        if of_lesson:
+            lesson = of_lesson["lesson"]
+            bytes_of(lesson, 0, "a scene file")  # is there, or says so
+            return scene_in(Path(lesson), of_lesson["id"], Path.cwd(), f"{lesson}#").fence
         plain, places = read_scene_text(without_fence(text_of(name)), shown)
         return read_fence(with_law_files(plain, [folder], laws), named=False)
     except AuthorError as error:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sim.cli.single import _scene
+from sim.cli.scene_of_lesson import scene_in
 
 SCENE = "carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}\n"
 LESSON = f"```scene\nid: one\n{SCENE}%s```\n"
@@ -27,7 +27,7 @@ def test_a_scene_of_a_lesson_is_watched_before_it_is_known(
     path = tmp_path / name
     path.parent.mkdir(parents=True)
     path.write_text(LESSON % more, encoding="utf-8")
-    assert _scene(path, None, tmp_path).fence.watch == watch
+    assert scene_in(path, None, tmp_path, "").fence.watch == watch
 
 
 def test_a_folder_above_the_site_says_nothing_of_its_pages(tmp_path: Path) -> None:
@@ -37,8 +37,10 @@ def test_a_folder_above_the_site_says_nothing_of_its_pages(tmp_path: Path) -> No
         (site / place).mkdir(parents=True)
         (site / place / "a.md").write_text(LESSON % "", encoding="utf-8")
     (site / "mkdocs.yml").touch()
-    assert _scene(site / "docs" / "a.md", None, tmp_path).fence.watch == ""
-    assert _scene(site / "worksheets" / "a.md", None, tmp_path / "else").fence.watch == "first"
+    assert scene_in(site / "docs" / "a.md", None, tmp_path, "").fence.watch == ""
+    assert (
+        scene_in(site / "worksheets" / "a.md", None, tmp_path / "else", "").fence.watch == "first"
+    )
 
 
 @pytest.mark.parametrize("name", ["one.yml", "crash #2.yml", "[a].yml", "a: b.yml"])
@@ -46,4 +48,4 @@ def test_a_scene_file_is_shown_at_once(tmp_path: Path, name: str) -> None:
     path = tmp_path / "worksheets" / "scenes" / name
     path.parent.mkdir(parents=True)
     path.write_text(SCENE, encoding="utf-8")
-    assert _scene(path, None, tmp_path).fence.watch == ""
+    assert scene_in(path, None, tmp_path, "").fence.watch == ""

@@ -1746,12 +1746,15 @@
     const id = element.dataset.after;
     if (!id || element.dataset.opened !== void 0) return;
     const open2 = () => element.dataset.opened = "";
-    const scene = document.getElementById(id);
     const seen = element.dataset.found === void 0 ? "watched" : "found";
-    const shown = () => !scene || [seen, "reason"].some((name) => name in scene.dataset);
-    if (answered || shown()) return open2();
+    const look = () => {
+      const scene = document.getElementById(id);
+      if (!scene || [seen, "reason"].some((name) => name in scene.dataset)) open2();
+    };
+    if (answered) return open2();
+    queueMicrotask(() => signal.aborted || look());
     for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
-      document.addEventListener(kind, () => shown() && open2(), { signal });
+      document.addEventListener(kind, look, { signal });
     }
     document.addEventListener(OPEN_ALL, open2, { signal });
   }

@@ -30,6 +30,16 @@ TEXT = """() => {
     return [document.body.innerText, ...attributes].join("\\n");
 }"""
 
+PLACED_FIRST = """() => {
+    const after = document.querySelector("carts-after");
+    const scene = document.getElementById(after.dataset.after);
+    const place = document.createComment("");
+    scene.replaceWith(place);
+    place.before(after);
+    place.replaceWith(scene);
+}"""
+"""The page made anew, as teacher mode does it: what waits is put there before its scene."""
+
 
 def found(page: Page) -> list[str]:
     """The results that can be read, heard or printed now."""
@@ -81,6 +91,8 @@ def test_text_below_a_prediction_waits_for_its_run(site: Path, open_page: OpenPa
     page.emulate_media(media="print")
     expect(text).to_be_hidden()
     page.emulate_media(media="screen")
+    page.evaluate(PLACED_FIRST)
+    expect(text).to_be_hidden()
     scene = page.locator("#momentum-bounce")
     expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
     scene.evaluate("scene => scene.reveal()")

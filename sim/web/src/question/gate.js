@@ -11,12 +11,16 @@ export function wait(element, answered, signal) {
   const id = element.dataset.after;
   if (!id || element.dataset.opened !== undefined) return;
   const open = () => (element.dataset.opened = "");
-  const scene = document.getElementById(id);
   const seen = element.dataset.found === undefined ? "watched" : "found";
-  const shown = () => !scene || [seen, "reason"].some((name) => name in scene.dataset);
-  if (answered || shown()) return open();
+  const look = () => {
+    const scene = document.getElementById(id);
+    if (!scene || [seen, "reason"].some((name) => name in scene.dataset)) open();
+  };
+  if (answered) return open();
+  // A page that is made anew may put this in its place before its scene.
+  queueMicrotask(() => signal.aborted || look());
   for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
-    document.addEventListener(kind, () => shown() && open(), { signal });
+    document.addEventListener(kind, look, { signal });
   }
   document.addEventListener(OPEN_ALL, open, { signal });
 }

@@ -1,0 +1,57 @@
+"""Commands take a scene from where it stands: the lesson, and after # its id."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim.cli import main
+
+FIRST = "carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}\n"
+WRONG = "carts: {A: {mass: 1 kg, place: 0.4 m}}\n"
+LESSON = f"# Two\n\n```scene\nid: one\n{FIRST}```\n\nText.\n\n```scene\nid: other\n%s```\n"
+
+
+def carts(*arguments: str) -> Result:
+    return CliRunner().invoke(main, list(arguments))
+
+
+@pytest.fixture
+def lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    Path("two.md").write_text(LESSON % FIRST.replace("0.5", "2"), encoding="utf-8")
+    return "two.md"
+
+
+@pytest.mark.parametrize("command", ["run", "plan", "cost"])
+def test_a_scene_of_a_lesson_is_taken_as_if_it_stood_in_a_file(lesson: str, command: str) -> None:
+    Path("one.yml").write_text(FIRST, encoding="utf-8")
+    of_lesson, of_file = carts(command, f"{lesson}#one"), carts(command, "one.yml")
+    assert of_lesson.exit_code == of_file.exit_code == 0, of_lesson.output
+    if command != "cost":  # which tells seconds
+        assert of_lesson.output == of_file.output
+
+
+def test_another_id_is_another_scene(lesson: str) -> None:
+    ends = [
+        json.loads(carts("run", f"{lesson}#{name}", "--json").output)["final"]["v"]["A"]
+        for name in ("one", "other")
+    ]
+    assert ends == [0.5, 2.0]
+
+
+@pytest.mark.parametrize("asked", ["two.md", "two.md#nobody"])
+def test_of_several_scenes_all_ids_are_said(lesson: str, asked: str) -> None:
+    found = carts("plan", asked)
+    assert found.exit_code == 2
+    assert "Name one scene of two.md: two.md#one | other" in found.output
+
+
+def test_a_mistake_is_told_at_its_line_of_the_lesson(lesson: str) -> None:
+    Path(lesson).write_text(LESSON % WRONG, encoding="utf-8")
+    found = carts("run", f"{lesson}#other")
+    assert found.exit_code == 1
+    assert "two.md:12:25: error: carts.A.place" in found.output
