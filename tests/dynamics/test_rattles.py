@@ -9,9 +9,10 @@ import mpmath
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.motion.modes import falls
 from sim.dynamics.motion.modes.falls import first_fall
 from sim.dynamics.motion.modes.rattle import phase
-from sim.dynamics.motion.modes.started import Started, grown, shape_of, swinging
+from sim.dynamics.motion.modes.started import Started, grown, shape_of, swinging, swung
 from sim.dynamics.motion.power_series.series import Row
 from sim.dynamics.motion.rows import choose
 from sim.dynamics.state.body import Body, Gap
@@ -37,6 +38,32 @@ def test_what_a_mode_grows_to_is_right_in_sixty_digits(x: float, turn: complex) 
         expected.append((power - 1 - y - y * y / 2) / exact**3)
         for got, want in zip((one for (one,) in grown((z,), t)), expected, strict=True):
             assert abs(got - want) <= 1e-15 * (1.0 + x) * abs(want)
+
+
+@pytest.mark.parametrize("x", [1e-9, 0.05, 0.07, 0.6, 0.99, 1.01, 3.1, 20.0])
+def test_what_a_search_asks_of_a_swing_is_what_it_has_grown_to(x: float) -> None:
+    """With real numbers alone, and to the last bit where no other function tells it."""
+    w, b = 37.0, 0.3 - 0.8j
+    t = x / w
+    one, two, _ = (one for (one,) in grown((complex(0.0, w),), t))
+    got = swung(b, w, t)
+    for here, there in zip(got, ((b * two).real, (b * one).real), strict=True):
+        assert here == there if x <= 1.0 else abs(here - there) <= 1e-15 * (abs(there) + t)
+
+
+def test_that_a_bumper_springs_back_is_known_without_a_look(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """From its greatest overlap cos(w t) is not pressed further in less than half a swing."""
+
+    def look(*_given: object) -> tuple[float, float]:
+        raise AssertionError
+
+    w = 7.0
+    rates = (complex(0.0, w),)
+    q = Started(1.0, 0.0, -w * w, shape_of((complex(-w * w),), rates))
+    monkeypatch.setattr(falls, "look", look)
+    assert first_fall(q, swinging(rates, (1.0 + 0j,)), 2.9 / w, -1.0, 1.0 + 2e-15) is None
 
 
 def random_row(seed: int) -> tuple[list[Body], list[Gap], Row]:

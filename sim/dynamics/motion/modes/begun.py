@@ -36,26 +36,34 @@ def begun_of(row: Row, found: Swings) -> Begun:
     force: list[list[float]] = [[] for _ in over]
     bodies: list[list[float]] = [[] for _ in steady]
     loaded = any(steady)
+    contacts = [
+        (branch.kappa, branch.gamma, branch.rest, o, push)
+        for branch, o, push in zip(branches, over, force, strict=True)
+    ]
+    locked = [branch.locked for branch in branches]
+    held = [k for k, one in enumerate(locked) if one]
+    moving = list(zip(bodies, found.block, [None, *over], [False, *locked], strict=True))
     for n in range(TERMS):
-        for branch, o, push in zip(branches, over, force, strict=True):
-            pressed = o[n] if n else o[0] - branch.rest
-            push.append(branch.kappa * pressed + branch.gamma * o[n + 1])
-        for k, branch in enumerate(branches):
-            if branch.locked:
-                force[k][n] = _held(k, n, found, force, steady)
-        sizes = []  # of all that adds up to an acceleration
-        for own, block in zip(bodies, found.block, strict=True):
+        for kappa, gamma, rest, o, push in contacts:
+            pressed = o[n] if n else o[0] - rest
+            push.append(kappa * pressed + gamma * o[n + 1])
+        for k in held:
+            force[k][n] = _held(k, n, found, force, steady)
+        before = size_before = 0.0  # of the body on the left
+        for own, block, beside, is_locked in moving:
             left = force[block.left][n] if block.left is not None else 0.0
             right = force[block.right][n] if block.right is not None else 0.0
-            outside = block.load(steady) if n == 0 and loaded else 0.0
-            own.append((left - right + outside) * block.inverse)
-            if loaded:
-                sizes.append((abs(left) + abs(right) + abs(outside)) * block.inverse)
-        for k, (branch, o) in enumerate(zip(branches, over, strict=True)):
-            relative = bodies[k][n] - bodies[k + 1][n]
-            if branch.locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
-                relative = 0.0
-            o.append(relative)
+            outside = block.load(steady) if loaded and n == 0 else 0.0
+            a, size = (left - right + outside) * block.inverse, 0.0
+            own.append(a)
+            if loaded:  # the size of all that adds up to an acceleration
+                size = (abs(left) + abs(right) + abs(outside)) * block.inverse
+            if beside is not None:
+                relative = before - a
+                if is_locked or (loaded and is_rounding(relative, size_before + size)):
+                    relative = 0.0
+                beside.append(relative)
+            before, size_before = a, size
     return Begun(over, force, bodies)
 
 

@@ -10,8 +10,8 @@ import cmath
 import math
 from operator import mul
 
-from sim.dynamics.motion.modes.started import FAR, Shape, Started, Swinging, damped, undamped
-from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
+from sim.dynamics.motion.modes.started import FAR, Shape, Started, Swinging, damped, swung
+from sim.dynamics.motion.safe_step import SAFE_STEPS, SLACK, safe_step
 
 SLOW = 0.1
 """|z| h of modes that the search for a zero takes as a polynomial."""
@@ -58,12 +58,17 @@ def look(poly: list[float], fast: list[tuple[complex, complex]], t: float) -> tu
         rate = rate * t + value
         value = value * t + c
     for b, z in fast:
+        if z.real == 0.0:
+            once, growth = swung(b, z.imag, t)
+            value += once
+            rate += growth
+            continue
         x = z * t
         if abs(x) > FAR:
             one = (cmath.exp(x) - 1.0) / z
             two = (one - t) / z
         else:
-            one, two, _ = undamped(z.imag, t) if z.real == 0.0 else damped(z, t)
+            one, two, _ = damped(z, t)
         value += (b * two).real
         rate += (b * one).real
     return value, rate
@@ -100,6 +105,8 @@ def first_fall(
         t = safe_step(here, rate, bound)
     if t > h or _stays_clear(here, rate, shape, swings, sign, h):
         return None
+    if rate >= 0.0 and _only_rises(sign * q.bend, shape, swings, h):
+        return None
     return searched(q, swings, h, sign, level, t, bound)
 
 
@@ -127,6 +134,15 @@ def searched(
             return t
         t += step
     raise UndecidedError
+
+
+def _only_rises(bend: float, shape: Shape, swings: Swinging, h: float) -> bool:
+    """Does what begins to rise come back no sooner than h s, as a bumper that springs back does?
+
+    From q >= 0 and q' >= 0 on q is at least (q''(0) − |third derivative| t/3) t²/2.
+    """
+    thirds = sum(map(mul, swings.sizes, shape.size_of_third)) if bend > 0.0 else math.inf
+    return 3.0 * bend > SLACK * h * thirds
 
 
 def _stays_clear(

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import dataclass
 from operator import mul
-from typing import NamedTuple
 
 FAR = 1.0
 """|x| from which on h_3 by division loses no more than two bits."""
@@ -93,7 +93,27 @@ def undamped(w: float, t: float) -> Mode:
     )
 
 
-class Shape(NamedTuple):
+def swung(b: complex, w: float, t: float) -> tuple[float, float]:
+    """The real parts of b h_2 t² and b h_1 t of z = i w: what a search asks for, and no more."""
+    y = w * t
+    if y > FAR:
+        low, real = math.cos(y) - 1.0, math.sin(y) / w
+        imag = -low / w
+        return b.real * (imag / w) - b.imag * ((t - real) / w), b.real * real - b.imag * imag
+    square, even, odd = y * y, 0.0, 0.0
+    terms = zip(EVEN, ODD) if y > NEAR else zip(EVEN_NEAR, ODD_NEAR)  # noqa: B905
+    for c, d in terms:
+        even = even * square + c
+        odd = odd * square + d
+    real, imag = 0.5 - square * odd, y * even
+    return (
+        b.real * (real * (t * t)) - b.imag * (imag * (t * t)),
+        b.real * ((1.0 - y * imag) * t) - b.imag * (y * real * t),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
     """What a quantity has of each mode, for a mode of amplitude 1: the b_j of its q''.
 
     Kept for all phases between the same springs, and with them what the search for a zero asks for:
@@ -116,7 +136,8 @@ def shape_of(shares: tuple[complex, ...], rates: tuple[complex, ...]) -> Shape:
     return Shape(shares, once, twice, tuple(map(abs, shares)), tuple(map(abs, twice)), third)
 
 
-class Swinging(NamedTuple):
+@dataclass(slots=True)
+class Swinging:
     """How much of each mode there is, and its size; the rates are those of the modes."""
 
     rates: tuple[complex, ...]
@@ -134,8 +155,13 @@ def swinging(rates: tuple[complex, ...], amplitudes: tuple[complex, ...]) -> Swi
     return Swinging(rates, amplitudes, tuple(map(abs, amplitudes)))
 
 
-class Started(NamedTuple):
-    """q0, q1, q''(0), and what q'' has of each mode; `at` is what these have grown to."""
+@dataclass(slots=True)
+class Started:
+    """q0, q1, q''(0), and what q'' has of each mode; `at` is what these have grown to.
+
+    No named tuple: to look into one takes several times as long, and a phase does so hundreds of
+    times.
+    """
 
     first: float
     slope: float
