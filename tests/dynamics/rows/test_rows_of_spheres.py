@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
+from sim.dynamics.motion.curved import group, series
 from sim.dynamics.motion.curved.own_time import OwnTime
 from sim.dynamics.result.trajectory import sample, trajectory
 from sim.laws.hertz.law import Hertz
@@ -152,3 +153,35 @@ def test_a_time_of_its_own_is_found_again() -> None:
         assert own.of(own.time(s)) == pytest.approx(s, rel=1e-10, abs=1e-12)
     assert own.of(-1.0) == 0.0
     assert own.of(9.0) == own.span
+
+
+@pytest.mark.parametrize("walls", [0, 1])
+def test_what_stands_costs_no_products(walls: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of each coefficient the way and the velocity of what moves are products; of a wall none."""
+    plain: dict[str, Any] = {
+        "carts": {"A": {"mass": 1.0, "position": 0.2, "velocity": 1.0}},
+        "contact": {"law": "hertz", "stiffness": 900.0, "restitution": 0.8},
+        "effects": [{"incline": {"angle": "-3 deg"}}, {"friction": {"coefficient": 0.01}}],
+        "track": {"left": "open", "right": "wall" if walls else "open", "length": 0.5},
+        "until": 0.5,
+    }
+    if not walls:
+        plain["carts"]["B"] = {"mass": 2.0, "position": 0.45}
+    real, asked, counts = series.dot, [0], []
+
+    def counted(p: list[float], q: list[float]) -> float:
+        asked[0] += 1
+        return real(p, q)
+
+    class Counted(series.RowSeries):
+        def __init__(self, *given: Any) -> None:
+            before = asked[0]
+            super().__init__(*given)
+            counts.append(asked[0] - before)
+
+    monkeypatch.setattr(series, "dot", counted)
+    monkeypatch.setattr(group, "RowSeries", Counted)
+    run(read_scene(plain))
+    moving = 2 - walls
+    of_the_gap = 2 * series.ORDER - 1  # its overlap, from the second on, and its rate
+    assert set(counts) == {of_the_gap + 2 * moving * series.ORDER}

@@ -62,14 +62,21 @@ class RowSeries:
         self.links = [Links(links, gap.room) for links, gap in zip(row.links, gaps, strict=True)]
         self.runs = locked_runs(row.branches)
         self.o, self.r = [[d] for d in row.overlaps], [[rate] for rate in row.rates]
-        self.v = [[v] for v in row.speeds]
-        self.path = [[0.0] for _ in row.speeds]
+        # what stands is told from the beginning: two products less at every coefficient
+        moves = [inv != 0.0 or v != 0.0 for inv, v in zip(row.inverse, row.speeds, strict=True)]
+        self.v = [
+            [v] if moving else [v] + [0.0] * ORDER
+            for v, moving in zip(row.speeds, moves, strict=True)
+        ]
+        self.path = [[0.0] if moving else [0.0] * (ORDER + 1) for moving in moves]
         self.a: list[Poly] = [[] for _ in row.speeds]
         self.force: list[Poly] = [[] for _ in gaps]
         self.pull: list[Poly] = [[] for _ in gaps]
         self.relative: list[Poly] = [[] for _ in gaps]
         self.t = [0.0]
         self.loaded = any(row.steady) or any(row.linear) or any(row.quadratic)
+        told = zip(self.path, self.v, self.a, moves, strict=True)
+        self.moving = [(path, v, a) for path, v, a, moving in told if moving]
         for n in range(ORDER):
             self._next(n)
 
@@ -95,9 +102,9 @@ class RowSeries:
                 self.pull[k].append(self.links[k].coefficient(n, self.o[k], self.r[k]))
         relative = self._accelerations(n)
         self.t.append(part * self.clock.w[n])
-        for i, a in enumerate(self.a):
-            self.path[i].append(part * dot(self.v[i], late))
-            self.v[i].append(part * dot(a, late))
+        for path, v, a in self.moving:
+            path.append(part * dot(v, late))
+            v.append(part * dot(a, late))
         for k, over in enumerate(self.o):
             if k != self.place:
                 over.append(part * dot(self.r[k], late))
