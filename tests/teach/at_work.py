@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 
 from tests.web.conftest import OpenPage
 
-LESSON = "newtons-third-law"
+LESSON = "newtons-second-law"
 WAIT = 60_000  # ms; on a busy computer
 
 

@@ -43,7 +43,6 @@ PUT = """async ({ name, version, stores }) => {
     await new Promise((done) => (filled.oncomplete = done));
   }
   base.close();
-  history.replaceState(null, "", "#teacher"); // reloaded, the page opens in teacher mode
 }"""
 
 
@@ -53,10 +52,10 @@ def typed(lessons: Path, browser: Browser) -> tuple[Any, str]:
     page = browser.new_page()
     page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri())
     enter(page)
-    piece = page.locator(".carts-teach-piece").filter(has_text="Text Newton's third law").first
+    piece = page.locator(".carts-teach-piece").filter(has_text="Text Newton's second law").first
     piece.locator("summary").click()
     area = piece.get_by_label("Text in Markdown")
-    area.fill(area.input_value().replace("# Newton's third law", "# An hour of work", 1))
+    area.fill(area.input_value().replace("# Newton's second law", "# An hour of work", 1))
     settled(page)
     expect(page.locator(".carts-teach-state")).to_have_text(KEPT)
     kept, text = page.evaluate(TAKE), saved(page).decode()
@@ -66,10 +65,15 @@ def typed(lessons: Path, browser: Browser) -> tuple[Any, str]:
 
 
 def with_draft(open_page: OpenPage, lessons: Path, typed: tuple[Any, str]) -> tuple[Page, str]:
-    """A lesson of which a draft was kept, to be loaded again in teacher mode; the draft's text."""
-    page = open_page(lessons / "worksheets" / f"{LESSON}.html", folder=lessons)
+    """A page beside a lesson of which a draft is kept, and the draft's text."""
+    page = open_page(lessons / "404.html")
     page.evaluate(PUT, typed[0])
     return page, typed[1]
+
+
+def opened(page: Page, lessons: Path) -> None:
+    """Go to the lesson, which opens in teacher mode."""
+    page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri() + "#teacher")
 
 
 def test_without_python_a_kept_draft_is_what_is_shown_and_changed(
@@ -77,7 +81,7 @@ def test_without_python_a_kept_draft_is_what_is_shown_and_changed(
 ) -> None:
     page, draft = with_draft(open_page, lessons, typed)
     page.add_init_script(NO_PYTHON)
-    page.reload()
+    opened(page, lessons)
     page.wait_for_selector(".carts-teach[data-state=unchecked]", timeout=WAIT)
     area = page.get_by_label("Text of this block")
     expect(area).to_have_value(draft)
@@ -99,10 +103,10 @@ def test_no_published_text_can_be_typed_over_while_the_draft_comes_back(
         """window.shown = new Set();
         setInterval(() => {
           for (const { textContent } of document.querySelectorAll(".carts-teach-piece summary"))
-            if (/^Text (Newton's third law|An hour)/.test(textContent)) shown.add(textContent);
+            if (/^Text (Newton's second law|An hour)/.test(textContent)) shown.add(textContent);
         }, 2);"""
     )
-    page.reload()
+    opened(page, lessons)
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
     assert saved(page).decode() == draft
     assert page.evaluate("[...window.shown]") == ["Text An hour of work changed"]
@@ -112,7 +116,7 @@ def test_a_draft_that_was_put_aside_is_no_longer_said_to_be_back(
     lessons: Path, open_page: OpenPage, typed: tuple[Any, str]
 ) -> None:
     page, _ = with_draft(open_page, lessons, typed)
-    page.reload()
+    opened(page, lessons)
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
     expect(page.locator(".carts-teach-status")).to_contain_text("is back")
     page.click(".carts-teach-reset")

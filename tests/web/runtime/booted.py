@@ -8,6 +8,13 @@ from typing import Any
 
 RUNTIME = Path("assets") / "carts" / "runtime"
 TOLD_WITHIN = 10_000  # ms, promised to the reader
+HURRY = 3
+HURRIED = f"""((count) => {{
+  window.setInterval = (call, ms) => count(call, ms / {HURRY});
+}})(window.setInterval);
+"""
+"""A script after which the clocks of a page, by which it waits for Python, count seconds that are
+so many times as short. Python's own are as long as ever."""
 
 
 def booted(page: Any) -> dict[str, Any]:

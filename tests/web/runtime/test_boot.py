@@ -11,7 +11,14 @@ from playwright.sync_api import Page
 from sim.pages.runtime.payload import write_payload
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import STRICT, write_page
-from tests.web.runtime.booted import RUNTIME, booted, read_index, scripts, write_index
+from tests.web.runtime.booted import (
+    HURRIED,
+    RUNTIME,
+    booted,
+    read_index,
+    scripts,
+    write_index,
+)
 
 pytestmark = pytest.mark.browser
 
@@ -23,6 +30,14 @@ def started(open_for_all: OpenPage, boot_site: Path) -> Page:
     """A double-clicked page in which Python has started, for the tests that only look at it."""
     page = open_for_all(boot_site / "index.html")
     booted(page)
+    return page
+
+
+def hurried(open_page: OpenPage, site: Path) -> Page:
+    """A page in which Python has started, and whose seconds are short from now on."""
+    page = open_page(site / "index.html")
+    booted(page)
+    page.evaluate(HURRIED)
     return page
 
 
@@ -131,15 +146,14 @@ def test_a_scipy_page_has_scipy(open_page: OpenPage, free_site: Path) -> None:
 def test_imports_that_take_long_on_a_slow_laptop_are_waited_for(
     open_page: OpenPage, free_site: Path
 ) -> None:
-    page = open_page(free_site / "index.html")
-    booted(page)
+    page = hurried(open_page, free_site)
     names = page.evaluate(
         """async () => {
              const write = `[open(f'/home/pyodide/slow{i}.py', 'w').write(
-               'import time; time.sleep(2)') for i in range(4)] and [__import__('sys').path.append(
-               '/home/pyodide')] and None`;
+               'import time; time.sleep(0.7)') for i in range(4)] and [__import__('sys')
+               .path.append('/home/pyodide')] and None`;
              await runtime.request({ run: write });
-             const names = ["slow0", "slow1", "slow2", "slow3"]; // 8 s: lost, if none were told
+             const names = ["slow0", "slow1", "slow2", "slow3"]; // lost, if none were told
              return (await runtime.request({ import: names })).header.versions;
            }"""
     )
@@ -150,11 +164,10 @@ def test_imports_that_take_long_on_a_slow_laptop_are_waited_for(
 def test_an_answer_that_tells_of_its_parts_may_take_longer_than_a_page_waits(
     open_page: OpenPage, free_site: Path
 ) -> None:
-    page = open_page(free_site / "index.html")
-    booted(page)
+    page = hurried(open_page, free_site)
     told = page.evaluate(
         """(run) => runtime.request({ run }).then(({ header }) => header.result)""",
-        "[__import__('time').sleep(2) or told[0]() for _ in range(4)] and 7",
+        "[__import__('time').sleep(0.7) or told[0]() for _ in range(4)] and 7",
     )
     assert told == 7
 
@@ -164,11 +177,10 @@ def test_a_fit_may_take_longer_than_a_run_without_a_sign(
     open_page: OpenPage, free_site: Path
 ) -> None:
     """On a slow laptop readings are fitted for twenty seconds, and no picture waits for them."""
-    page = open_page(free_site / "index.html")
-    booted(page)
+    page = hurried(open_page, free_site)
     ask = """([kind, run]) => runtime.request({ kind, run })
         .then(({ header }) => header.result, ({ reason }) => reason)"""
-    silent = "__import__('time').sleep(6.5) or 7"
+    silent = "__import__('time').sleep(2.5) or 7"
     assert page.evaluate(ask, ["measured", silent]) == 7
     assert page.evaluate(ask, ["run", silent]) == "worker-lost"
 

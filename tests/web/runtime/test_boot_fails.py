@@ -8,7 +8,7 @@ import pytest
 
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import STRICT, write_page
-from tests.web.runtime.booted import RUNTIME, TOLD_WITHIN, booted, scripts
+from tests.web.runtime.booted import HURRIED, HURRY, RUNTIME, TOLD_WITHIN, booted, scripts
 
 pytestmark = pytest.mark.browser
 
@@ -83,7 +83,7 @@ def test_an_older_browser_is_told(
 def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
     """First that it takes long, as of a computer that is only slow; then that it is given up."""
     (boot_site / "dying.js").write_text(
-        "window.Worker = class extends Worker {\n"
+        HURRIED + "window.Worker = class extends Worker {\n"
         "  constructor(...given) { super(...given); setTimeout(() => this.terminate(), 50); }\n"
         "};\n"
         "window.bootPatience = 6;\n",
@@ -101,6 +101,7 @@ def test_a_worker_killed_later_is_told_and_can_be_replaced(
 ) -> None:
     page = open_page(boot_site / "index.html")
     booted(page)
+    page.evaluate(HURRIED)
     lost = page.evaluate(
         """async () => {
              const told = new Promise((resolve) => { runtime.onlost = resolve; });
@@ -111,7 +112,7 @@ def test_a_worker_killed_later_is_told_and_can_be_replaced(
            }"""
     )
     assert lost["reason"] == lost["told"] == "worker-lost"
-    assert lost["waited"] < TOLD_WITHIN
+    assert lost["waited"] * HURRY < TOLD_WITHIN
     again = page.evaluate(
         """async () => {
              const runtime = await startRuntime({ base: runtimeBase });
@@ -124,6 +125,7 @@ def test_a_worker_killed_later_is_told_and_can_be_replaced(
 def test_an_endless_run_is_ended(open_page: OpenPage, free_site: Path) -> None:
     page = open_page(free_site / "index.html")
     booted(page)
+    page.evaluate(HURRIED)
     lost = page.evaluate(
         """async () => {
              const before = waited;
@@ -133,4 +135,4 @@ def test_an_endless_run_is_ended(open_page: OpenPage, free_site: Path) -> None:
            }"""
     )
     assert lost["reason"] == "worker-lost"
-    assert lost["waited"] < TOLD_WITHIN
+    assert lost["waited"] * HURRY < TOLD_WITHIN

@@ -17,7 +17,7 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import write_page
-from tests.web.runtime.booted import TOLD_WITHIN, booted
+from tests.web.runtime.booted import HURRIED, HURRY, TOLD_WITHIN, booted
 from tests.web.scene.given.widget_site import LIVE, widget_site
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
@@ -35,7 +35,8 @@ class Network:
     address: str = ""
     drops: dict[str, int] = field(default_factory=dict)
     cuts: dict[str, int] = field(default_factory=dict)  # the same, of one that ends in its middle
-    held: str = ""  # a file that comes late
+    held: str = ""  # a file that comes later by as many seconds
+    seconds: float = HELD
     late: float = 0.0  # s by which every file of the runtime comes later
     asked: Counter[str] = field(default_factory=Counter)
     under_way: int = 0
@@ -47,7 +48,7 @@ class Network:
             self.asked[name] += 1
             self.under_way += 1
             self.most = max(self.most, self.under_way)
-        time.sleep(HELD if self.held and self.held in name else self.late)
+        time.sleep(self.seconds if self.held and self.held in name else self.late)
 
     def over(self) -> None:
         with self.lock:
@@ -159,7 +160,7 @@ def test_a_slow_network_is_told_and_waited_for(
     assert "slow-line" in stages
 
 
-STORE = """window.bootPatience = 60;
+STORE = """window.bootPatience = 240;
 Object.defineProperty(navigator.serviceWorker, "controller", { value: {} });
 caches.match = async (address) => (String(address).includes("%s") ? undefined : new Response());
 """
@@ -170,13 +171,15 @@ caches.match = async (address) => (String(address).includes("%s") ? undefined : 
 def test_what_lies_in_the_browser_itself_is_no_matter_of_the_network(
     open_page: OpenPage, network: Network, boot_site: Path, absent: str, told: str
 ) -> None:
-    (boot_site / "patience.js").write_text(STORE % absent, encoding="utf-8")
+    (boot_site / "patience.js").write_text(HURRIED + STORE % absent, encoding="utf-8")
     write_page(boot_site, name="kept.html", before=PATIENCE)
-    network.held = "pyodide.asm.wasm"
+    network.held, network.seconds = "pyodide.asm.wasm", HELD / HURRY
     page = open_page(f"{network.address}/kept.html")
     assert booted(page).get("start") == "snapshot"
     stages = page.evaluate("window.progress.map(({ stage }) => stage)")
-    assert [stage for stage in stages if stage.startswith("slow")] == [told]
+    slow = [stage for stage in stages if stage.startswith("slow")]
+    assert slow[0] == told  # when all has come, a busy machine may be slow too
+    assert slow.count("slow-line") == (told == "slow-line")
 
 
 def test_a_scene_says_that_the_network_is_slow_until_python_is_there(
