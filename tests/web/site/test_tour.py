@@ -83,7 +83,7 @@ def test_hints_that_are_closed_stay_closed(site: Path, open_page: OpenPage) -> N
 def test_nothing_is_hinted_at_before_a_prediction_is_locked(
     site: Path, open_page: OpenPage
 ) -> None:
-    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site, viewport=LAPTOP)
+    page = open_page(site / "worksheets" / "newtons-second-law.html", folder=site, viewport=LAPTOP)
     page.wait_for_selector("carts-scene.carts-asks[data-state=live]", timeout=60_000)
     expect(hint(page)).to_have_count(0)
 
