@@ -22,8 +22,8 @@ OPTIONS = {"browserName": "MiniBrowser"}
 # What runs for long is compiled a third time for speed, beside what runs: of a visit that lasts a
 # moment, Python's start included, that is a third of all work.
 BRIEFLY = {"JSC_useOMGJIT": "0"}
-# Nobody sees what is painted. Layers, which here the processor composes in place of a graphics card,
-# are half of all work while a run plays.
+# Nobody sees what is painted. Layers, which here the processor composes and no graphics card, are
+# half of all work while a run plays.
 PLAINLY = {"WEBKIT_DISABLE_COMPOSITING_MODE": "1", "WEBKIT_SKIA_ENABLE_CPU_RENDERING": "1"}
 STARTED = 20.0  # s; a driver that says nothing by then will say nothing
 
