@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from sim.measured.cart_names import called_as_carts
 from sim.measured.readers import read_text
 from sim.measured.refusal import ReadingError, of_readings, refuse, shown
 from sim.measured.track import FEWEST, Content, Reading, Track
@@ -84,7 +85,7 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         raise _not_two(len(found), kinds[0], last)
     if found[0].name == found[1].name:
         found = [Track(f"{t.name} {k}", t.t, t.value, t.lines) for k, t in enumerate(found, 1)]
-    found, said = _from_nought(found)
+    found, said = _from_nought(called_as_carts(found))
     notes += said
     own = any(one.own for one in readings)
     in_order = (found[0], found[1]) if own else _in_order(found, kinds[0])

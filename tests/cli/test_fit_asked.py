@@ -130,3 +130,12 @@ def test_units_that_were_assumed_and_cannot_be_are_named(tmp_path: Path) -> None
         "warning" not in fit(tmp_path / "film.txt", text, "--time", "ms", "--length", "cm").stderr
     )
     assert "warning" not in fit(tmp_path / "film.txt", FILM).stderr
+
+
+@pytest.mark.parametrize("name", ["A", "mass A"])
+def test_a_cart_is_named_as_it_is_called_or_as_tracker_calls_it(tmp_path: Path, name: str) -> None:
+    text = FILM.replace("\tA\t", "\tmass_A\t").replace("\tB\t", "\tmass_B\t")
+    asked = ("--length", "m", "--time", "s", "--mass", f"{name}=0.5kg", "--json")
+    found = json.loads(fit(tmp_path / "film.txt", text, *asked).stdout)
+    assert found["names"] == ["A", "B"]
+    assert "mass" in {one["key"] for one in found["known"]}

@@ -61,7 +61,7 @@ def test_a_film_may_lie_askew(degrees: float, heads: str) -> None:
 def test_a_film_in_which_carts_go_down_has_plus_upwards() -> None:
     found = read_measured([table(-90.0)])
     assert way(found, 1) == pytest.approx([-x for x in gone(A)], abs=STEP)
-    assert found.names == ("mass B", "mass A")
+    assert found.names == ("B", "A")
 
 
 @pytest.mark.parametrize("degrees", [-2.5, 0.0, 2.5])

@@ -30,12 +30,28 @@ def test_two_files_with_a_track_each_are_two_carts() -> None:
     )
     found = read_measured([two, one])
     same(found)
-    assert found.names == ("mass A", "mass B")
+    assert found.names == ("A", "B")
 
 
 def test_names_of_tracks_are_the_names_of_the_carts() -> None:
-    assert read_measured([with_y()]).names == ("mass A", "mass B")
+    assert read_measured([with_y().replace("mass_", "van ")]).names == ("van A", "van B")
     assert read_measured([VARIANTS["CSV"]]).names == ("A", "B")
+
+
+@pytest.mark.parametrize(
+    ("written", "names"),
+    [
+        (("mass_A", "mass_B"), ("A", "B")),
+        (("masa A", "masa B"), ("A", "B")),
+        (("mass A", "wagon"), ("mass A", "wagon")),
+        (("mass 1", "masse 1"), ("mass 1", "masse 1")),  # else both were one
+    ],
+)
+def test_what_tracker_calls_its_points_is_no_part_of_a_carts_name(
+    written: tuple[str, str], names: tuple[str, str]
+) -> None:
+    text = with_y().replace("mass_A", written[0]).replace("mass_B", written[1])
+    assert read_measured([text]).names == names
 
 
 def test_a_logger_s_two_forces_are_two_sensors() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from sim.measured.cart_names import cart_of
 from sim.measured.events.by_hand import Given
 from sim.measured.events.stretch import KINDS
 from sim.scene.quantity import MASS, TIME, Dimension, QuantityError, read_quantity
@@ -21,13 +22,16 @@ def quantity(option: str, text: str | None, dimension: Dimension) -> float | Non
 
 def named(option: str, given: tuple[str, ...], names: tuple[str, str]) -> tuple[str, ...]:
     """The names given, all of them carts."""
-    for name in given:
-        if name not in names:
-            known = " and ".join(names)
-            raise click.UsageError(
-                f"{option} {name}: there is no cart “{name}”; there are {known}."
-            )
-    return given
+    return tuple(_cart(option, name, name, names) for name in given)
+
+
+def _cart(option: str, text: str, name: str, names: tuple[str, str]) -> str:
+    """The cart of that name, also as Tracker calls it; raises click's usage error."""
+    for one in (name, cart_of(name)):
+        if one in names:
+            return one
+    known = " and ".join(names)
+    raise click.UsageError(f"{option} {text}: there is no cart “{name}”; there are {known}.")
 
 
 def of_names(
@@ -41,11 +45,7 @@ def of_names(
         if number is None:
             what = "MASS" if dimension is MASS else "LENGTH"
             raise click.UsageError(f"{option} {text}: write NAME={what}, for example {sample}.")
-        if name.strip() not in names:
-            known = " and ".join(names)
-            reason = f"there is no cart “{name.strip()}”; there are {known}."
-            raise click.UsageError(f"{option} {text}: {reason}")
-        found[name.strip()] = number
+        found[_cart(option, text, name.strip(), names)] = number
     return found
 
 
@@ -68,9 +68,8 @@ def segments(option: str, texts: tuple[str, ...], names: tuple[str, str]) -> tup
             raise click.UsageError(f"{option} {text}: KIND is one of {', '.join(KINDS)}.")
         if colon and known[0] == "contact":
             raise click.UsageError(f"{option} {text}: a contact is of both carts: without a name.")
-        if colon:
-            named(option, (name.strip(),), names)
-        found.append(Given(known[0], begin, end, names.index(name.strip()) if colon else None))
+        cart = names.index(_cart(option, text, name.strip(), names)) if colon else None
+        found.append(Given(known[0], begin, end, cart))
     return tuple(found)
 
 
