@@ -48,18 +48,17 @@ HEADER = ("method", "step", "order", "evaluations", "time", "Δv m/s", "Δx m", 
 def command(scene: str | None, as_json: bool, picture: Path | None, carts: str | None) -> None:
     """Compare stepping methods with the exact solution: error against time.
 
-    SCENE is a scene file, or LESSON.md#ID, a scene of a lesson; - reads standard input. `time` is
-    the time of a single run as a multiple of the exact outcome's, measured in this process. Errors
-    are the worst of up to 64 runs whose touches fall at different places within a step (8 where
-    many cannot be stepped at once, 1 of a method that chooses its steps); steps are the run's
-    length over a prime number.
+    SCENE is a scene file, or LESSON.md#ID of a lesson; - reads standard input. `time` is the time
+    of a single run as a multiple of the exact outcome's, measured in this process. Errors are the
+    worst of up to 64 runs whose touches fall at different places within a step (8 where many cannot
+    be stepped at once, 1 of a method that chooses its steps); steps are the run's length over a
+    prime number.
     With python-flint (pip install "newtons-carts[certify]") errors are measured against a proof,
     where there is one, and the certificate stands in the table: its error is half of its width.
 
     \b
     carts cost my-scene.yml
     carts cost my-scene.yml --svg cost.svg
-    carts cost worksheets/newtons-third-law.md#third-heavy-into-light
     carts cost --carts 2,10,100,1000,10000
     """
     if carts is not None:

@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 def command(scene: str, as_json: bool, relevance: bool) -> None:
     """Say how a scene would be solved, phase by phase, and why.
 
-    SCENE is a scene file, or LESSON.md#ID, a scene of a lesson; - reads standard input.
+    SCENE is a scene file, or LESSON.md#ID of a lesson; - reads standard input.
 
     \b
     carts plan my-scene.yml
     carts plan --json my-scene.yml
-    carts plan --relevance worksheets/newtons-third-law.md#third-heavy-into-light
+    carts plan --relevance my-lesson.md#first-hit
     """
     description = scene_file.read(scene)
     if description.written:

@@ -80,13 +80,12 @@ def command(
 ) -> None:
     """Run a scene and say what happened.
 
-    SCENE is a scene file, or LESSON.md#ID, a scene of a lesson; - reads standard input.
+    SCENE is a scene file, or LESSON.md#ID of a lesson; - reads standard input.
 
     \b
     carts run my-scene.yml
     carts run my-scene.yml --method rk4 --step 0.01
     carts run my-scene.yml --json
-    carts run worksheets/newtons-third-law.md#third-heavy-into-light
     carts run my-scene.yml --certify
     carts run my-scene.yml --world bigger-pushes-more
     """
