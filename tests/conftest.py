@@ -6,7 +6,7 @@ import fcntl
 import os
 import re
 import shutil
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Mapping
 from pathlib import Path
 
 import pytest
@@ -21,29 +21,34 @@ pytest.register_assert_rewrite(*(f"tests.{room.stem}" for room in (ROOT / "tests
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of this repository's own site, built for double click as `make site` does."""
-    return _built_once(tmp_path_factory, "site", hosted=False)
+    """The folder of this repository's own site, built for double click as `make site` does.
+    `make test` has just done so, and says where: `CARTS_SITE_MADE`."""
+
+    def make(folder: Path) -> None:
+        if made := os.environ.get("CARTS_SITE_MADE"):
+            shutil.copytree(ROOT / made, folder)
+        else:
+            _build(folder, hosted=False)
+
+    return made_once(tmp_path_factory, "site", make)
 
 
 @pytest.fixture(scope="session")
 def hosted_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The same for a web server, as `carts build --hosted` does."""
-    return _built_once(tmp_path_factory, "hosted", hosted=True)
+    """The same for a web server, as `carts build --hosted` does, in a folder of the server as with
+    GitHub's pages; teacher mode opens without a word."""
+
+    def make(server: Path) -> None:
+        _build(server / "school" / "p", hosted=True, settings={"teacher_word": ""})
+
+    return made_once(tmp_path_factory, "server", make) / "school" / "p"
 
 
-def _built_once(factory: pytest.TempPathFactory, name: str, *, hosted: bool) -> Path:
-    """The site. `make test` has just built the one for double click, and says where:
-    `CARTS_SITE_MADE`."""
+def _build(folder: Path, *, hosted: bool, settings: Mapping[str, object] | None = None) -> None:
     from sim.cli.site.build import build_site
 
-    def make(folder: Path) -> None:
-        if not hosted and (made := os.environ.get("CARTS_SITE_MADE")):
-            shutil.copytree(ROOT / made, folder)
-        else:
-            built = build_site(ROOT, hosted=hosted, strict=True, site_dir=folder)
-            assert built is not None, "the site cannot be built: see the messages above"
-
-    return made_once(factory, name, make)
+    built = build_site(ROOT, hosted=hosted, strict=True, site_dir=folder, settings=settings)
+    assert built is not None, "the site cannot be built: see the messages above"
 
 
 def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import re
+from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
@@ -43,7 +44,9 @@ class Links(HTMLParser):
                 (self.followed if tag == "a" else self.loaded).append(value)
 
 
+@cache
 def links(page: Path) -> Links:
+    """Read once for all tests: most of their time is the parser's."""
     parser = Links()
     parser.feed(page.read_text(encoding="utf-8"))
     return parser
@@ -148,6 +151,7 @@ def test_a_page_names_its_site_for_the_storage(site: Path) -> None:
         assert '<meta name="carts-site" content="newtons-carts">' in page.read_text("utf-8")
 
 
+@cache
 def packed(path: Path) -> int:
     return len(gzip.compress(path.read_bytes(), 9, mtime=0))
 

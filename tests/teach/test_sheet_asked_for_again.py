@@ -22,10 +22,10 @@ WHEN_TOLD = """const later = setTimeout;
 
 
 def test_teacher_mode_opens_when_its_sheet_is_just_coming_as_the_watchdog_looks(
-    hosted_lessons: Path, browser: Browser, browser_name: str
+    hosted_site: Path, browser: Browser, browser_name: str
 ) -> None:
-    folder = hosted_lessons.parents[1]
-    at = hosted_lessons.relative_to(folder).as_posix()
+    folder = hosted_site.parents[1]
+    at = hosted_site.relative_to(folder).as_posix()
     context = browser.new_context(**CONTEXT[browser_name])
     with holding_back(folder, "/teacher.css") as (server, go_on):
         page = context.new_page()

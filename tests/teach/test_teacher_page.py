@@ -168,12 +168,12 @@ def test_an_authors_mistake_reads_in_the_page_as_in_carts_check(
         assert "".join(rows) == path.with_suffix(".txt").read_text(encoding="utf-8"), path.name
 
 
-def test_what_is_for_teachers_or_exams_is_nowhere_in_the_site(lessons: Path) -> None:
+def test_what_is_for_teachers_or_exams_is_nowhere_in_the_site(site: Path) -> None:
     import base64
     import gzip
 
     told = {}
-    for script in (lessons / "assets" / "carts" / "lessons").iterdir():
+    for script in (site / "assets" / "carts" / "lessons").iterdir():
         packed = re.search(r'="([^"]+)"', script.read_text(encoding="ascii"))
         assert packed
         data = json.loads(gzip.decompress(base64.b64decode(packed[1])))
