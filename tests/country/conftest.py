@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests.country.class_command import table
+from tests.country.class_command import carts, table
 from tests.country.school import KEY, lay, school_files
 
 
@@ -34,3 +36,15 @@ def school(_made: Path, tmp_path: Path) -> Path:
 def school_table(_written: Path, tmp_path: Path) -> Path:
     """What `carts class --parquet` wrote of the school."""
     return Path(shutil.copytree(_written, tmp_path / "table"))
+
+
+@pytest.fixture(scope="session")
+def _told(_written: Path) -> str:
+    return carts("--table", _written, "--json").stdout
+
+
+@pytest.fixture
+def school_report(_told: str) -> dict[str, Any]:
+    """What `carts class --table` says of it: most of a test's time where each asks anew."""
+    report: dict[str, Any] = json.loads(_told)
+    return report

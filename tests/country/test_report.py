@@ -77,7 +77,9 @@ def test_whatever_happens_to_files_the_numbers_are_equal(seed: int, tmp_path: Pa
 
 
 @pytest.mark.slow
-def test_tables_of_many_schools_are_one_report(school: Path, school_table: Path) -> None:
+def test_tables_of_many_schools_are_one_report(
+    school: Path, school_report: dict[str, Any]
+) -> None:
     parts = []
     for name in ("a1", "a2", "b1", "b2"):
         lay(school.parent / name / "x", [])
@@ -85,22 +87,24 @@ def test_tables_of_many_schools_are_one_report(school: Path, school_table: Path)
         shutil.copy(school / "key.json", school.parent / name / "key.json")
         parts.append(table(school.parent / name))
     words = [word for part in parts for word in ("--table", part)]
-    assert numbers(reported(*words)) == numbers(reported("--table", school_table))
+    assert numbers(reported(*words)) == numbers(school_report)
 
 
 def test_a_single_part_and_a_key_by_hand_are_the_folder(
-    school: Path, school_table: Path, tmp_path: Path
+    school: Path, school_table: Path, school_report: dict[str, Any], tmp_path: Path
 ) -> None:
     lone = tmp_path / "lone"
     lone.mkdir()
     shutil.copy(school_table / "answers-0001.parquet", lone / "x.parquet")
     mine = reported("--table", lone / "x.parquet", "--key", school / "key.json")
-    assert mine == reported("--table", school_table)
+    assert mine == school_report
 
 
 @pytest.mark.slow
-def test_without_its_key_a_table_still_has_all_marks(school_table: Path) -> None:
-    whole = reported("--table", school_table)
+def test_without_its_key_a_table_still_has_all_marks(
+    school_table: Path, school_report: dict[str, Any]
+) -> None:
+    whole = school_report
     for path in school_table.glob("key-*.json"):
         path.unlink()
     mine = reported("--table", school_table)
@@ -137,7 +141,7 @@ def test_one_table_given_twice_is_refused(school_table: Path, tmp_path: Path) ->
 
 
 def test_another_backend_by_its_address_gives_the_same(
-    school: Path, school_table: Path, tmp_path: Path
+    school: Path, school_table: Path, school_report: dict[str, Any], tmp_path: Path
 ) -> None:
     import duckdb
 
@@ -148,7 +152,7 @@ def test_another_backend_by_its_address_gives_the_same(
         )
     mine = reported("--table", "answers", "--backend", f"duckdb://{file}",
                     "--key", school / "key.json")  # fmt: skip
-    assert mine == reported("--table", school_table)
+    assert mine == school_report
 
 
 @pytest.mark.parametrize("name", ["answers [2025]", "what? all*", "a [b"])

@@ -74,14 +74,14 @@ def test_steppers_share_what_rests_as_the_exact_run_does(method: str) -> None:
         {"friction": {"coefficient": 0.1, "static": static, "carts": [name]}}
         for name, static in (("A", 0.6), ("B", 0.1))
     ]
-    effects = [*friction, {"push": {"cart": "A", "force": 3, "from": 2}}]
+    effects = [*friction, {"push": {"cart": "A", "force": 3, "from": 1}}]
     carts = {
         "A": {"mass": 1, "position": 0.4, "velocity": 0.5},
         "B": {"mass": 1, "position": 0.6},
     }
     track = {"left": "open", "right": "open", "length": 3}
     scene = read_scene({"carts": carts, "track": track, "contact": {"law": "velcro"},
-                        "until": 3, "effects": effects})  # fmt: skip
+                        "until": 1.2, "effects": effects})  # fmt: skip
     found = stepped(scene, Way(method, step=1e-3)).samples.columns
     friction_on = {name: found["E", "friction", name][-1] for name in "AB"}
     assert friction_on["A"] == pytest.approx(6 * friction_on["B"])

@@ -39,9 +39,9 @@ def claims(text: str) -> bool:
 def _has_axes(line: str) -> bool:
     """Whether a line of heads has accelerations along x and y, by their units, and no places."""
     parts = [head(cell.strip(' "')) for cell in re.split(r"[\t;,]", line)]
-    if any(quantity_of(*part)[0] in ("pos", "vel") for part in parts):
+    if not {"x", "y"} <= {_axis_of(*part) for part in parts}:
         return False
-    return {"x", "y"} <= {_axis_of(*part) for part in parts}
+    return not any(quantity_of(*part)[0] in ("pos", "vel") for part in parts)
 
 
 def _axis_of(name: str, unit: str) -> str:
