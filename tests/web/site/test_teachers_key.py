@@ -17,7 +17,7 @@ WORD = "owl"  # teacher_word of the site
 def test_all_questions_are_opened_by_the_teachers_word_alone(
     site: Path, open_page: OpenPage
 ) -> None:
-    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site)
+    page = open_page(site / "worksheets" / "newtons-first-law.html", folder=site)
     waiting = page.locator("[data-after]:not([data-opened])")
     many = waiting.count()
     assert many > 5
