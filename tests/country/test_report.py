@@ -77,9 +77,7 @@ def test_whatever_happens_to_files_the_numbers_are_equal(seed: int, tmp_path: Pa
 
 
 @pytest.mark.slow
-def test_tables_of_many_schools_are_one_report(
-    school: Path, school_report: dict[str, Any]
-) -> None:
+def test_tables_of_many_schools_are_one_report(school: Path, school_report: dict[str, Any]) -> None:
     parts = []
     for name in ("a1", "a2", "b1", "b2"):
         lay(school.parent / name / "x", [])
