@@ -104,8 +104,11 @@ def _account(run: Run) -> str:
     lines.append(f"From outside: {', '.join(given)}." if given else "No impulse from outside.")
     works = [f"{by} {number(work)} J" for by, work in ledger.works.items()]
     lines += [f"Work: {', '.join(works)}."] if works else []
-    sudden = all(contact is None or contact.sudden for contact in run.scene.contacts)
-    lines.append(f"{number(ledger.warmed)} J {'became heat' if sudden else 'warmed the bumpers'}.")
+    touching = [contact for contact in run.scene.contacts if contact is not None]
+    if touching or ledger.warmed:  # what friction warmed stands among the works
+        sudden = all(contact.sudden for contact in touching)
+        where = "became heat in contacts" if sudden else "warmed the bumpers"
+        lines.append(f"{number(ledger.warmed)} J {where}.")
     return "\n".join(lines)
 
 

@@ -120,7 +120,15 @@ def test_where_no_bumper_is_pressed_none_is_warmed():
     sudden += "contact: {law: instant, restitution: 0.5}\nuntil: 1\n"
     assert "J warmed the bumpers." in carts("run", "-", stdin=text).stdout
     story = carts("run", "-", stdin=sudden).stdout
-    assert "0.1875 J became heat." in story and "bumpers" not in story
+    assert "0.1875 J became heat in contacts." in story and "bumpers" not in story
+
+
+def test_where_friction_takes_all_and_nothing_touches_no_heat_is_denied():
+    """It said “0 J became heat.” below “Work: friction −0.16 J”."""
+    rubbed = "carts: {A: {mass: 0.5, position: 0.4, velocity: 0.8}}\n"
+    rubbed += "effects: [friction: {coefficient: 0.1}]\nuntil: 3\n"
+    story = carts("run", "-", stdin=rubbed).stdout
+    assert "Work: friction −0.16 J." in story and "heat" not in story
 
 
 def test_two_runs_print_the_same_bytes():
