@@ -47,6 +47,11 @@ def test_places_count_from_where_the_text_stands_in_its_file() -> None:
         ("A: {mass: 1 kg，position: 1 m}", (1, 15), "a wide comma"),
         ("ask: “Ana: it is larger.” Is it?", (1, 6), "typographic quotes"),
         ("options:\n  - {text: “Yes, it is.”, correct: true}", (2, 12), "typographic quotes"),
+        ("answer: “0.25 m/s”", (1, 9), "the quotes (“ ”) would be part of this number"),
+        ("A: {mass: „0,5 kg“, position: 1 m}", (1, 11), "the quotes (“ ”) would be part"),
+        ("choice:\n  - A\n  -B", (3, 3), "a list entry begins with a hyphen and a space"),
+        ("choice:\n  • A\n  • B", (2, 3), "“•” begins no entry of a list"),
+        ("choice:\n  * A\n  * B", (2, 3), "“*” begins no entry of a list"),
     ],
 )
 def test_what_a_word_processor_leaves_behind_is_named_where_it_stands(
@@ -60,6 +65,8 @@ def test_what_a_word_processor_leaves_behind_is_named_where_it_stands(
 
 def test_typographic_quotes_inside_a_text_are_its_own() -> None:
     texts = ("ask: Ana says “no”. Is it so?", "ask: “No”, says Ana.", 'ask: "“Ana: no”"')
+    texts += ("accept: “3 N”", "rubric: {1: “3 N”, 0: none}", 'ask: "He says, mass: “5 kg”, so."')
+    texts += ("ask: A cart that is\n  -how odd!- moving", "explain: |\n  so:\n  • one\n  * two")
     for text in (*texts, "options:\n  - {text: “Yes.”, correct: true}"):
         assert load(text).plain
 

@@ -14,6 +14,9 @@ INVISIBLE = "\u00a0\u00ad\u200b\u200c\u200d\u2007\u202f\u2060\ufeff"
 TEXTS = ("ask", "text", "title", "feedback", "explain", "start", "note", "says")
 """Keys whose values are prose, in which a # is meant as it stands, with a blank after it too."""
 
+WORDS = (*TEXTS, "hints", "left", "right", "accept")
+"""Where a number in typographic quotes may be what somebody says."""
+
 CUT = "what comes after # is left out"
 HINT_CUT = 'put the text in quotes: "Point #3"; a remark has a blank after its #'
 
@@ -33,9 +36,18 @@ _CURLY = re.compile(
     )
 )
 """Typographic quotes around what straight ones alone hold together: a colon; a comma in braces."""
-_PAIR = {"“": "“ ”", "„": "“ ”", "«": "« »", "»": "« »", "「": "「 」", "『": "『 』"}
+_PAIR = {"“": "“ ”", "‘": "‘ ’", "„": "“ ”", "«": "« »", "»": "« »", "「": "「 」", "『": "『 』"}
+_QUOTED_NUMBER = re.compile(
+    r"(?:\s*(?:- +)*|[^\"'#]*[{,]\s*)(?P<key>(?!\d)[\w.-]+):\s+(?P<begins>[“„‘«])\s*"
+    r"(?P<number>[-−+]?\d[^”“’»}]*?)\s*[”“’»]\s*(?:[,}].*)?"
+)
+"""A number that stands between typographic quotes, which would be part of it."""
 _TIGHT = re.compile(r"\s*-(?=[{\[])")
 _DASH = re.compile(r"\s*[–—][ \t]")
+_LISTED = re.compile(r".*:\s*|\s*[-–—•·‣◦▪●○*−‐‑](?:[ \t].*|[^\W\d_].*)")
+"""What stands above an entry of a list: its key, or another entry."""
+_BULLET = re.compile(r"\s*([•·‣◦▪●○*−‐‑])[ \t]+(?=(.*))")
+_TIGHT_WORD = re.compile(r"\s*-(?=([^\W\d_].*))")
 _CUT = re.compile(rf"\s*(?:- +)*({'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
 _BLOCK = re.compile(r":\s*[|>][+-]?\d?\s*(?:#.*)?$|^\s*-\s+[|>][+-]?\d?\s*$")
 
@@ -46,6 +58,7 @@ Typo = tuple[int, int, str, str]
 def typos(text: str) -> Iterator[Typo]:
     """Every mistake of these kinds."""
     inside: int | None = None  # indentation of the key whose text goes on
+    above = ""
     for number, line in enumerate(text.split("\n")):
         if not line.strip():
             continue
@@ -53,6 +66,19 @@ def typos(text: str) -> Iterator[Typo]:
         if inside is not None and indent > inside:
             continue
         inside = indent if _BLOCK.search(line) else None
+        yield from _in_line(number, line) if not _LISTED.fullmatch(above) else _entry(number, line)
+        above = line
+
+
+def _entry(number: int, line: str) -> Iterator[Typo]:
+    """The same where an entry of a list may stand."""
+    if found := _BULLET.match(line):
+        message = f"“{found[1]}” begins no entry of a list"
+        yield number, found.start(1), message, f"write - {found[2][:40]}"
+    elif found := _TIGHT_WORD.match(line):
+        hint = f"write - {found[1][:40]}"
+        yield number, found.end() - 1, "a list entry begins with a hyphen and a space", hint
+    else:
         yield from _in_line(number, line)
 
 
@@ -71,6 +97,9 @@ def _in_line(number: int, line: str) -> Iterator[Typo]:
         yield number, found.start(found.lastindex or 1), "a wide colon (：) stands here", hint
     elif found := _WIDE_COMMA.match(line):
         yield number, found.start(1), "a wide comma (，) stands here", "write an ordinary comma: ,"
+    elif (found := _QUOTED_NUMBER.fullmatch(line)) and found["key"] not in WORDS:
+        message = f"the quotes ({_PAIR[found['begins']]}) would be part of this number"
+        yield number, found.start("begins"), message, f"write {found['key']}: {found['number']}"
     elif found := _CURLY.match(line):
         quote = found.lastindex or 1
         message = f"typographic quotes ({_PAIR[found[quote]]}) hold no text together"
