@@ -27,6 +27,8 @@ _NOTE = re.compile(r"\s*!!! ?(?P<words>[\w-]+(?: +[\w-]+)*)(?: +\".*\")?[ \t]*")
 _BOX = re.compile(
     r"(?P<indent>\s*)(?:!!!|\?\?\?\+?) ?(?P<kind>[\w-]+)(?: +[\w-]+)*(?P<title> +\"[^\"]+\")?[ \t]*"
 )
+_MEANT_BOX = re.compile(r"\s*(?P<marks>[!！]{2,4}) *(?P<kind>[\w-][^\"'“„«‘「]*)?(?P<title>.*)")
+_QUOTES = " \"'“”„«»‘’「」"
 WORD = "after"
 INSIDE = 4  # spaces before what belongs to a note
 
@@ -112,6 +114,26 @@ def empty_boxes(prose: str, text: str) -> Iterator[tuple[int, str]]:
             meant = box["title"] and not "".join(whole[k + 1 : k + 2]).strip()
             if not meant and all(_outside(box["indent"], whole[k + 1 :])):
                 yield at + len(box["indent"]), box["kind"]
+        at += len(line)
+
+
+def no_box(prose: str, text: str) -> Iterator[tuple[int, str]]:
+    """Where a line was meant to open a box and Markdown prints it, with what is inside as code: the
+    place, and the line as it should stand. As for `without_text`."""
+    whole = lines_of(text)
+    at = 0
+    for k, line in enumerate(lines_of(prose, keepends=True)):
+        end = line.rstrip("\n")
+        if (box := _MEANT_BOX.fullmatch(end)) and not _NOTE.fullmatch(end):
+            below = next(filter(str.strip, whole[k + 1 :]), "")
+            if box["marks"] == "!!!" or _room_before(below) > _room_before(end):
+                kind, title = box["kind"] or "note", box["title"]
+                if not title:  # a kind is written small
+                    first, _, title = kind.partition(" ")
+                    kind, title = (first, title) if first.islower() else ("note", kind)
+                title = title.strip(_QUOTES)
+                should = f"!!! {kind.strip(' :：')}" + (f' "{title}"' if title else "")
+                yield at + box.start("marks"), should
         at += len(line)
 
 

@@ -14,7 +14,7 @@ from sim.pages.findings import Finding
 from sim.pages.text.fence_scan import KINDS, after_front_matter
 from sim.pages.text.films import is_film
 from sim.pages.text.front_matter import Found, front_matter, language, stated_minutes
-from sim.pages.text.held_back import empty_boxes, misspelt, without_scene, without_text
+from sim.pages.text.held_back import empty_boxes, misspelt, no_box, without_scene, without_text
 from sim.pages.text.links import PICTURE, links
 from sim.pages.text.plain_lines import lines_of, without_code
 from sim.pages.text.raw_html import never_shown
@@ -82,13 +82,18 @@ def _held_back(prose: str, text: str) -> Iterator[Found]:
     for at, kind in empty_boxes(prose, text):
         message = f"the box “{kind[:40]}” is empty: the text below does not belong to it"
         yield at, "empty-box", message, "begin each line of the box with four spaces"
+    for at, should in no_box(prose, text):
+        message = "this line opens no box: the page prints it, and what is in the box as code"
+        yield at, "no-box", message, f"write {should[:80]}"
     hint = "put it below the scene whose run is watched first"
     for at, named in without_scene(prose):
         told = f"no scene “{named[:40]}” stands above it" if named else "no scene stands above it"
         yield at, "no-such-scene", f"“!!! after” waits for a run, and {told}", hint
     for at, word in misspelt(prose):
         message = f"“{word[:40]}” holds nothing back: this text is there at once"
-        yield at, "unknown-word", message, 'did you mean after? !!! after "Title"'
+        bare = word == "after"  # then the words behind it are read as kinds
+        hint = "the title goes in straight quotes" if bare else "did you mean after?"
+        yield at, "unknown-word", message, f'{hint}{":" * bare} !!! after "Title"'
 
 
 def _pictures(prose: str) -> Iterator[Found]:

@@ -75,8 +75,11 @@ def kind_of(value: object, problems: list[Problem]) -> tuple[str, Mapping[str, A
     table = mapping(value, path, problems, HINT)
     if table is None:
         return None
-    unknown_keys(table, (*KINDS, "ask", "scale", *WISHES), path, problems)
+    told, meant = len(problems), {"options": "did you mean “choice”?"}
+    unknown_keys(table, (*KINDS, "ask", "scale", *WISHES), path, problems, elsewhere=meant)
     kinds = [kind for kind in KINDS if kind in table]
+    if not kinds and len(problems) > told:  # it has another name there
+        return None
     if len(kinds) != 1:
         problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", HINT))
         return None

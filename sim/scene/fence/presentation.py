@@ -10,7 +10,7 @@ from typing import Any
 
 from sim.scene.fence.controls import Control, read_controls
 from sim.scene.fence.effect_controls import Switch, read_switches
-from sim.scene.fence.predict import Predict, kind_of, read_predict
+from sim.scene.fence.predict import KINDS, Predict, kind_of, read_predict
 from sim.scene.fence.presets import read_presets
 from sim.scene.fields import SKINS
 from sim.scene.model import Scene
@@ -67,6 +67,9 @@ class Fence:
         return self.watch == "first" or (not self.watch and self.predict is not None)
 
 
+PREDICTED = "it belongs to “predict:”, and begins two spaces further right"
+
+
 def read_fence(plain: object, *, named: bool = True) -> Fence:
     """The fence that `plain` describes; raises SceneError with every problem.
 
@@ -76,7 +79,8 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     table = mapping(plain, (), problems, "a scene is a table of keys, for example “carts:”")
     if table is None:
         raise SceneError(problems)
-    unknown_keys(table, (*FENCE_KEYS, *SCENE_KEYS), (), problems)
+    further = dict.fromkeys(KINDS, PREDICTED) if "predict" in table else None
+    unknown_keys(table, (*FENCE_KEYS, *SCENE_KEYS), (), problems, elsewhere=further)
     scene_part = {key: value for key, value in table.items() if key in SCENE_KEYS}
     scene = collect_scene(scene_part, problems)
     identity = _identity(table, problems, named=named)
@@ -153,7 +157,9 @@ def _predict(
     table: Mapping[str, Any], scene: Scene | None, problems: list[Problem]
 ) -> Predict | None:
     """The prediction, if there is one; without a scene only its kind can be judged."""
-    if "predict" not in table:
+    if "predict" not in table or any(
+        kind in table for kind in KINDS
+    ):  # its kind stands too far left
         return None
     if scene is None:
         kind_of(table["predict"], problems)
