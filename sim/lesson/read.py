@@ -56,7 +56,8 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
         return None
     known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
     a_list = _missing_list(kind, table)
-    unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=_ELSEWHERE.get(kind))
+    elsewhere = _ask(table, known) | _ELSEWHERE.get(kind, {})
+    unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=elsewhere)
     question = kind.read(table, common, path, problems)
     return question if len(problems) == before else None
 
@@ -70,6 +71,13 @@ def _misspelt(table: Mapping[str, Any], path: Path) -> list[Problem]:
     unknown_keys(strange, common, path, found)
     missing = {meant(name) for name in common if name not in table}
     return [problem for problem in found if problem.hint in missing]
+
+
+def _ask(table: Mapping[str, Any], known: tuple[str, ...]) -> dict[str, str]:
+    """The hint for the only sentence under a key that nobody knows, where `ask` is missing."""
+    strange = {name: entry for name, entry in table.items() if name not in known}
+    said = [name for name, entry in strange.items() if isinstance(entry, str) and " " in entry]
+    return {said[0]: meant("ask")} if len(said) == 1 and "ask" not in table else {}
 
 
 def _missing_list(kind: type[Question], table: Mapping[str, Any]) -> str:

@@ -58,7 +58,7 @@ def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
             return True
         if p.code == "no-correct-option":
             return p.path in marks
-        name = p.message.removesuffix(" is missing")
+        name, _, _ = p.message.partition(" is missing")
         return p.code == "missing" and ((p.path, meant(name)) in hints or (p.path, name) in glued)
 
     return tuple(p for p in found if not follows(p))

@@ -77,7 +77,7 @@ def _question(block: Block, page: Page) -> str:
     from sim.pages.question.render import render_question
 
     read = read_question_block(block, page.lesson, page.ids, first_line=page.first_line)
-    page.items.questions.append(read)
+    page.items.ask(read)
     if page.section.optional:
         page.items.optional.add(read.question.id)
     gate = page.items.gate(read.question)

@@ -91,7 +91,7 @@ def _read(
 ) -> list[Finding]:
     """Read one block and add it to `items`, and give hints; raises `AuthorError`."""
     if block.name == "question":
-        items.questions.append(read_question_block(block, lesson, ids, first_line=1))
+        items.ask(read_question_block(block, lesson, ids, first_line=1))
         return waits_by_default(items.questions[-1], items) if hints else []
     if block.name == "challenge":
         read_challenge_block(block, lesson, ids, items.scenes, first_line=1)

@@ -35,6 +35,7 @@ class PageItems:
 
     scenes: list[Fence] = field(default_factory=list)
     questions: list[QuestionBlock] = field(default_factory=list)
+    scenes_above: list[int] = field(default_factory=list)  # of each question, how many
     quizzes: list[QuizBlock] = field(default_factory=list)
     laws: list[tuple[str, str]] = field(default_factory=list)
     """Id and hash of each block in which a reader writes a law."""
@@ -49,6 +50,11 @@ class PageItems:
     def scene_ids(self) -> list[str]:
         """The ids of all scenes up to here."""
         return [scene.id for scene in self.scenes]
+
+    def ask(self, block: QuestionBlock) -> None:
+        """Take the next question of the page."""
+        self.questions.append(block)
+        self.scenes_above.append(len(self.scenes))
 
     def gate(self, question: Question) -> str:
         """The scene that is watched before the question opens; empty: it is open at once."""
@@ -91,11 +97,15 @@ class PageItems:
     def findings(self) -> Iterator[Finding]:
         """Blocks that make sense alone but not together."""
         scenes = {scene.id: scene for scene in self.scenes}
-        for block in self.questions:
+        for block, above in zip(self.questions, self.scenes_above, strict=True):
             after = block.question.common.after
             scene = after.removesuffix(FORCES)
             if after not in ("", OPEN) and scene not in scenes:
                 yield block.places.finding(self._no_such_scene("after", scene))
+            elif after not in ("", OPEN) and scene not in self.scene_ids[:above]:
+                message = f"the scene “{scene}” stands below this question"
+                hint = "put the question below it, where the page says “the run above”"
+                yield block.places.finding(Problem(("after",), "too-early", message, hint))
             elif after != scene and scenes[scene].forces != "hidden":
                 message = f"the forces of “{scene}” are shown: there are none to find"
                 hint = f"after: {scene}; or write forces: hidden into the scene"

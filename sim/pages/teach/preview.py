@@ -153,7 +153,7 @@ class Desk:
         from sim.pages.question.render import render_question
 
         read = read_question_block(block, lesson, ids, first_line=1)
-        items.questions.append(read)
+        items.ask(read)
         number = len(items.questions)
         made = self._remembered(
             f"question {number} {block.body}", lambda: render_question(read.question, number=number)

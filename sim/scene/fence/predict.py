@@ -139,8 +139,9 @@ def _arrows(
         wanted = [key for key, pair in names.items() if not {"left", "right"} & set(pair)]
     pairs = [names.get(str(key)) for key in wanted]
     if not pairs or None in pairs:
-        strange = str(wanted[pairs.index(None)]) if pairs else ""
-        problems.append(_no_pair(strange, names, path))
+        strange = wanted[pairs.index(None)] if pairs else ""
+        named = "" if isinstance(strange, (dict, list, tuple)) else str(strange)
+        problems.append(_no_pair(named, names, path))
         return None
     return Predict(
         kind="arrows",
