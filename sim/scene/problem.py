@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 from sim.scene.said import said
 
 Path = tuple[str | int, ...]
+_KEY_END = re.compile(r":|\s*=")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +49,7 @@ def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:
     or in a way that cannot be read, is none that is missing."""
     found = tuple(problems)
     hints = {(p.path[:-1], p.hint) for p in found if p.code == "unknown-key"}
-    glued = {(p.path[:-1], str(p.path[-1]).partition(":")[0]) for p in found if p.path}
+    glued = {(p.path[:-1], _KEY_END.split(str(p.path[-1]), maxsplit=1)[0]) for p in found if p.path}
     marks = {p.path[:-2] for p in found
              if p.path[-1:] == ("correct",) or p.hint == meant("correct")}  # fmt: skip
 

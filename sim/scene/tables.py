@@ -15,6 +15,7 @@ from sim.scene.quantity import exact
 _NO_KEY = re.compile(r"[\s.!?…’'A-Z]")
 _AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
 """What {mass: 0,5 kg} leaves behind: a key “5 kg” without a value."""
+_EQUALS = re.compile(r"([\w.-]+)\s*=\s*(.+)")
 
 
 def mapping(
@@ -68,6 +69,8 @@ def unknown_keys(
                 hint = f"a text with a comma in it goes in quotes: {cut}"
             if ":" in str(key):
                 hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
+            if wrote := _EQUALS.fullmatch(str(key)):
+                hint = f"write a colon and a space: {wrote[1]}: {wrote[2]}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
 
 

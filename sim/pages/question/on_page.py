@@ -14,7 +14,7 @@ from sim.lesson.opening import Rule
 from sim.pages.findings import Finding
 from sim.pages.question.block import QuestionBlock
 from sim.pages.question.quiz import QuizBlock
-from sim.pages.text.fence_scan import Block, meant_kind
+from sim.pages.text.fence_scan import Block, meant_kind, with_swallowed
 from sim.scene import Fence, Problem
 
 NO_SCENE = "no-such-scene"
@@ -70,11 +70,12 @@ class PageItems:
         return max([1, *(len(one.presets) for one in self.scenes if one.id == scene)])
 
     def give_up(self, block: Block) -> None:
-        """Remember that this block has mistakes."""
-        if meant_kind(block.name) == "scene" and block.stated_id:
-            self.broken.add(block.stated_id)
-        if meant_kind(block.name) == "question" and block.stated_id:
-            self.broken_questions.add(block.stated_id)
+        """Remember that this block has mistakes, and so those that it swallowed."""
+        for one in with_swallowed(block):
+            if meant_kind(one.name) == "scene" and one.stated_id:
+                self.broken.add(one.stated_id)
+            if meant_kind(one.name) == "question" and one.stated_id:
+                self.broken_questions.add(one.stated_id)
 
     def follows(self, finding: Finding) -> bool:
         """Whether it says no more than that a scene with mistakes is not there: under its own id,

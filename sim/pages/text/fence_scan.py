@@ -79,6 +79,12 @@ def scan(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:
         index = end
 
 
+def with_swallowed(block: Block) -> Iterator[Block]:
+    """The block, and those that stand in its text, for want of its closing line."""
+    yield block
+    yield from scan(block.body.split("\n"), front_matter=False)
+
+
 def meant_kind(name: str) -> str | None:
     """The kind of block that `name` is or was most likely meant to be; None for anything else."""
     plain = name.strip("{}.:").lower()

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 from itertools import dropwhile, takewhile, zip_longest
 
-from sim.pages.text.fence_scan import scan
+from sim.pages.text.fence_scan import scan, with_swallowed
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import HEADING
 
@@ -80,11 +80,16 @@ def without_scene(text: str) -> Iterator[tuple[int, str]]:
     """Where in the text, without its code, something waits for a run that no scene above it has:
     the place, and the scene that was named, if one was."""
     lines = lines_of(text, keepends=True)
-    scenes = [block for block in scan(lines) if block.name == "scene"]
+    scenes = [
+        (block.start, one.stated_id)
+        for block in scan(lines)
+        for one in with_swallowed(block)
+        if one.name == "scene"
+    ]
     at = 0
     for k, line in enumerate(lines):
         if found := _OPENS.fullmatch(line.rstrip("\n")):
-            above = [block.stated_id for block in scenes if block.start < k]
+            above = [identity for start, identity in scenes if start < k]
             named = found["scene"] or ""
             if not above or (named and named not in above):
                 yield at + len(found["indent"]), named
