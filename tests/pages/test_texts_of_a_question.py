@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from sim.lesson import read_question
 from sim.pages.question.inside import to_html, to_inline
+from sim.pages.question.render import render_question
 
 
 @pytest.mark.parametrize(
@@ -29,3 +31,15 @@ def test_marks_inside_of_a_line_are_read() -> None:
 def test_several_lines_may_be_a_list_or_a_table() -> None:
     assert "<li>two</li>" in to_html("- one\n- two")
     assert "<td>2</td>" in to_inline("| a |\n|---|\n| 2 |")
+
+
+@pytest.mark.parametrize(
+    ("start", "inside"),
+    [("The force …", True), ("equal in …, opposite in …, they act on …", False)],
+)
+def test_a_long_beginning_of_a_sentence_stands_above_the_box(start: str, inside: bool) -> None:
+    """Inside of a box of one line, 289 px on a phone, it was cut."""
+    plain = {"id": "a", "type": "short", "ask": "Go on.", "start": start, "accept": ["x"]}
+    made = render_question(read_question(plain))
+    assert (f'placeholder="{start}"' in made) is inside
+    assert (f"You can begin like this: “{start}”" in made) is not inside
