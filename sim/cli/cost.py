@@ -50,11 +50,9 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
 
     SCENE is a scene file, or LESSON.md#ID of a lesson; - reads standard input. `time` is the time
     of a single run as a multiple of the exact outcome's, measured in this process. Errors are the
-    worst of up to 64 runs whose touches fall at different places within a step (8 where many cannot
-    be stepped at once, 1 of a method that chooses its steps); steps are the run's length over a
-    prime number.
+    worst of up to 64 runs whose touches fall at different places within a step.
     With python-flint (pip install "newtons-carts[certify]") errors are measured against a proof,
-    where there is one, and the certificate stands in the table: its error is half of its width.
+    where there is one; that has half of its width as error.
 
     \b
     carts cost my-scene.yml

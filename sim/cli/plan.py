@@ -35,7 +35,7 @@ def command(scene: str, as_json: bool, relevance: bool) -> None:
     \b
     carts plan my-scene.yml
     carts plan --json my-scene.yml
-    carts plan --relevance my-lesson.md#first-hit
+    carts plan --relevance my-scene.yml
     """
     description = scene_file.read(scene)
     if description.written:
