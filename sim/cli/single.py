@@ -8,7 +8,7 @@ import click
 
 from sim.cli.named_file import GivenFile
 from sim.cli.scene_file import fail
-from sim.cli.scene_of_lesson import scene_in
+from sim.cli.scene_of_lesson import LESSON, scene_in
 from sim.cli.write_out import write_out
 from sim.pages.findings import AuthorError, SiteError
 
@@ -34,7 +34,7 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
     """
     from sim.pages.single.of_scene import single_file
 
-    if path.suffix not in (".md", *SCENES):
+    if path.suffix not in (LESSON, *SCENES):
         raise click.UsageError(
             f"{path} is neither a lesson (.md) nor a scene file (.yml): its ending tells which."
         )

@@ -15,14 +15,12 @@ POINT_MASS = re.compile(r"(?:mass|masse|masa|massa|质点|质量|質點)[ _]+(?=
 
 def cart_of(name: str) -> str:
     """A name without that word."""
-    return POINT_MASS.sub("", name, count=1) if POINT_MASS.match(name) else name
+    found = POINT_MASS.match(name)
+    return name[found.end() :] if found else name
 
 
 def called_as_carts(found: Sequence[Track]) -> list[Track]:
     """The tracks without that word, where both have it and still differ."""
-    carts = [cart_of(one.name) for one in found]
-    if any(cart == one.name for cart, one in zip(carts, found, strict=True)):
-        return list(found)
-    if len(set(carts)) < len(carts):
-        return list(found)
-    return [replace(one, name=cart) for one, cart in zip(found, carts, strict=True)]
+    carts = [replace(one, name=cart_of(one.name)) for one in found]
+    both = all(cart != one for cart, one in zip(carts, found, strict=True))
+    return carts if both and len({cart.name for cart in carts}) == len(carts) else list(found)

@@ -125,8 +125,9 @@ def _edges(trace: Floats, peak: int, ahead: int, level: float) -> tuple[int, int
     ends = []
     for side in (trace[peak::-1], trace[peak:]):
         own = min(FADED * float(np.percentile(side, 25)), DROWNED * float(trace[peak]))
+        faded = max(level, own)
         means = np.convolve(side[1:], np.ones(ahead) / ahead)[ahead - 1 :]
-        over = (side[1:] > max(level, own)) | (means > max(level, own))
+        over = (side[1:] > faded) | (means > faded)
         far = int(np.argmin(over)) if not over.all() else len(side) - 1
         ends.append(far)
     return peak - ends[0], peak + ends[1]

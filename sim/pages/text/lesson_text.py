@@ -91,9 +91,10 @@ def _held_back(prose: str, text: str) -> Iterator[Found]:
         yield at, "no-such-scene", f"“!!! after” waits for a run, and {told}", hint
     for at, word in misspelt(prose):
         message = f"“{word[:40]}” holds nothing back: this text is there at once"
-        bare = word == "after"  # then the words behind it are read as kinds
-        hint = "the title goes in straight quotes" if bare else "did you mean after?"
-        yield at, "unknown-word", message, f'{hint}{":" * bare} !!! after "Title"'
+        hint = "did you mean after?"
+        if word == "after":  # the words behind it are read as kinds
+            hint = "the title goes in straight quotes:"
+        yield at, "unknown-word", message, f'{hint} !!! after "Title"'
 
 
 def _pictures(prose: str) -> Iterator[Found]:

@@ -157,9 +157,8 @@ def _predict(
     table: Mapping[str, Any], scene: Scene | None, problems: list[Problem]
 ) -> Predict | None:
     """The prediction, if there is one; without a scene only its kind can be judged."""
-    if "predict" not in table or any(
-        kind in table for kind in KINDS
-    ):  # its kind stands too far left
+    too_far_left = any(kind in table for kind in KINDS)
+    if "predict" not in table or too_far_left:
         return None
     if scene is None:
         kind_of(table["predict"], problems)
