@@ -2272,7 +2272,8 @@
       this.slider.valueAsNumber = value;
       put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
       const typing = document.activeElement === this.box && this.box.value !== this.#sent;
-      if (!typing) this.#write(value);
+      if (typing) return;
+      this.#write(value);
       this.clear();
     }
     complain(message) {

@@ -83,6 +83,32 @@ def test_a_wrong_number_is_explained_beside_its_box(
         expect(error).to_be_hidden()
 
 
+TYPE_TWO = """(box, texts) => {
+  box.focus();
+  for (const text of texts) {
+    box.value = text;
+    box.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+  }
+}"""
+
+
+@pytest.mark.one_browser
+def test_a_run_that_arrives_late_does_not_unsay_what_was_typed_since(
+    shared_page: SharePage, widget_site: Path
+) -> None:
+    page = live(shared_page(widget_site / "meeting.html"))
+    control = page.locator('#meeting [data-set="A.mass"]')
+    box = control.locator("[type=text]")
+    box.evaluate(TYPE_TWO, ["0.6", "one"])
+    expect(page.locator('#meeting [data-body="A"] [data-quantity="mass"]')).to_have_text("0.6")
+    expect(control.locator(".carts-error")).to_contain_text("not a number")
+    expect(control.locator(".carts-error")).to_be_visible()
+    expect(box).to_have_value("one")
+    page.locator("#meeting .carts-reset").click()
+    expect(control.locator(".carts-error")).to_be_hidden()
+    expect(box).to_have_value("0.5")
+
+
 def test_everything_is_reached_by_keyboard(shared_page: SharePage, widget_site: Path) -> None:
     page = live(shared_page(widget_site / "meeting.html"))
     world, clock = page.locator("#meeting .carts-world"), page.locator("#meeting .carts-clock")

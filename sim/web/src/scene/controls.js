@@ -118,12 +118,13 @@ class ControlView {
     return this.control.per === 1 ? value : `${value} ${this.control.unit}`;
   }
 
-  /** @param {number} value in the control's unit; leaves alone what the reader has typed since */
+  /** @param {number} value in the control's unit; leaves alone what the reader has typed since, and what was said of it */
   show(value) {
     this.slider.valueAsNumber = value;
     put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
     const typing = document.activeElement === this.box && this.box.value !== this.#sent;
-    if (!typing) this.#write(value);
+    if (typing) return;
+    this.#write(value);
     this.clear();
   }
 
