@@ -1,6 +1,6 @@
 /** How bodies are named: carts by their letters, the ends of the track by what stands there. */
 
-import { tr } from "./language.js";
+import { inRow, tr } from "./language.js";
 
 /** @typedef {import("./types.js").Track} Track */
 
@@ -70,7 +70,7 @@ export function forceOn(on, by) {
 export function listed(names) {
   const [first = "", second] = names;
   if (second === undefined) return first;
-  const rest = names.slice(0, -1).join(", ");
+  const rest = inRow(names.slice(0, -1));
   return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
 }
 

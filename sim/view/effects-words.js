@@ -2,7 +2,7 @@
 
 import { bodiesOf, listed } from "./bodies.js";
 import { agent, isLink, nameOf, viewOf } from "./effects.js";
-import { tr } from "./language.js";
+import { inRow, tr } from "./language.js";
 
 /** @typedef {import("./types.js").Header} Header */
 /** @typedef {import("./types.js").Effect} Effect */
@@ -19,7 +19,7 @@ export function actingSentences(header, numbers) {
   const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
   const model = tr("In this model: {effects}.", { effects: inside });
   if (!leftOut.length) return model;
-  const outside = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
+  const outside = tr("Left out: {effects}.", { effects: inRow(leftOut) });
   return `${model} ${outside}`;
 }
 

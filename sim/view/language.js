@@ -51,6 +51,17 @@ export function told(sentence) {
   return filled(template, Object.fromEntries(values));
 }
 
+/** @param {string[]} parts @returns {string} one after the other, with the comma of the reader's language */
+export function inRow(parts) {
+  const [head = "", ...tail] = parts;
+  return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+}
+
+/** @param {string} sentence @returns {string} with the full stop of the reader's language */
+export function ended(sentence) {
+  return tr("{sentence}.", { sentence });
+}
+
 /** @param {string} template @param {Record<string, string | number>} values */
 function filled(template, values) {
   return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));

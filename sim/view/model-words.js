@@ -3,7 +3,7 @@
 import { bodiesOf, listed } from "./bodies.js";
 import { viewOf } from "./effects.js";
 import { phrase } from "./effects-words.js";
-import { tr } from "./language.js";
+import { ended, tr } from "./language.js";
 import { APART, capital, lawsOf } from "./words.js";
 
 /** @typedef {import("./types.js").Header} Header */
@@ -20,7 +20,7 @@ const BOTH_FORCES = tr(
  */
 export function modelSentences(header, numbers) {
   const acting = header.effects.filter(({ active }) => active);
-  const sentences = acting.map((effect) => `${capital(phrase(effect, header, numbers))}.`);
+  const sentences = acting.map((effect) => ended(capital(phrase(effect, header, numbers))));
   if (!acting.length) {
     sentences.push(
       tr("Where nothing touches, nothing pushes along the track: every cart keeps its velocity."),
@@ -56,6 +56,6 @@ function contactSentences(header) {
       : one?.restitution === null
         ? tr("whoever touches stays together")
         : tr("a hit takes no time");
-    return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
+    return ended(alike.size > 1 ? `${names}: ${how}` : capital(how));
   });
 }

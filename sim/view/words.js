@@ -2,7 +2,7 @@
 
 import { bodiesOf, body, isWall } from "./bodies.js";
 import { pairsApart } from "./effects.js";
-import { tr } from "./language.js";
+import { ended, tr } from "./language.js";
 import { figures, fixed, NOISE, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
@@ -62,7 +62,7 @@ export function eventSentence(event, telling, laws, bare, track) {
   const speeds = names
     .filter((name) => !isWall(name) && name in (event.after ?? {}))
     .map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-  const after = speeds.length ? `${speeds.join(". ")}.` : "";
+  const after = speeds.map(ended).join(" ");
   const size = `${figures(impulse)}\u00a0N\u00a0s`;
   const shown = forces && impulse ? tr("Impulse on each: {size}.", { size }) : "";
   const told = (/** @type {string[]} */ ...sentences) => sentences.filter(Boolean).join(" ");

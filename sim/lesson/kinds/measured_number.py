@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
@@ -11,6 +12,7 @@ from sim.lesson.keys import NUMBER_OR_TEXT, Key
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
 
+PLUS_MINUS = re.compile(r"(?:±|\+/?[-−])\s*(?=[\d.])")
 FIGURES = 3  # what pages show and students type
 TOLERANCE = Key(
     "tolerance",
@@ -32,6 +34,11 @@ def read_unit(
             return "", units.RATIO
         message = f"“{unit[:20]}” is not a unit that is known here"
         hint = "for example m/s, cm, N, kg, J, N s"
+        if both := PLUS_MINUS.match(unit):
+            number, spread = str(table[name]).split(both[0], 1)
+            message = "how far from it is still right has a key of its own, tolerance"
+            whole = f"{number.strip()} {unit_of(spread)}".strip()
+            hint = f"{name}: {whole}, and beside it tolerance: {spread.strip()}"
         problems.append(Problem((*path, name), "wrong-unit", message, hint))
         return "", units.RATIO
     return unit, dimension

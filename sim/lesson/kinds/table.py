@@ -198,6 +198,8 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
     unknown_keys(cell, keys.names(CELL_KEYS), path, problems)
     before = len(problems)
     unit, dimension = read_unit(cell, "answer", path, problems)
+    if len(problems) > before:  # whatever is said about the rest would follow from this
+        return Open(answer=0, tolerance=0, unit="", units={})
     exact = read_number(cell, "answer", dimension, path, problems)
     tolerance = read_tolerance(cell, exact, (unit, dimension), path, problems)
     if len(problems) == before:

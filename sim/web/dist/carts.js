@@ -428,6 +428,13 @@
     const template = one ? form(one, code, n3) : catalogue[code] ?? code;
     return filled(template, Object.fromEntries(values));
   }
+  function inRow(parts2) {
+    const [head = "", ...tail3] = parts2;
+    return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
+  function ended(sentence) {
+    return tr("{sentence}.", { sentence });
+  }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
@@ -1553,7 +1560,7 @@
   function listed(names) {
     const [first = "", second] = names;
     if (second === void 0) return first;
-    const rest = names.slice(0, -1).join(", ");
+    const rest = inRow(names.slice(0, -1));
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
   function onBy(on, by, track) {
@@ -2006,13 +2013,13 @@
     ],
     pieces(effect, { key, run, t: t3, layout, face: face2 }) {
       const [a2, b2] = effect.between ?? ["", ""];
-      const [begun2, ended2] = pushes(effect, run);
+      const [begun2, ended3] = pushes(effect, run);
       const low = layout.track - ABOVE2;
       const ends = [face2(a2, "right"), face2(b2, "left")].map(Number);
-      if (t3 > ended2) {
-        const there = edge(run, a2, ended2) - edge(run, a2, t3);
+      if (t3 > ended3) {
+        const there = edge(run, a2, ended3) - edge(run, a2, t3);
         const start2 = Number(ends[0]) + there * layout.scale - HALF;
-        const long = (edge(run, b2, ended2, -1) - edge(run, a2, ended2)) * layout.scale;
+        const long = (edge(run, b2, ended3, -1) - edge(run, a2, ended3)) * layout.scale;
         const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
         return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
       }
@@ -2031,8 +2038,8 @@
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
     const begun2 = mine.find(({ kind: kind2, t: t3 }) => kind2 === "release" && t3 === at3);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended2 = mine.find(({ kind: kind2, t: t3 }) => kind2 === "separate" && t3 > begun2.t);
-    return [begun2.t, ended2?.t ?? Infinity];
+    const ended3 = mine.find(({ kind: kind2, t: t3 }) => kind2 === "separate" && t3 > begun2.t);
+    return [begun2.t, ended3?.t ?? Infinity];
   }
   function edge({ header, trajectory }, name, t3, way = 1) {
     const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
@@ -3708,7 +3715,7 @@
     const pair = capital(bodiesOf(names, track));
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name) => !isWall(name) && name in (event.after ?? {})).map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? `${speeds.join(". ")}.` : "";
+    const after = speeds.map(ended).join(" ");
     const size = `${figures(impulse)} N s`;
     const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
     const told4 = (...sentences) => sentences.filter(Boolean).join(" ");
@@ -3731,13 +3738,13 @@
         return peakSentence(event, telling2, laws, bare, pair);
       case "separate": {
         if (!joined(event, scale)) return told4(tr("{pair} separate.", { pair }), shown3, after);
-        const ended2 = { pair: bodiesOf(names, track) };
+        const ended3 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
-          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
+          const stay2 = tr("The push between {pair} has ended; they stay together.", ended3);
           return told4(stay2, shown3, after);
         }
-        return told4(pushEnded(event, telling2, ended2.pair), shown3);
+        return told4(pushEnded(event, telling2, ended3.pair), shown3);
       }
       case "stick":
         return told4(tr("{pair} stay together.", { pair }), after);
@@ -4342,7 +4349,7 @@
   var ALONE = 0.02;
   function meanForces(run) {
     const found3 = [];
-    for (const touch of ended(run)) {
+    for (const touch of ended2(run)) {
       const { bodies, start, end: end2 } = touch;
       const impulse = impulseOf(run, touch);
       const carts = bodies.filter((name) => !isWall(name));
@@ -4357,7 +4364,7 @@
     return found3;
   }
   function anyTouch(run) {
-    return ended(run).length > 0;
+    return ended2(run).length > 0;
   }
   function massOf({ header }, name) {
     return header.bodies.find((one) => one.name === name)?.mass ?? 0;
@@ -4365,7 +4372,7 @@
   function velocity({ trajectory }, name, t3) {
     return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t3);
   }
-  function ended({ header }) {
+  function ended2({ header }) {
     return touches(header.events, header.until).filter(({ end: end2 }) => end2 < header.until);
   }
   function impulseOf({ header }, { pair, end: end2 }) {
@@ -4819,12 +4826,12 @@
       if (!missing.length) return null;
       const refused = missing.filter((row) => row.box.value.trim());
       if (refused.length) {
-        const names = refused.map(({ name }) => name).join(", ");
+        const names = inRow(refused.map(({ name }) => name));
         const problem = tr("This number does not work yet: {names}.", { names });
         return `${problem} ${this.#range()}`;
       }
       return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
-        names: missing.map(({ name }) => name).join(", ")
+        names: inRow(missing.map(({ name }) => name))
       });
     }
     compare(run) {
@@ -5294,7 +5301,7 @@
     }
     problem() {
       const missing = this.#rows.filter(({ share }) => share === null);
-      const names = missing.map(({ name }) => name).join(", ");
+      const names = inRow(missing.map(({ name }) => name));
       const told4 = names === this.#told;
       this.#told = names;
       if (!names) return null;
@@ -5876,7 +5883,7 @@
       until: fixed(until, decimals)
     });
     const because = told2(why);
-    const sentence = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
+    const sentence = ended(`${(because[0] ?? "").toUpperCase()}${because.slice(1)}`);
     return [times2, SOLVERS[solver] ?? solver, sentence];
   }
   function duration(seconds) {
@@ -5886,7 +5893,7 @@
   }
   function formulasWords(solvers) {
     const used = Object.entries(solvers).map(([name, count2]) => `${USED[name] ?? name}: ${count2}`);
-    return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
+    return used.length ? tr("Formulas worked out, {counts}.", { counts: inRow(used) }) : "";
   }
   function costWords({ cost }) {
     const all = cost.solution + cost.points;
@@ -6337,7 +6344,7 @@
         button.toggleAttribute("data-seen", this.#seen.has(button.dataset.preset ?? ""));
       }
       if (!this.#seen.size) return;
-      const left = this.left.join(", ");
+      const left = inRow(this.left);
       say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
     }
   };
@@ -7768,7 +7775,7 @@ ${lines4.join("\n")}
     const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).leftOut ?? viewOf(kind2).name);
     const model = tr("In this model: {effects}.", { effects: inside2 });
     if (!leftOut.length) return model;
-    const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
+    const outside2 = tr("Left out: {effects}.", { effects: inRow(leftOut) });
     return `${model} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
@@ -10205,7 +10212,7 @@ ${lines4.join("\n")}
   );
   function modelSentences(header, numbers) {
     const acting = header.effects.filter(({ active }) => active);
-    const sentences = acting.map((effect) => `${capital(phrase(effect, header, numbers))}.`);
+    const sentences = acting.map((effect) => ended(capital(phrase(effect, header, numbers))));
     if (!acting.length) {
       sentences.push(
         tr("Where nothing touches, nothing pushes along the track: every cart keeps its velocity.")
@@ -10231,7 +10238,7 @@ ${lines4.join("\n")}
       const [one] = contacts;
       const names = contacts.map(({ bodies }) => bodiesOf(bodies, header.track)).join("; ");
       const how = one?.stiffness ? tr("bumpers push like springs, the harder the more they are squeezed") : one?.restitution === null ? tr("whoever touches stays together") : tr("a hit takes no time");
-      return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
+      return ended(alike.size > 1 ? `${names}: ${how}` : capital(how));
     });
   }
 

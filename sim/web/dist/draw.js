@@ -11174,6 +11174,13 @@ ${second && across3}
     const template = one ? form(one, code, n) : catalogue[code] ?? code;
     return filled(template, Object.fromEntries(values));
   }
+  function inRow(parts2) {
+    const [head = "", ...tail3] = parts2;
+    return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
+  function ended(sentence) {
+    return tr("{sentence}.", { sentence });
+  }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
@@ -11365,7 +11372,7 @@ ${table3(facts)}
   function listed(names) {
     const [first = "", second] = names;
     if (second === void 0) return first;
-    const rest = names.slice(0, -1).join(", ");
+    const rest = inRow(names.slice(0, -1));
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
   function onBy(on, by, track) {
@@ -11804,13 +11811,13 @@ ${table3(facts)}
     ],
     pieces(effect, { key: key2, run, t, layout, face: face2 }) {
       const [a, b] = effect.between ?? ["", ""];
-      const [begun2, ended] = pushes(effect, run);
+      const [begun2, ended2] = pushes(effect, run);
       const low = layout.track - ABOVE2;
       const ends2 = [face2(a, "right"), face2(b, "left")].map(Number);
-      if (t > ended) {
-        const there = edge2(run, a, ended) - edge2(run, a, t);
+      if (t > ended2) {
+        const there = edge2(run, a, ended2) - edge2(run, a, t);
         const start2 = Number(ends2[0]) + there * layout.scale - HALF;
-        const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
+        const long = (edge2(run, b, ended2, -1) - edge2(run, a, ended2)) * layout.scale;
         const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
         return [{ key: `${key2} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
       }
@@ -11829,8 +11836,8 @@ ${table3(facts)}
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
     const begun2 = mine.find(({ kind: kind2, t }) => kind2 === "release" && t === at);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
-    return [begun2.t, ended?.t ?? Infinity];
+    const ended2 = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
+    return [begun2.t, ended2?.t ?? Infinity];
   }
   function edge2({ header, trajectory }, name, t, way = 1) {
     const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
@@ -11961,7 +11968,7 @@ ${table3(facts)}
     const pair = capital(bodiesOf(names, track));
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name) => !isWall(name) && name in (event.after ?? {})).map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after2 = speeds.length ? `${speeds.join(". ")}.` : "";
+    const after2 = speeds.map(ended).join(" ");
     const size = `${figures(impulse)} N s`;
     const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
     const told4 = (...sentences) => sentences.filter(Boolean).join(" ");
@@ -11984,13 +11991,13 @@ ${table3(facts)}
         return peakSentence(event, telling, laws, bare, pair);
       case "separate": {
         if (!joined(event, scale)) return told4(tr("{pair} separate.", { pair }), shown2, after2);
-        const ended = { pair: bodiesOf(names, track) };
+        const ended2 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
-          const stay = tr("The push between {pair} has ended; they stay together.", ended);
+          const stay = tr("The push between {pair} has ended; they stay together.", ended2);
           return told4(stay, shown2, after2);
         }
-        return told4(pushEnded(event, telling, ended.pair), shown2);
+        return told4(pushEnded(event, telling, ended2.pair), shown2);
       }
       case "stick":
         return told4(tr("{pair} stay together.", { pair }), after2);
@@ -12311,7 +12318,7 @@ ${rows}</tbody></table></div>
     const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).leftOut ?? viewOf(kind2).name);
     const model3 = tr("In this model: {effects}.", { effects: inside7 });
     if (!leftOut.length) return model3;
-    const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
+    const outside2 = tr("Left out: {effects}.", { effects: inRow(leftOut) });
     return `${model3} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
@@ -15591,7 +15598,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   );
   function modelSentences(header, numbers) {
     const acting = header.effects.filter(({ active }) => active);
-    const sentences = acting.map((effect) => `${capital(phrase(effect, header, numbers))}.`);
+    const sentences = acting.map((effect) => ended(capital(phrase(effect, header, numbers))));
     if (!acting.length) {
       sentences.push(
         tr("Where nothing touches, nothing pushes along the track: every cart keeps its velocity.")
@@ -15617,7 +15624,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const [one] = contacts;
       const names = contacts.map(({ bodies }) => bodiesOf(bodies, header.track)).join("; ");
       const how = one?.stiffness ? tr("bumpers push like springs, the harder the more they are squeezed") : one?.restitution === null ? tr("whoever touches stays together") : tr("a hit takes no time");
-      return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
+      return ended(alike.size > 1 ? `${names}: ${how}` : capital(how));
     });
   }
 

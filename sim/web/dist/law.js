@@ -61,6 +61,10 @@
     const template = one ? form(one, code, n) : catalogue[code] ?? code;
     return filled(template, Object.fromEntries(values));
   }
+  function inRow(parts) {
+    const [head = "", ...tail] = parts;
+    return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
@@ -284,7 +288,7 @@
   function listed(names) {
     const [first = "", second] = names;
     if (second === void 0) return first;
-    const rest = names.slice(0, -1).join(", ");
+    const rest = inRow(names.slice(0, -1));
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
   function onBy(on, by, track) {

@@ -28,6 +28,10 @@
     const template = one ? form(one, code, n) : catalogue[code] ?? code;
     return filled(template, Object.fromEntries(values));
   }
+  function inRow(parts) {
+    const [head = "", ...tail] = parts;
+    return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
@@ -201,9 +205,9 @@
     if (kind === "separate") return tr("{one} and {other} part", { one, other });
     if (kind === "release") return tr("{one} and {other} are released", { one, other });
     if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
-    if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
-    if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
-    return `${kind} ${names.join(", ")}`;
+    if (kind === "stop") return tr("{one} stops", { one: inRow(names) });
+    if (kind === "start") return tr("{one} starts", { one: inRow(names) });
+    return `${kind} ${inRow(names)}`;
   }
   function row(label, bounds, unit) {
     const line = html("tr");

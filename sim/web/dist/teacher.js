@@ -163,6 +163,10 @@
     const template = one ? form(one, code, n) : catalogue[code] ?? code;
     return filled(template, Object.fromEntries(values));
   }
+  function inRow(parts) {
+    const [head = "", ...tail] = parts;
+    return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
@@ -1893,7 +1897,7 @@ ${table2(facts)}
   function listed(names) {
     const [first = "", second] = names;
     if (second === void 0) return first;
-    const rest = names.slice(0, -1).join(", ");
+    const rest = inRow(names.slice(0, -1));
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
 
@@ -2232,13 +2236,13 @@ ${table2(facts)}
     ],
     pieces(effect, { key, run, t, layout, face }) {
       const [a, b] = effect.between ?? ["", ""];
-      const [begun2, ended] = pushes(effect, run);
+      const [begun2, ended2] = pushes(effect, run);
       const low = layout.track - ABOVE;
       const ends2 = [face(a, "right"), face(b, "left")].map(Number);
-      if (t > ended) {
-        const there = edge2(run, a, ended) - edge2(run, a, t);
+      if (t > ended2) {
+        const there = edge2(run, a, ended2) - edge2(run, a, t);
         const start2 = Number(ends2[0]) + there * layout.scale - HALF;
-        const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
+        const long = (edge2(run, b, ended2, -1) - edge2(run, a, ended2)) * layout.scale;
         const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
         return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
       }
@@ -2257,8 +2261,8 @@ ${table2(facts)}
     const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
     const begun2 = mine.find(({ kind: kind2, t }) => kind2 === "release" && t === at);
     if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
-    const ended = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
-    return [begun2.t, ended?.t ?? Infinity];
+    const ended2 = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
+    return [begun2.t, ended2?.t ?? Infinity];
   }
   function edge2({ header, trajectory }, name, t, way = 1) {
     const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;

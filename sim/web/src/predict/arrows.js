@@ -1,6 +1,6 @@
 /** Prediction: how long is the force arrow on each body when the bumpers are squeezed the most? */
 
-import { tr } from "../../../view/language.js";
+import { inRow, tr } from "../../../view/language.js";
 import { fixed, short } from "../../../view/numbers.js";
 import { arrowLength, isCut } from "../../../view/shapes.js";
 import { html, need, say } from "../shared/dom.js";
@@ -80,12 +80,12 @@ export class ArrowsForm {
     if (!missing.length) return null;
     const refused = missing.filter((row) => row.box.value.trim());
     if (refused.length) {
-      const names = refused.map(({ name }) => name).join(", ");
+      const names = inRow(refused.map(({ name }) => name));
       const problem = tr("This number does not work yet: {names}.", { names });
       return `${problem} ${this.#range()}`;
     }
     return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
-      names: missing.map(({ name }) => name).join(", "),
+      names: inRow(missing.map(({ name }) => name)),
     });
   }
 

@@ -3,7 +3,7 @@
  * before the run, but everybody has an idea which body is pushed harder.
  */
 
-import { tr } from "../../../view/language.js";
+import { inRow, tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
 import { ALIKE, asked, greatest, LONG, pulled } from "./arrow-parts.js";
 
@@ -69,7 +69,7 @@ export class RelativeArrows {
   /** An arrow that was left alone may be forgotten, or an idea: that there is no such force. */
   problem() {
     const missing = this.#rows.filter(({ share }) => share === null);
-    const names = missing.map(({ name }) => name).join(", ");
+    const names = inRow(missing.map(({ name }) => name));
     const told = names === this.#told;
     this.#told = names;
     if (!names) return null;

@@ -1,7 +1,7 @@
 /** The rows of a certificate: what it is of, its two bounds, and how many digits they agree in. */
 
 import { body } from "../../../view/bodies.js";
-import { counted, tr } from "../../../view/language.js";
+import { counted, inRow, tr } from "../../../view/language.js";
 import { exponent, fixed, superscript } from "../../../view/numbers.js";
 import { html } from "../shared/dom.js";
 
@@ -40,9 +40,9 @@ function named(kind, bodies, track) {
   if (kind === "separate") return tr("{one} and {other} part", { one, other });
   if (kind === "release") return tr("{one} and {other} are released", { one, other });
   if (kind === "stick") return tr("{one} and {other} stay together", { one, other });
-  if (kind === "stop") return tr("{one} stops", { one: names.join(", ") });
-  if (kind === "start") return tr("{one} starts", { one: names.join(", ") });
-  return `${kind} ${names.join(", ")}`;
+  if (kind === "stop") return tr("{one} stops", { one: inRow(names) });
+  if (kind === "start") return tr("{one} starts", { one: inRow(names) });
+  return `${kind} ${inRow(names)}`;
 }
 
 /** @param {string} label @param {Bounds} bounds @param {string} unit */

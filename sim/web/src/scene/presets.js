@@ -1,7 +1,7 @@
 /** Ready-made settings: which of them is on screen, which were watched. A reader who pressed four shall see both. */
 
 import { whatIs } from "../../../view/bodies.js";
-import { tr } from "../../../view/language.js";
+import { inRow, tr } from "../../../view/language.js";
 import { put, say } from "../shared/dom.js";
 import { valueIn } from "./controls.js";
 
@@ -69,7 +69,7 @@ export class Presets {
       button.toggleAttribute("data-seen", this.#seen.has(button.dataset.preset ?? ""));
     }
     if (!this.#seen.size) return;
-    const left = this.left.join(", ");
+    const left = inRow(this.left);
     say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
   }
 }

@@ -1,6 +1,6 @@
 /** Every sentence of “How is this computed?”. */
 
-import { counted, told, tr } from "../../../../view/language.js";
+import { counted, ended, inRow, told, tr } from "../../../../view/language.js";
 import { fixed, short } from "../../../../view/numbers.js";
 
 /** @typedef {{cost: {solution: number, points: number}}} Cost seconds */
@@ -66,7 +66,7 @@ export function phaseWords({ from, until, solver, why }, decimals) {
     until: fixed(until, decimals),
   });
   const because = told(why);
-  const sentence = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
+  const sentence = ended(`${(because[0] ?? "").toUpperCase()}${because.slice(1)}`);
   return [times, SOLVERS[solver] ?? solver, sentence];
 }
 
@@ -80,7 +80,7 @@ function duration(seconds) {
 /** @param {Record<string, number>} solvers how often each was used @returns {string} */
 export function formulasWords(solvers) {
   const used = Object.entries(solvers).map(([name, count]) => `${USED[name] ?? name}: ${count}`);
-  return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
+  return used.length ? tr("Formulas worked out, {counts}.", { counts: inRow(used) }) : "";
 }
 
 /** @param {Cost} answer @returns {string} */
