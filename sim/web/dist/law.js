@@ -3049,14 +3049,18 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
-    let left = patience;
+    let [left, spent] = [patience, 0];
     const timer = setInterval(() => {
       left -= 1;
+      spent += 1;
       if (left > 0) return;
       clearInterval(timer);
       late();
     }, SECOND);
     return {
+      get spent() {
+        return spent;
+      },
       progress() {
         left = patience;
       },
@@ -3399,7 +3403,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "hard", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "hard", "law", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -3506,15 +3510,26 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   // src/law/own-python.js
   var PACKAGES = ["newtons-carts-law"];
   var LIMIT = 4;
+  var STARTS = 2;
+  var LONGEST3 = 20;
   var OwnPython = class {
     #runtime = null;
     #end = () => {
     };
+    #limit = LIMIT;
     constructor(base) {
       this.base = base;
     }
     wake() {
-      this.#runtime ??= startRuntime({ base: this.base, packages: PACKAGES });
+      if (this.#runtime) return this.#runtime;
+      const clock = watch(LONGEST3, () => {
+      });
+      const started = () => {
+        clock.stop();
+        this.#limit = Math.max(LIMIT, Math.min(STARTS * clock.spent, LONGEST3));
+      };
+      this.#runtime = startRuntime({ base: this.base, packages: PACKAGES });
+      this.#runtime.then(started, started);
       return this.#runtime;
     }
     async ask(message) {
@@ -3529,8 +3544,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         throw error;
       });
       const runtime = await Promise.race([failed, late]);
-      const timer = watch(LIMIT, () => {
-        this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+      const time = this.#limit;
+      const timer = watch(time, () => {
+        this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time })));
         this.stop();
       });
       try {

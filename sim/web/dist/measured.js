@@ -2547,14 +2547,18 @@
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
-    let left = patience;
+    let [left, spent] = [patience, 0];
     const timer = setInterval(() => {
       left -= 1;
+      spent += 1;
       if (left > 0) return;
       clearInterval(timer);
       late();
     }, SECOND);
     return {
+      get spent() {
+        return spent;
+      },
       progress() {
         left = patience;
       },
@@ -2897,7 +2901,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "hard", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "hard", "law", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -170,6 +171,23 @@ def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
     write(page, SPRING)
     press(page, "Run")
     expect(page.locator(".carts-law-fault")).to_have_text("")
+
+
+HURRIED = """() => {
+  const usual = window.setInterval;
+  window.setInterval = (act, ms) => usual(act, ms / 3);
+}"""
+"""The page counts tenths of a second for seconds: to it this computer is ten times as slow."""
+
+
+@pytest.mark.one_browser
+def test_where_python_starts_slowly_a_law_is_given_longer(open_page: OpenPage, bench: Path) -> None:
+    """Four seconds are ten usual laws here, and one on a laptop that has become old."""
+    page = opened(open_page, bench)
+    page.evaluate(HURRIED)
+    write(page, SLOW)
+    press(page, "Judge")
+    expect(page.locator(".carts-law-fault")).to_contain_text(re.compile(r"more than (?:[5-9]|1\d|20) s"))
 
 
 def test_the_text_is_kept_survives_a_reload_and_is_in_the_answer_file(

@@ -12,12 +12,15 @@ import { refusal } from "../shared/waiting.js";
 
 const PACKAGES = ["newtons-carts-law"];
 const LIMIT = 4; // s of one answer, in which the page was awake; a usual law takes a tenth of that
+const STARTS = 2; // and at least as many times as long as Python took to start: a slow computer takes long for both
+const LONGEST = 20; // s
 
 export class OwnPython {
   /** @type {Promise<Runtime> | null} */
   #runtime = null;
   /** @type {(error: Error) => void} */
   #end = () => {};
+  #limit = LIMIT;
 
   /** @param {string} base address of the folder `runtime/` */
   constructor(base) {
@@ -26,7 +29,14 @@ export class OwnPython {
 
   /** Starts it, so that a reader who types need not wait later. */
   wake() {
-    this.#runtime ??= startRuntime({ base: this.base, packages: PACKAGES });
+    if (this.#runtime) return this.#runtime;
+    const clock = watch(LONGEST, () => {});
+    const started = () => {
+      clock.stop();
+      this.#limit = Math.max(LIMIT, Math.min(STARTS * clock.spent, LONGEST));
+    };
+    this.#runtime = startRuntime({ base: this.base, packages: PACKAGES });
+    this.#runtime.then(started, started);
     return this.#runtime;
   }
 
@@ -46,8 +56,9 @@ export class OwnPython {
       throw error;
     });
     const runtime = await Promise.race([failed, late]);
-    const timer = watch(LIMIT, () => {
-      this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+    const time = this.#limit;
+    const timer = watch(time, () => {
+      this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time })));
       this.stop();
     });
     try {

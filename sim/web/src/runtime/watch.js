@@ -25,19 +25,23 @@ export const LOST = 60;
 export const HELD = 180;
 
 /**
- * Calls `late` once, after `patience` such seconds without a call of `progress`.
+ * Calls `late` once, after `patience` such seconds without a call of `progress`; `spent`: all of them so far.
  * @param {number} patience in s
  * @param {() => void} late
  */
 export function watch(patience, late) {
-  let left = patience;
+  let [left, spent] = [patience, 0];
   const timer = setInterval(() => {
     left -= 1;
+    spent += 1;
     if (left > 0) return;
     clearInterval(timer);
     late();
   }, SECOND);
   return {
+    get spent() {
+      return spent;
+    },
     progress() {
       left = patience;
     },
