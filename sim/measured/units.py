@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 from sim.scene.quantity import FORCE, LENGTH_READ, TIME, Dimension
@@ -72,6 +73,7 @@ def narrow(text: str) -> str:
     return text.translate(_WIDE)
 
 
+@lru_cache(4096)  # every reader asks whether a file is its own, by the same cells
 def head(text: str) -> tuple[str, str]:
     """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there."""
     text = narrow(text).strip()

@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import lru_cache
 
 from sim.measured.refusal import Fault, refuse, shown
 from sim.measured.sheet.commas import MINUS, with_decimal_commas
@@ -151,7 +152,7 @@ def is_empty(cell: str) -> bool:
 
 def is_number(cell: str) -> bool:
     """Whether a cell is a number in any of the ways they are written."""
-    return _NUMBER.fullmatch(_plain(cell)) is not None
+    return _NUMBER.fullmatch(cell) is not None or _NUMBER.fullmatch(_plain(cell)) is not None
 
 
 def number_of(cell: str) -> float:
@@ -169,6 +170,12 @@ _THOUSANDS_APART = re.compile(
 
 def _plain(cell: str) -> str:
     """The number without what parts its thousands, where that is certain: 1'850.2 or 1,850.2."""
+    return cell if _NUMBER.fullmatch(cell) else _freed(cell)
+
+
+@lru_cache(4096)  # words of heads, and signs for no reading: every reader asks them again
+def _freed(cell: str) -> str:
+    """The same for what is no plain number."""
     cell = cell.strip().translate(_MINUS)
     if _THOUSANDS_APART.fullmatch(cell) is None:
         return cell
