@@ -31,6 +31,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -133,21 +134,35 @@ def _kinds(spectra: Sequence[_Spectrum], nothing: float) -> Iterator[tuple[float
 
     counts = [len(one.y) for one in spectra]
     unknowns = spectra[0].u.shape[1]
+    smaller, larger = (
+        np.array([math.exp(sign * size) for size in SIZES])[:, None] for sign in (-1.0, 1.0)
+    )
     for colour in colours():
-        track = [_Weighed.of(one, variances(colour, len(one.y))) for one in spectra]
-        for size in SIZES:
+        track = [_Weighed.of(one, *_spread(colour, len(one.y))) for one in spectra]
+        # Of all sizes at once: a hundred calls of NumPy in place of five hundred.
+        along = smaller * track[0].along + larger * track[1].along
+        inner = smaller[..., None] * track[0].inner + larger[..., None] * track[1].inner
+        solved, determined = np.linalg.solve(inner, along[..., None]), np.linalg.slogdet(inner)[1]
+        for k, size in enumerate(SIZES):
             a, b = math.exp(-size), math.exp(size)
-            inner = a * track[0].inner + b * track[1].inner
-            along = a * track[0].along + b * track[1].along
             rest = a * track[0].squares + b * track[1].squares
-            rest -= float(along @ np.linalg.solve(inner, along))
+            rest -= float(along[k] @ solved[k, :, 0])
             if not rest > nothing:
                 continue
             logs = track[0].logs + track[1].logs + size * (counts[0] - counts[1])
-            logs += float(np.linalg.slogdet(inner)[1]) + (sum(counts) - unknowns) * math.log(rest)
+            logs += float(determined[k]) + (sum(counts) - unknowns) * math.log(rest)
             share = EQUAL if size == 0.0 else (1.0 - EQUAL) / (len(SIZES) - 1)
             chance = math.log(colour.weight * share) - 0.5 * logs
             yield chance, rest, track[0].outer / a + track[1].outer / b
+
+
+@lru_cache(128)  # all colours of two tracks
+def _spread(colour: Colour, count: int) -> tuple[Floats, float]:
+    """The variances of a track and the sum of their logarithms: the same in every fit of it."""
+    import numpy as np
+
+    found = variances(colour, count)
+    return found, float(np.sum(np.log(found)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,10 +194,8 @@ class _Weighed:
     logs: float
 
     @classmethod
-    def of(cls, one: _Spectrum, f: Floats) -> _Weighed:
-        import numpy as np
-
+    def of(cls, one: _Spectrum, f: Floats, logs: float) -> _Weighed:
         light = one.u / f[:, None]
         outer = one.enlarged.T @ (one.enlarged * f[:, None])
-        squares, logs = float(one.y @ (one.y / f)), float(np.sum(np.log(f)))
+        squares = float(one.y @ (one.y / f))
         return cls(one.u.T @ light, light.T @ one.y, squares, outer, logs)
