@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,8 @@ from tests.reference.contact_branches import UnsupportedError
 from tests.reference.dead_bumpers import HeldRow
 from tests.reference.one_instant import hold_on, strike_all
 from tests.reference.row_of_carts import NOTHING, Row
+
+Watched = list[tuple[float, Any]]
 
 LOOKS = 6
 """Samples of one step at which signs are looked at."""
@@ -132,15 +135,19 @@ def _segment(row: Row, y: Any, end: float, budget: list[int]) -> Any:
             raise UnsupportedError("the integration failed")
         dense = run.dense_output()
         low = t_old
-        for look in range(1, LOOKS + 1):
-            t = run.t if look == LOOKS else t_old + (run.t - t_old) * look / LOOKS
-            state = run.y if look == LOOKS else dense(t)
-            fallen = [what for value, what in row.watches(state) if value < -NOTHING]
-            if not fallen and (grazed := _grazed(row, dense, low, t)):
-                t, fallen = grazed
+        looks = [t_old + (run.t - t_old) * look / LOOKS for look in range(1, LOOKS)] + [run.t]
+        seen = _seen(dense, [t_old, *looks])
+        before = row.watches(seen[0][0])
+        for t, states in zip(looks, seen, strict=True):
+            now = row.watches(states[3])
+            judged = now if t < run.t else row.watches(run.y)
+            fallen = [what for value, what in judged if value < -NOTHING]
+            until = t
+            if not fallen and (grazed := _grazed(row, dense, (low, t), (before, now), states)):
+                until, fallen = grazed
             if fallen:
                 when, what = min(
-                    ((_root(row, dense, low, t, what), what) for what in fallen),
+                    ((_root(row, dense, low, until, what), what) for what in fallen),
                     key=lambda pair: pair[0],
                 )
                 if when > t_old:  # once more, to exactly there: dense output is less accurate
@@ -150,7 +157,7 @@ def _segment(row: Row, y: Any, end: float, budget: list[int]) -> Any:
                     y_old = again.y
                 _keep(row, when, y_old)
                 return what
-            low = t
+            low, before = t, now
     _keep(row, end, run.y)
     return None
 
@@ -175,15 +182,31 @@ def _root(row: Row, dense: Any, low: float, high: float, what: Any) -> float:
     return high
 
 
-def _grazed(row: Row, dense: Any, low: float, high: float) -> tuple[float, list[Any]] | None:
+def _seen(dense: Any, times: list[float]) -> Any:
+    """The states at the ends of each span between these times and a little inside of them, as
+    `_grazed` wants them: all asked for at once, which takes hardly longer than one."""
+    spans = [(low, low + _aside(low, high), high - _aside(low, high), high)
+             for low, high in pairwise(times)]  # fmt: skip
+    return dense(np.ravel(spans)).T.reshape(len(spans), 4, -1)
+
+
+def _aside(low: float, high: float) -> float:
+    """s. How far inside of the ends of a span slopes are looked for."""
+    return 1e-4 * (high - low)
+
+
+def _grazed(
+    row: Row, dense: Any, span: tuple[float, float], ends: tuple[Watched, Watched], states: Any
+) -> tuple[float, list[Any]] | None:
     """A watch that is positive at both looks and negative between them: a touch that is soon over.
 
     Told by slopes: down at the first look, up at the second, and steep enough to get there.
+    `ends`: what was watched at both looks, `states`: at these, and inside of them.
     """
-    aside = 1e-4 * (high - low)
-    here, after, before, there = (
-        row.watches(dense(t)) for t in (low, low + aside, high - aside, high)
-    )
+    low, high = span
+    aside = _aside(low, high)
+    here, there = ends
+    after, before = row.watches(states[1]), row.watches(states[2])
     if not len(here) == len(after) == len(before) == len(there):
         return None
     for (v0, what), (v1, _), (v2, _), (v3, _) in zip(here, after, before, there, strict=True):

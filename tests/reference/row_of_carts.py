@@ -152,7 +152,8 @@ class Row:
                 group.held, group.sliding = False, int(math.copysign(1, v))
 
     def slope(self, y: Any) -> list[float]:
-        x, v = y[: self.n], y[self.n : 2 * self.n]
+        plain = y.tolist()  # the same numbers: Python reckons with its own ones faster
+        x, v = plain[: self.n], plain[self.n : 2 * self.n]
         force, power = self.forces(x, v)
         speed, a = [0.0] * self.n, [0.0] * self.n
         rub = 0.0
@@ -171,7 +172,8 @@ class Row:
 
     def watches(self, y: Any) -> list[tuple[float, Any]]:
         """Values that are not negative while the present formulas hold."""
-        x, v = y[: self.n], y[self.n : 2 * self.n]
+        plain = y.tolist()  # the same numbers: Python reckons with its own ones faster
+        x, v = plain[: self.n], plain[self.n : 2 * self.n]
         found: list[tuple[float, Any]] = []
         for k, branch in self.branches.items():
             if k in self.joined:
