@@ -149,12 +149,38 @@ def test_a_script_in_a_lesson_is_not_allowed_to_run(
     assert "worksheets/first.md: the page's policy blocks a script in it: steal()" in caplog.text
 
 
-def test_a_scene_may_not_share_its_id_with_a_heading(
+def test_a_heading_leaves_its_address_to_the_scene_that_is_called_as_it_is(
+    make_site: MakeSite,
+) -> None:
+    """Questions look for their scene by its id: they would find the heading, and never open."""
+    text = f"## The crash\n\n[see it](#the-crash)\n\n{lesson(identity='the-crash')}"
+    site = build_site(make_site(first=f"# A lesson\n\n{text}"), hosted=False, strict=True)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert re.findall(r'<([\w-]+)[^>]*\sid="(the-crash\w*)"', page) == [
+        ("h2", "the-crash_1"),
+        ("carts-scene", "the-crash"),
+    ]
+    assert 'href="#the-crash_1"' in page  # in the contents
+
+
+def test_an_id_written_behind_a_heading_may_not_be_a_scenes(
     make_site: MakeSite, caplog: pytest.LogCaptureFixture
 ) -> None:
-    root = make_site(first=f"{lesson(identity='the-crash')}\n## The crash\n")
+    root = make_site(first=f"{lesson(identity='the-crash')}\n## Then {{: #the-crash }}\n")
     assert build_site(root, hosted=False, strict=True) is None
     assert "“the-crash” is also the address of a heading" in caplog.text
+    line = lesson(identity="the-crash").split("\n").index("id: the-crash") + 1
+    assert f"worksheets/first.md:{line}:1: error: id" in caplog.text
+
+
+def test_a_block_that_is_called_as_a_part_of_another_is_told_of_that_one(
+    make_site: MakeSite, caplog: pytest.LogCaptureFixture
+) -> None:
+    other = "\n```question\nid: the-crash-title\ntype: idea\nask: Why?\n```\n"
+    root = make_site(first=lesson(identity="the-crash") + other)
+    assert build_site(root, hosted=False, strict=True) is None
+    assert "“the-crash-title” is also what “the-crash” calls a part of its own" in caplog.text
 
 
 def test_a_page_knows_its_name_wherever_its_folder_goes(make_site: MakeSite) -> None:

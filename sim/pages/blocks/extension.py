@@ -42,6 +42,7 @@ _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
 _WORD = "cartsblock"
+_ID = re.compile(r'\sid="([^"]+)"')
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
 
@@ -60,7 +61,13 @@ class CartsExtension(Extension):
         """Called by Python-Markdown."""
         put_in = _PutIn(md)
         md.preprocessors.register(_TakeOut(md, put_in), "carts_blocks", _BEFORE_EVERYTHING)
-        add_steps(md, waits=put_in.waits, wide=put_in.holds_scene, spoken=_spoken)
+        add_steps(
+            md,
+            waits=put_in.waits,
+            wide=put_in.holds_scene,
+            taken=lambda: put_in.ids,
+            spoken=_spoken,
+        )
         md.postprocessors.register(put_in, "carts_blocks", _AFTER_EVERYTHING)
 
 
@@ -79,6 +86,7 @@ class _TakeOut(Preprocessor):
     def run(self, lines: list[str]) -> list[str]:
         self.put_in.html.clear()
         self.put_in.scenes.clear()
+        self.put_in.ids.clear()
         page = _page.get() or Page(Lesson("lesson"))
         page.title = title_of(lines)
         kept: list[str] = []
@@ -101,6 +109,7 @@ class _TakeOut(Preprocessor):
                     if not page.items.follows(finding):
                         page.report(finding)
                 html = error_box(error.findings)
+            self.put_in.ids.update(_ID.findall(html))
             word = f"{_WORD}{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
             if page.late is not None and _NOT_TO_SEARCH.match(html):
                 stub = f"<!--late {word.removeprefix(_WORD)}-->"  # without the word itself
@@ -139,6 +148,7 @@ class _PutIn(Postprocessor):
         super().__init__(md)
         self.html: dict[str, str] = {}
         self.scenes: set[str] = set()  # the words among these that stand for a scene
+        self.ids: set[str] = set()  # in what was made of the blocks
 
     def waits(self, scene: str) -> str:
         """The word for the line that says what the text waits for; empty where no page is made."""

@@ -32,6 +32,7 @@ from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single import to_download
 from sim.pages.site import files as site_files
 from sim.pages.site.carried import node_modules
+from sim.pages.site.ids_twice import ids_twice
 from sim.pages.site.own_files import strangers
 from sim.pages.site.site_id import check_site_id
 from sim.pages.teach.doors import Doors
@@ -107,14 +108,8 @@ class SiteBuild:
         self.needs[name] = needs_of(
             html, scenes=scenes, outline=outline, language=page.language, hosted=foot
         )
-        kinds = "scene|map|cost|hard|measured|law|question|quiz|challenge"
-        ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
-        for block in re.findall(ours, html):
-            if html.count(f' id="{block}"') > 1:
-                told = f"id: “{block}” is also the address of a heading on this page"
-                hint = f"give the block an id of its own, for example {block}-1"
-                finding = Finding(page.lesson.file, 1, 1, "id-taken", told, hint)
-                (page.report or self.report)(finding)
+        for finding in ids_twice(html, page.lesson.file, self.ids):
+            (page.report or self.report)(finding)
         self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page):
             self.keys[name] = key

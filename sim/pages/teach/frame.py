@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 from xml.etree.ElementTree import Element
 
@@ -58,7 +59,9 @@ def frame_of(
     def wide(note: Element) -> bool:
         return not scenes.isdisjoint(map(str.strip, note.itertext()))
 
-    add_steps(md, waits=waits, wide=wide, spoken=lambda: speaking(site.words))
+    own = {block.stated_id for block in parts}
+    spoken = partial(speaking, site.words)
+    add_steps(md, waits=waits, wide=wide, taken=lambda: own, spoken=spoken)
     with speaking(site.words):
         made = md.convert("\n".join(kept))
     for k in range(len(parts)):

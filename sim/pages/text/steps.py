@@ -2,13 +2,14 @@
 
 Notes that wait (`!!! after`) become elements of their own: they open as questions do, and search
 passes them. Headings in them stay out of the table of contents, which is read before any
-prediction. Headings of parts say how long they take. Pictures that are films are played.
+prediction. A heading leaves the address that a block has to the block. Headings of parts say how
+long they take. Pictures that are films are played.
 """
 
 from __future__ import annotations
 
 import html
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from contextlib import AbstractContextManager
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -38,11 +39,12 @@ def add_steps(
     *,
     waits: Callable[[str], str],
     wide: Callable[[Element], bool],
+    taken: Callable[[], Collection[str]],
     spoken: Callable[[], AbstractContextManager[None]],
 ) -> None:
     """Register them. `waits`: what to write, as text of a paragraph, where something waits for the
-    run of a scene; empty: nothing waits here. `wide`: whether a note holds a scene. `spoken`: makes
-    the page's language that of the words."""
+    run of a scene; empty: nothing waits here. `wide`: whether a note holds a scene. `taken`: the
+    ids in the page's blocks. `spoken`: makes the page's language that of the words."""
 
     def lengths(root: Element) -> None:
         with spoken():
@@ -53,7 +55,7 @@ def add_steps(
             show_films(root, tr("The film as a file"))
 
     def hide(root: Element) -> None:
-        _hide_headings(root, _namer(md))
+        _hide_headings(root, _namer(md), taken())
 
     for name, when, do in (
         ("carts_after", _AFTER_TEXT, lambda root: _hold_back(root, waits, wide)),
@@ -107,16 +109,17 @@ def _namer(md: Markdown) -> Callable[[Element], str] | None:
     return named
 
 
-def _hide_headings(root: Element, named: Callable[[Element], str] | None) -> None:
+def _hide_headings(
+    root: Element, named: Callable[[Element], str] | None, blocks: Collection[str]
+) -> None:
     """The contents list what is called h1 to h6. `named`: from a heading to its id, if headings get
-    one there: then these too, as they would have, so that links to them lead on."""
+    one there: then these too, as they would have, so that links to them lead on. An id in `blocks`
+    is not theirs: a scene is looked for by it, and answers are filed under it."""
     hidden = _held(root, _HEADINGS)
-    taken = {name for one in root.iter() if (name := one.get("id"))}
-    for heading in root.iter() if hidden else ():
+    taken = {*blocks, *(name for one in root.iter() if (name := one.get("id")))}
+    for heading in root.iter() if named else ():
         if named and heading.tag in _HEADINGS and not heading.get("id"):
-            name = unique(named(heading), taken)
-            if heading in hidden:
-                heading.set("id", name)
+            heading.set("id", unique(named(heading), taken))
     for heading in hidden:
         heading.attrib.pop("data-toc-label", None)
         heading.tag = _HIDDEN + heading.tag
