@@ -2270,7 +2270,18 @@
       this.marked = marked2;
       this.root = root;
       this.place = need(root, ".carts-q-feedback");
-      root.querySelector(".carts-q-check")?.addEventListener("click", () => {
+      const check2 = (
+        /** @type {HTMLElement | null} */
+        root.querySelector(".carts-q-check")
+      );
+      const box = (
+        /** @type {HTMLElement | null} */
+        root.querySelector("input.carts-q-typed")
+      );
+      box?.addEventListener("keydown", ({ key, isComposing }) => {
+        if (key === "Enter" && !isComposing) check2?.click();
+      });
+      check2?.addEventListener("click", () => {
         const tried = attempt();
         if (!tried) return;
         this.place.removeAttribute("aria-live");

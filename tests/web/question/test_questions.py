@@ -89,6 +89,10 @@ def test_the_keyboard_is_enough(open_page: OpenPage, question_site: Path) -> Non
     focused = page.evaluate("document.activeElement.getAttribute('aria-label')")
     assert focused == "Move C up"
     expect(page.locator("#story .carts-q-picked")).to_contain_text("Now 2 of 4:")
+    page.locator("#how-fast input").focus()
+    page.keyboard.type("4.8")
+    page.keyboard.press("Enter")
+    expect(page.locator("#how-fast .carts-q-feedback")).to_contain_text("You multiplied.")
     page.locator(".carts-bar-open").focus()
     page.keyboard.press("Enter")
     expect(page.get_by_role("dialog")).to_be_visible()

@@ -28,7 +28,13 @@ export class Feedback {
     this.marked = marked;
     this.root = root;
     this.place = need(root, ".carts-q-feedback");
-    root.querySelector(".carts-q-check")?.addEventListener("click", () => {
+    const check = /** @type {HTMLElement | null} */ (root.querySelector(".carts-q-check"));
+    // Of a single box: in a table cells are still empty.
+    const box = /** @type {HTMLElement | null} */ (root.querySelector("input.carts-q-typed"));
+    box?.addEventListener("keydown", ({ key, isComposing }) => {
+      if (key === "Enter" && !isComposing) check?.click();
+    });
+    check?.addEventListener("click", () => {
       const tried = attempt();
       if (!tried) return;
       this.place.removeAttribute("aria-live");
