@@ -120,6 +120,11 @@ def made_html(what: str, files: list[dict[str, Any]], source: Bank, **more: Any)
     return handout_file(handout(*read(files, source), Asked(), wanted), wanted)
 
 
+def test_one_answer_that_a_student_was_sure_of_is_no_answers() -> None:
+    html = made_html("slips", [answers(RICH, "FOX-1", "pre", WRONG)], RICH)
+    assert "You were sure of 1 answer: 0 right." in html
+
+
 def test_right_answers_stand_on_slips_only_where_they_are_asked_for() -> None:
     files = [answers(RICH, "FOX-1", "pre", WRONG)]
     assert "neither" not in (without := made_html("slips", files, RICH))
@@ -199,6 +204,8 @@ def test_the_map_counts_beliefs_by_question_and_leaves_out_what_nobody_chose() -
         ("a *b* **c** and 2 * 3 * 4", "a b c and 2 * 3 * 4"),
         ("v_A and v_B", "v_A and v_B"),
         ("See [the rule](x.md) and `code`", "See the rule and code"),
+        ("Look:\n\n| t | v |\n|---|:-:|\n| 1 s | 2 m/s |\n\nHow?", "Look: t, v; 1 s, 2 m/s; How?"),
+        ("Is |v| larger?", "Is |v| larger?"),
     ],
 )
 def test_an_authors_markdown_becomes_plain_words(markdown: str, plain: str) -> None:

@@ -8,7 +8,7 @@ from sim.classroom.handouts.slip import FormSlip, Given, Look, Slip
 from sim.classroom.handouts.wording import FORMS, cut
 from sim.classroom.report.numerals import numbers
 from sim.classroom.show.html_parts import Tell, text, who
-from sim.scene.said import said, template
+from sim.scene.said import counted, said, template
 
 LOOK = template("Look at these again")
 UNANSWERED = template(
@@ -52,9 +52,10 @@ def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
     if form.right:
         yield _line(tell(said("Right: {questions}", questions=numbers(form.right))))
     if form.sure:
-        sure, right = map(str, form.sure)
-        yield _line(tell(said("You were sure of {sure} answers, and {right} of them are right.",
-                              sure=sure, right=right)))  # fmt: skip
+        sure, right = form.sure
+        yield _line(tell(counted("You were sure of 1 answer: {right} right.",
+                                 "You were sure of {n} answers: {right} right.",
+                                 n=sure, right=str(right))))  # fmt: skip
     if form.look:
         looks = "".join(_look(look, tell, answers=answers) for look in form.look)
         yield f"<h4>{tell(LOOK)}</h4><ol>{looks}</ol>"

@@ -10,6 +10,9 @@ _FORMULA = re.compile(
     r"\\\((.+?)\\\)|\\\[(.+?)\\\]|\$\$(.+?)\$\$|(?<![\\\w$])\$(?=\S)([^$\n]+?)(?<=\S)\$(?![\w$])",
     re.DOTALL,
 )
+_RULE = re.compile(r"^[ |:-]*\|[ |:-]*\n", re.MULTILINE)  # below the head of a table
+_ROW = re.compile(r"^ *\| *(.+?) *\|? *$", re.MULTILINE)
+_CELLS = re.compile(r" *\| *")
 _FRACTION = re.compile(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}")
 _WORDS = re.compile(r"\\(?:text|mathrm|operatorname|vec|overline)\{([^{}]*)\}")
 _COMMAND = re.compile(r"\\([A-Za-z]+) ?|\\[,;:! ]")
@@ -22,7 +25,8 @@ _SIGNS = {
 
 def prose(markdown: str) -> str:
     """The words in one line, formulas as one would type them: m_A Δv_A = −m_B Δv_B."""
-    text = _FORMULA.sub(lambda found: _typed(found[found.lastindex or 0]), markdown)
+    text = _ROW.sub(lambda row: f"{_CELLS.sub(', ', row[1])};", _RULE.sub("", markdown))
+    text = _FORMULA.sub(lambda found: _typed(found[found.lastindex or 0]), text)
     text = _LINK.sub(r"\1", text).replace("`", "")
     return " ".join(_EMPHASIS.sub(r"\2", _EMPHASIS.sub(r"\2", text)).split())
 
