@@ -27,6 +27,19 @@ MISTAKES = [
         "did you mean “worksheets/carts.md”?",
     ),
     ("nav:\n  - More:\n      - Home: home.md\n", "3:15", "“home.md”", "- Home: index.md"),
+    (
+        "nav:\n  - Carts: carts.md\ndocs_dir: worksheets\n",
+        "2:12",
+        "“carts.md”, and there is no such page",
+        "did you mean “worksheets/carts.md”?",
+    ),
+    (
+        "theme:\n  name: material\n  logo: own.svg\ndocs_dir: worksheets\n",
+        "3:9",
+        "there is no file “own.svg” in this site",
+        "write worksheets/own.svg",
+    ),
+    ("extra_css: [own.css]\n", "1:13", "there is no file “own.css”", "worksheets/own.css"),
     ("- site_name\n", "1:1", "no list of settings", "site_name: My lessons"),
 ]
 
@@ -52,7 +65,7 @@ def test_a_mistake_in_the_settings_is_found_without_building(
     assert hint in second
 
 
-@pytest.mark.parametrize("text", [one for one, place, *_ in MISTAKES if "theme" in one])
+@pytest.mark.parametrize("text", [one for one, *_ in MISTAKES if "language" in one])
 def test_a_build_stops_at_such_a_mistake_in_the_same_words(site: Path, text: str) -> None:
     (site / "mkdocs.yml").write_text(f"site_name: a\n{text}", encoding="utf-8")
     result = CliRunner().invoke(main, ["build"])
@@ -93,3 +106,17 @@ def test_a_menu_names_what_the_build_makes_and_what_is_elsewhere(site: Path) -> 
     (site / "mkdocs.yml").write_text(text, encoding="utf-8")
     result = CliRunner().invoke(main, ["check", "mkdocs.yml"])
     assert result.output == "no findings\n"  # and it is read as no scene
+
+
+def test_a_logo_and_style_sheets_are_files_beside_lessons_of_the_theme_or_elsewhere(
+    site: Path,
+) -> None:
+    (site / "worksheets" / "own.css").write_text("", encoding="utf-8")
+    looks = "logo: worksheets/carts.md, favicon: assets/images/favicon.png"
+    text = (
+        f"site_name: a\ntheme: {{name: material, {looks}}}\ndocs_dir: worksheets\n"
+        "extra_css: [worksheets/own.css, https://example.org/a.css]\n"
+    )
+    (site / "mkdocs.yml").write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(main, ["check", "mkdocs.yml"])
+    assert result.output == "no findings\n"

@@ -1,12 +1,14 @@
-"""Pages that the menu of a site (`nav` in mkdocs.yml) names in vain, with their places.
+"""Pages and files that mkdocs.yml names in vain, with their places.
 
-A build stops at such a name too, but without a line, and after all other work. Plugins of others
-may make pages; where a site has one that is not known to make none, only the build can tell.
+A build stops at such a page too, but without a line, and after all other work; at a logo that is
+not there it does not: readers see a broken picture. Plugins of others may make pages; where a site
+has one that is not known to make none, only the build can tell.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -28,8 +30,9 @@ MAKE_NO_PAGES = frozenset(
 
 def named_in_vain(
     root: Path, settings: dict[Any, yaml.Node]
-) -> Iterator[tuple[yaml.ScalarNode, str]]:
-    """What `nav` names in vain, each with a hint. `settings`: the parts of mkdocs.yml, by name."""
+) -> Iterator[tuple[yaml.ScalarNode, str, str]]:
+    """What is named in vain: where, what is told of it, and a hint. `settings`: the parts of
+    mkdocs.yml, by name."""
     docs = settings.get("docs_dir")
     folder = root / (docs.value if isinstance(docs, yaml.ScalarNode) and docs.value else "docs")
     plugins = dict(_plugins(settings.get("plugins")))
@@ -41,8 +44,16 @@ def named_in_vain(
     for node in _named(settings.get("nav")):
         if _outside(node.value) or node.value in pages:
             continue
+        told = f"the menu names “{node.value}”, and there is no such page"
         usual = "the name of a file, as in: - Home: index.md"
-        yield node, did_you_mean(node.value, pages.names(), usual)
+        beside = f"{LESSONS}/{node.value}"  # it was counted from the folder of lessons
+        meant = did_you_mean(node.value, pages.names(), usual)
+        yield node, told, f"did you mean “{beside}”?" if beside in pages else meant
+    for node in _files(settings):
+        if not _outside(node.value) and not pages.has_file(node.value):
+            told = f"there is no file “{node.value}” in this site"
+            hint = f"put it into the folder {LESSONS}, and write {LESSONS}/{node.value}"
+            yield node, told, hint
 
 
 class _Pages:
@@ -68,6 +79,15 @@ class _Pages:
         words = (self.lessons / FOLDER / language / original).with_suffix(".po")
         return language in LANGUAGES and words.is_file() and (self.lessons / original).is_file()
 
+    def has_file(self, name: str) -> bool:
+        """Whether a picture or a style sheet is there, of the site or of the theme."""
+        theme = find_spec("material")
+        own = Path(theme.origin).parent / "templates" if theme and theme.origin else self.docs
+        places = [own / name, *([] if self.lessons_only else [self.docs / name])]
+        if name.startswith(f"{LESSONS}/"):
+            places.append(self.lessons / name.partition("/")[2])
+        return any(place.is_file() for place in places)
+
     def names(self) -> list[str]:
         """Those that may have been meant."""
         if self.lessons_only:
@@ -88,6 +108,17 @@ def _named(node: yaml.Node | None) -> Iterator[yaml.ScalarNode]:
     elif isinstance(node, yaml.MappingNode):
         for _, entry in node.value:
             yield from _named(entry)
+
+
+def _files(settings: dict[Any, yaml.Node]) -> Iterator[yaml.ScalarNode]:
+    """What stands for the site's own pictures and style sheets."""
+    theme = settings.get("theme")
+    parts = theme.value if isinstance(theme, yaml.MappingNode) else []
+    if all(key.value != "custom_dir" for key, _ in parts):  # a folder with files of the theme
+        for key, value in parts:
+            if key.value in ("logo", "favicon"):
+                yield from _named(value)
+        yield from _named(settings.get("extra_css"))
 
 
 def _outside(name: str) -> bool:

@@ -6,7 +6,7 @@ is not ours to know (settings of other plugins) stays with it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -46,7 +46,7 @@ def settings_findings(root: Path, own: Mapping[str, Any]) -> list[Finding]:
     parts = {key.value: value for key, value in tree.value if isinstance(key, yaml.ScalarNode)}
     found = [*_names(tree.value), *_theme(parts.get("theme"))]
     found += [*_plugins(parts.get("plugins"), own), *_facts(parts.get("extra"))]
-    found += _menu(named_in_vain(root, parts))
+    found += [_at(node, "no-such-page", *told) for node, *told in named_in_vain(root, parts)]
     return sorted(found)
 
 
@@ -121,13 +121,6 @@ def _plugins(plugins: yaml.Node | None, own: Mapping[str, Any]) -> Iterator[Find
             if key.value not in own:
                 hint = did_you_mean(key.value, own, ", ".join(own))
                 yield _at(key, "unknown-key", f"“{key.value}” is no setting of carts", hint)
-
-
-def _menu(named: Iterable[tuple[yaml.Node, str]]) -> Iterator[Finding]:
-    """Pages that there are not, each with a hint."""
-    for node, hint in named:
-        told = f"the menu names “{node.value}”, and there is no such page"
-        yield _at(node, "no-such-page", told, hint)
 
 
 def _facts(extra: yaml.Node | None) -> Iterator[Finding]:
