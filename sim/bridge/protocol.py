@@ -17,6 +17,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
+from sim.bridge.alive import alive
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
 from sim.dynamics.report.plan import not_simulated
@@ -70,7 +71,9 @@ def answer(request: Mapping[str, Any]) -> Answer:
         if scene.written:
             header, numbers = import_module(OTHERS["law"]).run_written(plain, scene)
             return {"id": identity, "ok": True, **header}, numbers
-        finished = run(scene, max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
+        finished = run(
+            scene, max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN, progress=_at_work
+        )
     except SceneError as error:
         return refusal(identity, error.problems)
     except UnsolvedError as error:
@@ -79,6 +82,12 @@ def answer(request: Mapping[str, Any]) -> Answer:
     header, numbers = describe(finished, samples if isinstance(samples, int) else PER_STRETCH)
     header["effects"] = effects_of(plain, finished.scene)
     return {"id": identity, "ok": True, **header}, numbers
+
+
+def _at_work(t: float, events: int) -> None:
+    """On a slow laptop a run takes longer than a page waits for a silent Python."""
+    del t, events
+    alive()
 
 
 def plain_of(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -117,7 +126,9 @@ def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> 
 
 def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
     """Header and numbers of a finished run."""
-    return wire(finished, trajectory(finished, max(1, per_stretch)), report(finished))
+    return wire(
+        finished, trajectory(finished, max(1, per_stretch), at_work=alive), report(finished)
+    )
 
 
 def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:

@@ -72,3 +72,21 @@ def test_a_run_of_a_great_many_contacts_stays_small_enough_to_draw():
     header, numbers = ask(plain)
     assert header["ok"] and len(header["events"]) > 5_000
     assert len(numbers) < 1_000_000
+
+
+def test_a_long_run_tells_that_it_is_at_work_and_so_do_its_samples(monkeypatch):
+    """A page takes a Python that is silent for eight seconds for lost: on an old laptop a row of
+    spheres that bounces for half a minute ended with “it may have run out of memory”."""
+    of_run, of_samples = [], []
+    monkeypatch.setattr("sim.bridge.protocol._at_work", lambda t, _: of_run.append(t))
+    monkeypatch.setattr("sim.bridge.protocol.alive", lambda: of_samples.append(1))
+    spheres = {
+        "carts": {"A": {"mass": 1, "position": 0.3}, "B": {"mass": 1, "position": 0.7}},
+        "track": {"left": "wall", "length": 0.9},
+        "contact": {"law": "hertz", "restitution": 0.9, "stiffness": 10000},
+        "effects": [{"incline": {"angle": "-5 deg"}}],
+        "until": 4,
+    }
+    header, _ = ask(spheres)
+    assert len(of_run) > 1 and of_run == sorted(of_run)
+    assert len(of_samples) > header["rows"] / 20

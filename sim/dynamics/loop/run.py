@@ -35,8 +35,9 @@ MOST_STEPS = 100_000
 Progress = Callable[[float, int], None]
 """Told now and then how far the run is: t [s] and the number of events so far."""
 
-TELL_EVERY = 2048
-"""Entries of the calendar between two words of progress."""
+TELL_EVERY = 64
+"""Entries of the calendar between two words of progress: each may be a step that takes milliseconds
+here, and a hundred times as long in the page of an old laptop."""
 
 
 def run(

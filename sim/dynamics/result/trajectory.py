@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -20,7 +21,7 @@ from sim.dynamics.result.record import Piece, Solved
 PER_STRETCH = 16
 """Samples in one stretch of a contact (a quarter swing of a bumper): cubic error below 1e-8."""
 
-MOST_NUMBERS = 400_000
+MOST_NUMBERS = 150_000
 """Numbers in all columns. A run with more contacts than fit is sampled more thinly in each."""
 
 SHORT_STEPS = 2
@@ -42,10 +43,16 @@ class Trajectory:
         return len(self.columns[("t",)])
 
 
-def trajectory(run: Run, per_stretch: int = PER_STRETCH, per_flight: int = 1) -> Trajectory:
+def trajectory(
+    run: Run,
+    per_stretch: int = PER_STRETCH,
+    per_flight: int = 1,
+    at_work: Callable[[], object] | None = None,
+) -> Trajectory:
     """Sample a run that kept its motion; fewer samples per stretch make a lighter page.
 
-    `per_flight`: into how many parts a flight is divided in which a steady force acts.
+    `per_flight`: into how many parts a flight is divided in which a steady force acts. `at_work`
+    is called after every stretch: of thousands the samples take as long as the run.
     """
     scene, record = run.scene, run.record
     names = [cart.name for cart in scene.carts]
@@ -70,6 +77,8 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH, per_flight: int = 1) ->
         while upcoming < len(solved) and solved[upcoming].begin <= begin:
             live.append(solved[upcoming])
             upcoming += 1
+        if at_work is not None:
+            at_work()
         middle = 0.5 * (begin + end)
         motion = [
             pieces[bisect_right(times, middle) - 1]

@@ -4605,6 +4605,7 @@
       "The network is slow: Python is still on its way. You need not load the page again."
     )
   };
+  var LONG_RUN = tr("This computer needs long for this run. It is still computing.");
   var PREDICTION_KEPT = tr("Your prediction is kept.");
   var slow = (what, stepwise) => stepwise ? `${SLOW3[what]} ${STEPWISE}` : SLOW3[what];
   function without(told4, stepwise) {
@@ -4614,7 +4615,15 @@
   function note(scene, message) {
     const place4 = need(scene, ".carts-note");
     place4.hidden = !message;
+    place4.classList.remove("carts-passing");
     say(place4, message);
+  }
+  function passing(scene, message, on) {
+    const place4 = need(scene, ".carts-note");
+    if (!on && place4.textContent !== message) return;
+    note(scene, on ? message : "");
+    place4.classList.toggle("carts-passing", on);
+    place4.style.top = `${need(scene, ".carts-top").offsetHeight}px`;
   }
   function noteBeside(scene, message) {
     const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").dataset.why : "";
@@ -7465,11 +7474,8 @@ ${lines4.join("\n")}
     #slow(what) {
       if (this.element.dataset.state !== "starting") return;
       const told4 = slow(what, this.acts.told() && this.acts.stepwise());
-      note(this.element, told4);
-      const over = () => {
-        if (need(this.element, ".carts-note").textContent === told4) note(this.element, "");
-      };
-      this.#waiting.promise.then(over).catch(() => {
+      passing(this.element, told4, true);
+      this.#waiting.promise.then(() => passing(this.element, told4, false)).catch(() => {
       });
     }
     follow() {
@@ -7510,9 +7516,8 @@ ${lines4.join("\n")}
       dataset.reason = error.reason ?? "failed";
       this.acts.failed();
       const note2 = need(this.element, ".carts-note");
-      note2.hidden = false;
       note2.dataset.why = `${error.message} ${without(this.acts.told(), this.acts.stepwise())}`;
-      say(note2, note2.dataset.why);
+      note(this.element, note2.dataset.why);
       this.#waiting.reject(error);
       this.#link();
       this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
@@ -7744,6 +7749,11 @@ ${lines4.join("\n")}
       return { header, trajectory: fromWire(header, numbers) };
     }
     async #answer() {
+      let long = false;
+      const clock = watch(SLOW_AFTER, () => {
+        long = this.client.state === "ready";
+        if (long) this.acts.long(true);
+      });
       try {
         const { header, numbers, sent } = await this.client.ask(this.owner, () => {
           return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
@@ -7752,6 +7762,9 @@ ${lines4.join("\n")}
       } catch (error) {
         if (this.client.state !== "failed" || !this.prepared?.there) throw error;
         return this.prepared.nearest(this.values.wanted);
+      } finally {
+        clock.stop();
+        if (long) this.acts.long(false);
       }
     }
     async #meanwhile() {
@@ -10896,7 +10909,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #runs = new Runs(this, client2, {
         scene: () => this.#baked?.fence.scene,
         draw: (run) => this.#draw(run),
-        say: (message) => note(this, message)
+        say: (message) => note(this, message),
+        long: (on) => passing(this, LONG_RUN, on)
       });
       #inside = null;
       #watch = null;

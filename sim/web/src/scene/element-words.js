@@ -15,6 +15,7 @@ const SLOW = {
     "The network is slow: Python is still on its way. You need not load the page again.",
   ),
 };
+export const LONG_RUN = tr("This computer needs long for this run. It is still computing.");
 export const PREDICTION_KEPT = tr("Your prediction is kept.");
 
 /** What is said while a start takes long. @param {keyof typeof SLOW} what @param {boolean} stepwise there are sliders, and prepared runs for them */
@@ -30,7 +31,17 @@ export function without(told, stepwise) {
 export function note(scene, message) {
   const place = need(scene, ".carts-note");
   place.hidden = !message;
+  place.classList.remove("carts-passing");
   say(place, message);
+}
+
+/** Something that is true for a while: nothing makes room for it. @param {HTMLElement} scene @param {string} message @param {boolean} on */
+export function passing(scene, message, on) {
+  const place = need(scene, ".carts-note");
+  if (!on && place.textContent !== message) return; // another message stands there since
+  note(scene, on ? message : "");
+  place.classList.toggle("carts-passing", on);
+  place.style.top = `${need(scene, ".carts-top").offsetHeight}px`; // below the title, over the sky
 }
 
 /** The same, behind why Python does not run where that is said already. @param {HTMLElement} scene @param {string} message */

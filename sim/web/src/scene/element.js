@@ -30,6 +30,7 @@ export function sceneElement(client, folder) {
       scene: () => this.#baked?.fence.scene,
       draw: (run) => this.#draw(run),
       say: (message) => words.note(this, message),
+      long: (on) => words.passing(this, words.LONG_RUN, on),
     });
     /** @type {ReturnType<typeof wireInside> | null} */
     #inside = null;

@@ -1,6 +1,6 @@
 /** Whether Python computes for a scene, as its reader sees it: still, starting, live or failed. */
 
-import { need, say } from "../shared/dom.js";
+import { need } from "../shared/dom.js";
 import { deferred, frame } from "../shared/waiting.js";
 import * as words from "./element-words.js";
 import { WATCHED } from "./time/watch.js";
@@ -62,11 +62,8 @@ export class Live {
   #slow(what) {
     if (this.element.dataset.state !== "starting") return;
     const told = words.slow(what, this.acts.told() && this.acts.stepwise());
-    words.note(this.element, told);
-    const over = () => {
-      if (need(this.element, ".carts-note").textContent === told) words.note(this.element, "");
-    };
-    this.#waiting.promise.then(over).catch(() => {});
+    words.passing(this.element, told, true);
+    this.#waiting.promise.then(() => words.passing(this.element, told, false)).catch(() => {});
   }
 
   /** Follows the page's worker. */
@@ -109,9 +106,8 @@ export class Live {
     dataset.reason = error.reason ?? "failed";
     this.acts.failed();
     const note = need(this.element, ".carts-note");
-    note.hidden = false;
     note.dataset.why = `${error.message} ${words.without(this.acts.told(), this.acts.stepwise())}`;
-    say(note, note.dataset.why);
+    words.note(this.element, note.dataset.why);
     this.#waiting.reject(error);
     this.#link();
     this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));

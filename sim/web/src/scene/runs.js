@@ -4,6 +4,7 @@
  */
 
 import { fromWire } from "../../../view/trajectory.js";
+import { SLOW_AFTER, watch } from "../runtime/watch.js";
 import { ASKED } from "../shared/ask-scene.js";
 import { drawn, RESET, refusal } from "../shared/waiting.js";
 import { Values } from "./values.js";
@@ -20,8 +21,9 @@ export class Runs {
 
   /**
    * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
-   * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void}} acts
-   *   `scene` as its author wrote it; `draw` resolves when the run is on the page; `say`: a message for the reader
+   * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void,
+   *   long: (on: boolean) => void}} acts
+   *   `scene` as its author wrote it; `draw` resolves when the run is on the page; `say`: a message for the reader; `long`: whether Python needs long
    */
   constructor(owner, client, acts) {
     this.owner = owner;
@@ -111,6 +113,11 @@ export class Runs {
 
   /** Python's answer, or where it has failed the nearest of the prepared runs. */
   async #answer() {
+    let long = false;
+    const clock = watch(SLOW_AFTER, () => {
+      long = this.client.state === "ready"; // what a start waits for is told by others
+      if (long) this.acts.long(true);
+    });
     try {
       const { header, numbers, sent } = await this.client.ask(this.owner, () => {
         return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
@@ -119,6 +126,9 @@ export class Runs {
     } catch (error) {
       if (this.client.state !== "failed" || !this.prepared?.there) throw error;
       return this.prepared.nearest(this.values.wanted);
+    } finally {
+      clock.stop();
+      if (long) this.acts.long(false);
     }
   }
 
