@@ -5415,7 +5415,10 @@
   var Talk = class {
     constructor(root, { change: change2, run }) {
       this.box = need(root, ".carts-talk");
-      need(this.box, ".carts-talk-change").addEventListener("click", change2);
+      need(this.box, ".carts-talk-change").addEventListener("click", () => {
+        change2();
+        need(root, ".carts-guess input, .carts-height, input:checked, textarea").focus();
+      });
       need(this.box, ".carts-talk-run").addEventListener("click", run);
     }
     show(on, asked4) {

@@ -5,13 +5,24 @@ from __future__ import annotations
 import re
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import guess
-from tests.web.scene.given.widget_site import CHOICE, live, lock, on_scene, widget_site, write_page
+from tests.web.scene.given.widget_site import (
+    ARROWS,
+    CHOICE,
+    CURVE,
+    WORDS,
+    live,
+    lock,
+    on_scene,
+    widget_site,
+    write_page,
+)
 
 __all__ = ["widget_site"]  # a fixture
 
@@ -84,6 +95,37 @@ def test_after_talking_a_prediction_is_changed_once_and_explained(
     scene.locator(".carts-why textarea").fill("")
     expect(scene.locator(".carts-why textarea")).to_be_hidden()
     expect(scene.locator(".carts-write")).to_be_visible()
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize(
+    ("given", "first"),
+    [
+        (ARROWS, ".carts-guess input"),
+        (CHOICE, "input:checked"),
+        (CURVE, ".carts-height"),
+        (WORDS, "textarea"),
+    ],
+    ids=["arrows", "choice", "curve", "words"],
+)
+def test_who_changes_a_prediction_by_keyboard_is_at_what_can_be_changed(
+    open_page: OpenPage, widget_site: Path, given: dict[str, Any], first: str
+) -> None:
+    talk = {**given, "id": "keys", "predict": {**given["predict"], "talk": True}}
+    page = live(open_page(write_page(widget_site, f"keys-{given['id']}", talk)), "keys")
+    scene = page.locator("#keys")
+    if given is ARROWS:
+        guess(page, "A", 2)
+        guess(page, "B", 6)
+    if given is CHOICE:
+        scene.get_by_label("It turns back", exact=True).check()
+    for box in scene.locator(".carts-height, textarea").filter(visible=True).all():
+        box.fill("2")
+    scene.locator(".carts-lock").click()
+    expect(scene.locator(".carts-talk-run")).to_be_focused()
+    page.keyboard.press("Shift+Tab")  # back to “Change it once”
+    page.keyboard.press("Enter")
+    expect(scene.locator(".carts-predict").locator(first).first).to_be_focused()
 
 
 @pytest.mark.one_browser

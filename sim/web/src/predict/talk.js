@@ -9,7 +9,11 @@ export class Talk {
   /** @param {HTMLElement} root of the prediction @param {{change: () => void, run: () => void}} acts */
   constructor(root, { change, run }) {
     this.box = need(root, ".carts-talk");
-    need(this.box, ".carts-talk-change").addEventListener("click", change);
+    need(this.box, ".carts-talk-change").addEventListener("click", () => {
+      change();
+      // the button is gone now: who goes by keyboard is at what can be changed
+      need(root, ".carts-guess input, .carts-height, input:checked, textarea").focus();
+    });
     need(this.box, ".carts-talk-run").addEventListener("click", run);
   }
 
