@@ -7,22 +7,27 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from html import unescape
 from typing import Literal
 
 from sim.pages.classroom.moodle import plain_text
 from sim.pages.classroom.portable import Portable
+from sim.pages.classroom.qti.pictures import Pictures, no_pictures
 
 Target = Literal["moodle", "gift", "qti"]
 
 MOST_RIGHT = 10
 """Right answers of one question whose share of the marks Moodle knows (100 % / n, n up to 10)."""
 
+_SHOWN = re.compile(r'<img\b[^>]*?\bsrc="([^"]*)"')
 _OWN_LINK = re.compile(r'<a href="(?![a-z]+:)', re.IGNORECASE)
 
 
-def losses(questions: Iterable[Portable], target: Target) -> list[str]:
-    """A sentence for each loss, question by question."""
-    return [f"{q.id}: {text}" for q in questions for text in _of(q, target)]
+def losses(
+    questions: Iterable[Portable], target: Target, pictures: Pictures = no_pictures
+) -> list[str]:
+    """A sentence for each loss, question by question; `pictures` that a package takes along."""
+    return [f"{q.id}: {text}" for q in questions for text in _of(q, target, pictures)]
 
 
 def fitting(questions: Iterable[Portable], target: Target) -> tuple[list[Portable], list[str]]:
@@ -41,13 +46,15 @@ def fitting(questions: Iterable[Portable], target: Target) -> tuple[list[Portabl
     return fine, refused
 
 
-def _of(q: Portable, target: Target) -> Iterator[str]:
-    texts = [q.ask, q.explain, *(t for a in q.answers for t in (a[0], a[2])), *sum(q.pairs, ())]
+def _of(q: Portable, target: Target, pictures: Pictures) -> Iterator[str]:
+    texts = [q.ask, q.explain, *(t for a in q.answers for t in (a[0], a[2])), *sum(q.pairs, ()),
+             *q.others, *(said for _, _, said in q.wrong_numbers)]  # fmt: skip
+    shown = [unescape(found) for text in texts for found in _SHOWN.findall(text)]
     if q.scene:
         yield f"it is about the scene “{q.scene}”, which stays here: link to the lesson"
     if q.idea:
         yield "the student's first idea is not shown beside it there"
-    if any("<img" in text for text in texts):
+    if any(target != "qti" or pictures(address) is None for address in shown):
         yield "its pictures are not in the file; add them on the platform"
     if any(map(_OWN_LINK.search, texts)):
         yield "its links lead to pages of this site; change them on the platform"

@@ -5,10 +5,11 @@ from __future__ import annotations
 import io
 import re
 import zipfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from sim.pages.classroom.portable import Portable
 from sim.pages.classroom.qti.item import HEAD, INSTANCE, NAMESPACE, SCHEMA, qti_item
+from sim.pages.classroom.qti.pictures import Packed, Pictures, no_pictures
 from sim.pages.classroom.qti.xhtml import xml_attribute, xml_text
 
 PACKAGE = "http://www.imsglobal.org/xsd/qti/qtiv3p0/imscp_v1p1"
@@ -16,28 +17,35 @@ PACKAGE_SCHEMA = "https://purl.imsglobal.org/spec/qti/v3p0/schema/xsd/imsqtiv3p0
 LOM = "http://ltsc.ieee.org/xsd/LOM"
 LOM_SCHEMA = "https://purl.imsglobal.org/spec/md/v1p3/schema/xsd/imsmd_loose_v1p3p2.xsd"
 TEST = "test.xml"
+ITEMS = "items"
 DATE = (1980, 1, 1, 0, 0, 0)
 
 
-def qti_package(title: str, questions: Iterable[Portable]) -> bytes:
+def qti_package(
+    title: str, questions: Iterable[Portable], pictures: Pictures = no_pictures
+) -> bytes:
     """The zip; `title` names the test."""
     items = list(questions)
+    packed = Packed(pictures)
+    made = {q.id: packed.item(qti_item(q)) for q in items}
+    shown = {name: [f"{ITEMS}/{path}" for path in paths] for name, (_, paths) in made.items()}
     files = {
-        "imsmanifest.xml": _manifest(title, items),
-        TEST: _test(title, items),
-        **{_path(q): qti_item(q) for q in items},
+        "imsmanifest.xml": _manifest(title, items, shown).encode(),
+        TEST: _test(title, items).encode(),
+        **{_path(q): made[q.id][0].encode() for q in items},
+        **{f"{ITEMS}/{path}": content for path, content in packed.files.items()},
     }
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in files.items():
+    zipped = io.BytesIO()
+    with zipfile.ZipFile(zipped, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
             entry = zipfile.ZipInfo(name, DATE)
             entry.external_attr = 0o644 << 16
-            archive.writestr(entry, text.encode("utf-8"), zipfile.ZIP_DEFLATED)
-    return packed.getvalue()
+            archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
+    return zipped.getvalue()
 
 
 def _path(q: Portable) -> str:
-    return f"items/{q.id}.xml"
+    return f"{ITEMS}/{q.id}.xml"
 
 
 def _identifier(title: str) -> str:
@@ -72,7 +80,7 @@ def _test(title: str, items: Sequence[Portable]) -> str:
     ])  # fmt: skip
 
 
-def _manifest(title: str, items: Sequence[Portable]) -> str:
+def _manifest(title: str, items: Sequence[Portable], shown: Mapping[str, Sequence[str]]) -> str:
     return "\n".join([
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<manifest xmlns="{PACKAGE}" xmlns:imsmd="{LOM}" xmlns:xsi="{INSTANCE}" '
@@ -89,14 +97,14 @@ def _manifest(title: str, items: Sequence[Portable]) -> str:
         f'<file href="{TEST}"/>',
         *(f"<dependency identifierref={xml_attribute(f'item-{q.id}')}/>" for q in items),
         "</resource>",
-        *(line for q in items for line in _resource(q)),
+        *(line for q in items for line in _resource(q, shown[q.id])),
         "</resources>",
         "</manifest>",
         "",
     ])  # fmt: skip
 
 
-def _resource(q: Portable) -> list[str]:
+def _resource(q: Portable, shown: Sequence[str]) -> list[str]:
     words = "".join(
         f"<imsmd:keyword><imsmd:string>{xml_text(topic)}</imsmd:string></imsmd:keyword>"
         for topic in q.topics
@@ -108,6 +116,7 @@ def _resource(q: Portable) -> list[str]:
         f"href={path}>",
         *about,
         f"<file href={path}/>",
+        *(f"<file href={xml_attribute(picture)}/>" for picture in shown),
         "</resource>",
     ]
 
