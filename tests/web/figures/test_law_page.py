@@ -187,7 +187,9 @@ def test_where_python_starts_slowly_a_law_is_given_longer(open_page: OpenPage, b
     page.evaluate(HURRIED)
     write(page, SLOW)
     press(page, "Judge")
-    expect(page.locator(".carts-law-fault")).to_contain_text(re.compile(r"more than (?:[5-9]|1\d|20) s"))
+    expect(page.locator(".carts-law-fault")).to_contain_text(
+        re.compile(r"more than (?:[5-9]|1\d|20) s")
+    )
 
 
 def test_the_text_is_kept_survives_a_reload_and_is_in_the_answer_file(
