@@ -145,7 +145,8 @@ def test_a_value_refused_while_python_starts_does_not_end_the_scene() -> None:
         const found = [];
         for (const refusals of data) {
           let left = refusals;
-          const note = { hidden: true, textContent: "", dataset: {}, setAttribute() {} };
+          const note = { hidden: true, textContent: "", dataset: {}, setAttribute() {},
+            classList: { remove() {} } };
           const element = Object.assign(new EventTarget(), {
             dataset: {}, querySelector: () => note, querySelectorAll: () => [note] });
           const client = Object.assign(new EventTarget(), { state: "ready" });
