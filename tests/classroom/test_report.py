@@ -14,6 +14,7 @@ from sim.classroom.files.records import as_record, from_record
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.escaped import escape
 from sim.classroom.show.report_page import report_html
+from sim.lesson.bank import read_bank
 from tests.classroom.given.makers import answers, bank, keys, random_class, sources
 
 BANK = bank(10)
@@ -227,3 +228,17 @@ def test_hostile_names_stay_text() -> None:
     report = made(("class", [answers(BANK, name, "pre", {"item-0": "a"})]))
     assert report["lessons"][0]["forms"][0]["students"][0]["student"] == name
     json.dumps(report, allow_nan=False)
+
+
+def test_an_answer_that_is_a_picture_or_a_formula_is_talked_about_in_its_words() -> None:
+    options = [
+        {"text": "equal", "correct": True},
+        {"text": r"\(\frac{F}{m}\) ![the long arrow](a.png)"},
+    ]
+    source = read_bank({"title": "Made up", "items": [
+        {"id": "which", "type": "single", "ask": "Which?", "options": options},
+    ]})  # fmt: skip
+    files = [answers(source, f"FOX-{k}", "pre", {"which": "b"}, start=k) for k in range(3)]
+    (form,) = made(("class", files), source=source)["lessons"][0]["forms"]
+    (talk,) = form["talk"]
+    assert "3 of 3 chose B (“F/m the long arrow”)" in talk["sentence"]

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.report.sentences import begins
+from sim.classroom.show.prose import prose
 from sim.scene.said import counted, listed, listed_or, said
 
 FEWEST = 2
@@ -151,7 +152,7 @@ def _groups(item: dict[str, Any]) -> list[_Chosen]:
 
 def _answer(choice: dict[str, Any]) -> str:
     """The letter of an option and how its text begins; a number as it was typed."""
-    words = choice["text"]
+    words = prose(choice["text"])
     if not words:
         label: str = choice["label"]
         return label
