@@ -148,3 +148,11 @@ def test_a_file_without_an_answer_is_counted_and_named() -> None:
     assert flag["files"] == ("1.json", "2.json")
     assert "Nothing is answered in 2 files" in report_html(made)
     assert made["files"]["counted"] == 3
+
+
+def test_a_zip_beside_its_files_does_not_fill_the_top_of_the_report_with_their_names() -> None:
+    one = answers(BANK, "FOX", "pre", ALL)
+    made = report(*[one] * 40)
+    assert len(made["files"]["set_aside"]) == 39  # the document names them all
+    assert "Set aside: <bdi>1.json</bdi>, " in report_html(made)
+    assert "13.json" not in report_html(made)

@@ -18,7 +18,7 @@ from sim.scene.said import Said, commas, counted, joined, said, template
 
 Row = Mapping[str, Any]
 MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
-MOST_FLAGGED = 12  # names of files beside a question to the teacher
+MOST_NAMED = 12  # names of files that were set aside, or beside a question to the teacher
 MOST_OF_A_KIND = 2  # questions of one kind that are asked in full
 ENGLISH: Mapping[str, str] = {}
 
@@ -42,8 +42,7 @@ def _count(files: Row, tell: Tell) -> str:
                          "{n} files could not be read: {names}", n=lost, names=names)  # fmt: skip
         made += f'<p class="carts-class-lost">{tell(unread)}</p>'
     if files["set_aside"]:
-        aside = ", ".join(person(name, tell) for name in files["set_aside"])
-        made += f"<p>{tell(template('Set aside:'))} {aside}.</p>"
+        made += f"<p>{tell(template('Set aside:'))} {_names(files['set_aside'], tell)}</p>"
     return made
 
 
@@ -70,9 +69,13 @@ def _flags(flags: Sequence[Row], tell: Tell) -> str:
 
 
 def _flag(flag: Row, tell: Tell) -> str:
-    names = ", ".join(person(name, tell) for name in flag["files"][:MOST_FLAGGED])
-    more = " …" if len(flag["files"]) > MOST_FLAGGED else ""
-    return f"<li>{tell(flag['sentence'])} <span>{names}{more}</span></li>"
+    return f"<li>{tell(flag['sentence'])} <span>{_names(flag['files'], tell)}</span></li>"
+
+
+def _names(files: Sequence[str], tell: Tell) -> str:
+    """The first names of files: a zip dropped beside its files sets all of these aside."""
+    names = ", ".join(person(name, tell) for name in files[:MOST_NAMED])
+    return names + (" …" if len(files) > MOST_NAMED else "")
 
 
 def _kind(rows: Sequence[str], tell: Tell) -> str:
