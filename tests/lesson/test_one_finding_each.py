@@ -76,3 +76,30 @@ def test_a_key_with_no_space_behind_its_colon_is_not_missing_too() -> None:
         read_fence({"carts": carts}, named=False)
     (problem,) = caught.value.problems
     assert problem.hint == "write a space after the colon: mass: 0.5 kg"
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"type": "single", "options": [{"text": "{}", "correct": True}, "{}", "c"]},
+        {"type": "idea", "options": ["{}", "{}"]},
+        {"type": "ordering", "order": ["{}", "b", "{}"]},
+        {"type": "matching", "pairs": [{"left": "{}", "right": "a"}, {"left": "{}", "right": "b"}]},
+        {"type": "matching", "pairs": [{"left": "a", "right": "{}"}, {"left": "b", "right": "c"}],
+         "others": ["{}"]},
+    ],
+)  # fmt: skip
+def test_pictures_to_choose_from_differ_in_their_words(asked: dict[str, Any]) -> None:
+    """Who hears them, a slip and the report have nothing else: “You answered: a cart.”"""
+    plain = yaml.safe_dump({"id": "q", "ask": "Which?"} | asked, sort_keys=False)
+
+    def written(first: str, second: str) -> dict[str, Any]:
+        made = plain.replace("{}", first, 1).replace("{}", second, 1)
+        return dict(yaml.safe_load(made))
+
+    read_question(written("![a cart](a.png)", "![a wall](b.png)"))
+    read_question(written("a  cart", "a cart with ![a wall](b.png)"))
+    with pytest.raises(LessonError) as caught:
+        read_question(written("![a cart](a.png)", "![a cart](b.png)"))
+    (problem,) = caught.value.problems
+    assert problem.code == "alike"

@@ -15,6 +15,7 @@ from typing import Any, ClassVar, Self
 from sim.lesson import keys
 from sim.lesson.keys import PROSE, PROSES, Key
 from sim.lesson.kinds.options import LETTERS
+from sim.lesson.kinds.pictures import alike, places
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -61,6 +62,7 @@ class Ordering(Question):
             message = f"order lists 3 to {len(LETTERS)} different lines"
             hint = "order: [first, second, third]"
             problems.append(Problem(where, "not-a-list", message, hint))
+        alike(lines, places((*path, "order"), lines), problems)
         return cls(common=common, order=lines)
 
     @classmethod
@@ -148,10 +150,15 @@ class Matching(Question):
             unknown_keys(entry, keys.names(PAIR_KEYS), (*here, k), problems)
             left.append(keys.needed(entry, "left", (*here, k), problems, hint))
             right.append(keys.needed(entry, "right", (*here, k), problems, hint))
-        right += keys.texts(table, "others", path, problems, "others: [something else]")
+        others = keys.texts(table, "others", path, problems, "others: [something else]")
+        rows = places(here, right)
+        right += others
         if len(set(right)) != len(right) or len(right) > len(LETTERS):
             message = f"on the right stand at most {len(LETTERS)} different texts"
             problems.append(Problem(here, "twice", message, hint))
+        else:
+            alike(right, [*rows, *places((*path, "others"), others)], problems)
+            alike(left, rows, problems)
         return cls(common=common, left=tuple(left), right=tuple(right))
 
     @classmethod

@@ -10,6 +10,7 @@ from typing import Any
 from sim.lesson import keys
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import PROSE, Key
+from sim.lesson.kinds.pictures import alike, places
 from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import unknown_keys
 
@@ -94,6 +95,7 @@ def read_options(
         if same and any(same == " ".join(other.text.split()) for other in options):
             problems.append(Problem((*here, k), "twice", "this answer stands there twice", _HINT))
         options.append(option)
+    alike([option.text for option in options], places(here, options), problems)
     return tuple(options)
 
 
