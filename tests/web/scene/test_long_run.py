@@ -14,7 +14,7 @@ const reply = { header: { ok: false, problems: [] }, numbers: [] };
 const later = (act) => setTimeout(act, 20 * data.seconds);
 const client = {
   state: data.state,
-  ask: (_, message) => new Promise((resolve) => later(() => resolve({ ...reply, sent: message() }))),
+  ask: (_, message) => new Promise((answer) => later(() => answer({ ...reply, sent: message() }))),
 };
 const told = [];
 const long = (on) => told.push(on);
