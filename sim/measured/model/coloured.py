@@ -134,17 +134,15 @@ def _kinds(spectra: Sequence[_Spectrum], nothing: float) -> Iterator[tuple[float
 
     counts = [len(one.y) for one in spectra]
     unknowns = spectra[0].u.shape[1]
-    smaller, larger = (
-        np.array([math.exp(sign * size) for size in SIZES])[:, None] for sign in (-1.0, 1.0)
-    )
+    scales = [(math.exp(-size), math.exp(size)) for size in SIZES]
+    smaller, larger = np.array(scales).T[..., None]
     for colour in colours():
         track = [_Weighed.of(one, *_spread(colour, len(one.y))) for one in spectra]
         # Of all sizes at once: a hundred calls of NumPy in place of five hundred.
         along = smaller * track[0].along + larger * track[1].along
         inner = smaller[..., None] * track[0].inner + larger[..., None] * track[1].inner
         solved, determined = np.linalg.solve(inner, along[..., None]), np.linalg.slogdet(inner)[1]
-        for k, size in enumerate(SIZES):
-            a, b = math.exp(-size), math.exp(size)
+        for k, (size, (a, b)) in enumerate(zip(SIZES, scales, strict=True)):
             rest = a * track[0].squares + b * track[1].squares
             rest -= float(along[k] @ solved[k, :, 0])
             if not rest > nothing:

@@ -8,6 +8,7 @@ has one that is not known to make none, only the build can tell.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -81,9 +82,7 @@ class _Pages:
 
     def has_file(self, name: str) -> bool:
         """Whether a picture or a style sheet is there, of the site or of the theme."""
-        theme = find_spec("material")
-        own = Path(theme.origin).parent / "templates" if theme and theme.origin else self.docs
-        places = [own / name, *([] if self.lessons_only else [self.docs / name])]
+        places = [theme_templates() / name, *([] if self.lessons_only else [self.docs / name])]
         if name.startswith(f"{LESSONS}/"):
             places.append(self.lessons / name.partition("/")[2])
         return any(place.is_file() for place in places)
@@ -95,6 +94,13 @@ class _Pages:
         else:
             found = [path.relative_to(self.docs).as_posix() for path in self.docs.rglob("*.md")]
         return [*found, *(f"{LESSONS}/{path.name}" for path in self.lessons.glob("*.md"))]
+
+
+@cache
+def theme_templates() -> Path:
+    """The folder of the theme's files, or one that is not there where the theme is not."""
+    theme = find_spec("material")
+    return Path(theme.origin).parent / "templates" if theme and theme.origin else Path("-")
 
 
 def _named(node: yaml.Node | None) -> Iterator[yaml.ScalarNode]:

@@ -8,19 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cache
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from sim.pages.findings import Finding, SiteError
-from sim.pages.site.menu_names import named_in_vain
+from sim.pages.site.menu_names import named_in_vain, theme_templates
 from sim.pages.site.site_id import check_site_id
 from sim.scene.problem import did_you_mean, nearest
 
 SETTINGS = "mkdocs.yml"
-_LANGUAGES = Path("templates") / "partials" / "languages"
+_LANGUAGES = Path("partials") / "languages"
 _FACTS = ("site_id", "made_with")
 Pairs = list[tuple[yaml.Node, yaml.Node]]
 
@@ -99,9 +98,7 @@ def _theme(theme: yaml.Node | None) -> Iterator[Finding]:
 @cache
 def languages() -> tuple[str, ...]:
     """Those that the theme has words in; none where it is not there."""
-    theme = find_spec("material")
-    folder = Path(theme.origin).parent / _LANGUAGES if theme and theme.origin else Path("-")
-    return tuple(sorted(file.stem for file in folder.glob("*.html")))
+    return tuple(sorted(file.stem for file in (theme_templates() / _LANGUAGES).glob("*.html")))
 
 
 def _plugins(plugins: yaml.Node | None, own: Mapping[str, Any]) -> Iterator[Finding]:

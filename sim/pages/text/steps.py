@@ -116,10 +116,11 @@ def _hide_headings(
     one there: then these too, as they would have, so that links to them lead on. An id in `blocks`
     is not theirs: a scene is looked for by it, and answers are filed under it."""
     hidden = _held(root, _HEADINGS)
-    taken = {*blocks, *(name for one in root.iter() if (name := one.get("id")))}
-    for heading in root.iter() if named else ():
-        if named and heading.tag in _HEADINGS and not heading.get("id"):
-            heading.set("id", unique(named(heading), taken))
+    if named:
+        taken = {*blocks, *(name for one in root.iter() if (name := one.get("id")))}
+        for heading in root.iter():
+            if heading.tag in _HEADINGS and not heading.get("id"):
+                heading.set("id", unique(named(heading), taken))
     for heading in hidden:
         heading.attrib.pop("data-toc-label", None)
         heading.tag = _HIDDEN + heading.tag

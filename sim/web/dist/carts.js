@@ -4623,7 +4623,7 @@
     if (!on && place4.textContent !== message) return;
     note(scene, on ? message : "");
     place4.classList.toggle("carts-passing", on);
-    place4.style.top = `${need(scene, ".carts-top").offsetHeight}px`;
+    if (on) place4.style.top = `${need(scene, ".carts-top").offsetHeight}px`;
   }
   function noteBeside(scene, message) {
     const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").dataset.why : "";
@@ -5898,8 +5898,7 @@
       from: fixed(from, decimals),
       until: fixed(until, decimals)
     });
-    const because = told2(why);
-    const sentence = ended(`${(because[0] ?? "").toUpperCase()}${because.slice(1)}`);
+    const sentence = ended(capital(told2(why)));
     return [times2, SOLVERS[solver] ?? solver, sentence];
   }
   function duration(seconds) {
@@ -6308,9 +6307,8 @@
     return [...shown3, between2, ...hidden];
   }
   function line({ sentence, source, listed: listed2 }) {
-    const text = told2(sentence);
     const item = html("li", listed2 ? "carts-ladder-listed" : "");
-    item.append(text.slice(0, 1).toUpperCase() + text.slice(1));
+    item.append(capital(told2(sentence)));
     if (source) item.append(" ", html("span", "carts-quiet", `(${told2(source)})`));
     return item;
   }

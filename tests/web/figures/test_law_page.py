@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 
 import pytest
@@ -33,14 +32,6 @@ carts:
   B: {mass: 0.5 kg, position: 1.20 m}
   C: {mass: 0.5 kg, position: 1.80 m}
 until: 3 s
-"""
-SLOW = """\
-def force(overlap, rate):
-    x = 0
-    for i in range(200):
-        for j in range(90):
-            x = x + j * overlap
-    return 100 * overlap + 0 * x
 """
 
 
@@ -152,44 +143,6 @@ def test_what_is_wrong_is_told_with_its_line_and_the_cursor_goes_there(
     write(page, SPRING)
     press(page, "Run")
     expect(fault).to_have_text("")
-
-
-def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
-    open_page: OpenPage, bench: Path
-) -> None:
-    page = opened(open_page, bench)
-    write(page, SLOW)
-    press(page, "Judge")
-    expect(page.locator(".carts-law-fault")).to_contain_text("was ended")
-    box = page.get_by_label("Your law, in Python")
-    assert box.input_value() == SLOW
-    # The number in the message is of seconds: no line of the text is marked, to be typed over.
-    assert box.evaluate("box => box.selectionStart === box.selectionEnd")
-    page.get_by_role("button", name="Judge", exact=True).click()
-    page.get_by_role("button", name="Stop", exact=True).click()
-    expect(page.locator(".carts-law-fault")).to_have_text("Stopped.", timeout=STARTS)
-    write(page, SPRING)
-    press(page, "Run")
-    expect(page.locator(".carts-law-fault")).to_have_text("")
-
-
-HURRIED = """() => {
-  const usual = window.setInterval;
-  window.setInterval = (act, ms) => usual(act, ms / 3);
-}"""
-"""The page counts tenths of a second for seconds: to it this computer is ten times as slow."""
-
-
-@pytest.mark.one_browser
-def test_where_python_starts_slowly_a_law_is_given_longer(open_page: OpenPage, bench: Path) -> None:
-    """Four seconds are ten usual laws here, and one on a laptop that has become old."""
-    page = opened(open_page, bench)
-    page.evaluate(HURRIED)
-    write(page, SLOW)
-    press(page, "Judge")
-    expect(page.locator(".carts-law-fault")).to_contain_text(
-        re.compile(r"more than (?:[5-9]|1\d|20) s")
-    )
 
 
 def test_the_text_is_kept_survives_a_reload_and_is_in_the_answer_file(

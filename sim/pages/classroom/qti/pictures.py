@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import cache
 from html import unescape
 from pathlib import Path
 from urllib.parse import unquote
@@ -27,6 +28,7 @@ def no_pictures(_: str) -> None:
 def pictures_of(folder: Path, site: Path) -> Pictures:
     """Pictures named from `folder`; what does not lie in `site` is not handed on."""
 
+    @cache  # asked for when the package is made, and when what is lost is told
     def read(address: str) -> bytes | None:
         if _ELSEWHERE.match(address):
             return None

@@ -41,7 +41,7 @@ export function passing(scene, message, on) {
   if (!on && place.textContent !== message) return; // another message stands there since
   note(scene, on ? message : "");
   place.classList.toggle("carts-passing", on);
-  place.style.top = `${need(scene, ".carts-top").offsetHeight}px`; // below the title, over the sky
+  if (on) place.style.top = `${need(scene, ".carts-top").offsetHeight}px`; // below the title, over the sky
 }
 
 /** The same, behind why Python does not run where that is said already. @param {HTMLElement} scene @param {string} message */

@@ -7,6 +7,7 @@
 import { told, tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
+import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
@@ -102,9 +103,8 @@ function lines(rungs, reads) {
 
 /** @param {Rung} rung */
 function line({ sentence, source, listed }) {
-  const text = told(sentence);
   const item = html("li", listed ? "carts-ladder-listed" : "");
-  item.append(text.slice(0, 1).toUpperCase() + text.slice(1));
+  item.append(capital(told(sentence)));
   if (source) item.append(" ", html("span", "carts-quiet", `(${told(source)})`));
   return item;
 }

@@ -2,6 +2,7 @@
 
 import { counted, ended, inRow, told, tr } from "../../../../view/language.js";
 import { fixed, short } from "../../../../view/numbers.js";
+import { capital } from "../../../../view/words.js";
 
 /** @typedef {{cost: {solution: number, points: number}}} Cost seconds */
 /**
@@ -65,8 +66,7 @@ export function phaseWords({ from, until, solver, why }, decimals) {
     from: fixed(from, decimals),
     until: fixed(until, decimals),
   });
-  const because = told(why);
-  const sentence = ended(`${(because[0] ?? "").toUpperCase()}${because.slice(1)}`);
+  const sentence = ended(capital(told(why)));
   return [times, SOLVERS[solver] ?? solver, sentence];
 }
 
