@@ -233,13 +233,13 @@ def _happens(
     speed = max(abs(gap.left.v), abs(gap.right.v))
     room = part * (math.hypot(between.o0 - c, between.u / w) + abs(between.o0) + speed / w)
     if guard.of == "force":
-        by = room * (branch.kappa + branch.gamma * w)
-        return between.falls(branch.kappa, branch.gamma, branch.kappa * (branch.rest - c) - by)
+        none = branch.kappa * (branch.rest - c) - room * (branch.kappa + branch.gamma * w)
+        turns = between.turns_at(branch.rest)  # laid on a bumper: from twice its load to none
+        return math.inf if turns else between.falls(branch.kappa, branch.gamma, none)
     if guard.of == "rate":
         return between.falls(0.0, 1.0, -room * w)
-    if guard.cause == "climb":
-        room = max(room, GRAZES * guard.level)
     if guard.of == "overlap":
+        room = max(room, GRAZES * guard.level) if guard.cause == "climb" else room
         return between.falls(sign, 0.0, sign * (guard.level - c) - room)
     assert gap.law is not None
     k, damper = gap.law.stiffness, gap.law.damper(gap.mu)

@@ -18,6 +18,9 @@ KEPT = 4
 MOST_MARKS = 2000
 """Quarter swings drawn one by one."""
 
+GRAZES = 2e-15
+"""Of the farthest overlap. What is laid on a bumper swings between twice its load and none."""
+
 
 def rate_of(stiff: float, damp: float, mu: float) -> Rate:
     """Rates of an oscillator with these N/m and N s/m."""
@@ -92,6 +95,16 @@ class Oscillation:
         return first_fall_to(
             self.rate, over * y0 + rate * self.u, over * self.u + rate * bend, level
         )
+
+    def turns_at(self, level: float) -> bool:
+        """Is that the lowest place of a swing that does not fade, but for rounding of an overlap?
+
+        Then it does not fall below it, though by rounding it does in every swing.
+        """
+        swing = self.fastest() / self.rate.w0
+        lowest = self.centre - swing
+        whole = swing + abs(self.centre)
+        return self.rate.beta == 0.0 and abs(lowest - level) <= GRAZES * whole
 
     def greatest(self, kappa: float, gamma: float, t: float) -> list[float]:
         """Times up to t at which kappa o + gamma o' may be greatest."""
