@@ -3,6 +3,7 @@ JSON Schemas are made from them."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -94,22 +95,35 @@ def texts(
     value = table.get(name)
     if value is None and name not in table:
         return ()
+    here = (*path, name)
     listed = value if isinstance(value, (list, tuple)) else [value]
-    found = [
-        str(item).lower() if isinstance(item, bool) else str(item).strip()  # as it was written
-        for item in listed
-        if isinstance(item, (str, int, float))
-    ]
-    if None in listed:
-        message = "YAML reads null, ~ and an empty place as nothing"
-        problems.append(
-            Problem((*path, name), "not-text", message, 'a word goes in quotes: "null"')
-        )
-        return ()
-    if len(found) != len(listed) or not all(found):
-        problems.append(Problem((*path, name), "not-text", f"{name} lists texts", hint))
-        return ()
+    found = []
+    for k, item in enumerate(listed):
+        text = ""
+        if isinstance(item, (str, int, float)):  # as it was written
+            text = str(item).lower() if isinstance(item, bool) else str(item).strip()
+        if not text:
+            message, should = f"{name} lists texts", cut_by_colon(item) or hint
+            if item is None:
+                message = "YAML reads null, ~ and an empty place as nothing"
+                should = 'a word goes in quotes: "null"'
+            place = (*here, k) if listed is value else here
+            problems.append(Problem(place, "not-text", message, should))
+            return ()
+        found.append(text)
     return tuple(found)
+
+
+def cut_by_colon(entry: object) -> str:
+    """The hint for a text of a list that YAML reads as a key and its value; "": it is none."""
+    if not isinstance(entry, Mapping) or len(entry) != 1:
+        return ""
+    ((before, after),) = entry.items()
+    if isinstance(after, bool) or not isinstance(after, (str, int, float)):
+        return ""
+    whole = f"{before}: {after}"
+    quoted = f"'{whole}'" if re.search(r'["\\]', whole) else f'"{whole}"'
+    return f"a text with a colon in it goes in quotes: {quoted}"
 
 
 def choice(

@@ -16,6 +16,7 @@ from sim.lesson.kinds.options import ELSEWHERE
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
 from sim.lesson.kinds.table import Table
+from sim.lesson.kinds.unformatted import unformatted
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.problems import LessonError
 from sim.lesson.question import COMMON_KEYS, Question, read_common
@@ -30,8 +31,14 @@ KINDS: dict[str, type[Question]] = {
     )
 }  # fmt: skip
 
-_ELSEWHERE = {Single: ELSEWHERE, Multiple: ELSEWHERE, Short: {"answer": "accept: [zero, 0 N]"}}
+_ELSEWHERE = {
+    Single: ELSEWHERE, Multiple: ELSEWHERE, Short: {"answer": "accept: [zero, 0 N]"},
+    Number: {"unit": "a unit stands behind its number: answer: 0.25 m/s"},
+}  # fmt: skip
 """What authors look for under a key that a kind has not, and how it is said."""
+
+_WORTH = ("points", "point", "score", "worth")
+"""What others call `marks`; “points” is nearer to `hints`."""
 
 
 def read_question(plain: object) -> Question:
@@ -56,9 +63,12 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
         return None
     known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
     a_list = _missing_list(kind, table)
-    elsewhere = _ask(table, known) | _ELSEWHERE.get(kind, {})
+    elsewhere = (
+        _ask(table, known) | dict.fromkeys(_WORTH, meant("marks")) | _ELSEWHERE.get(kind, {})
+    )
     unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=elsewhere)
     question = kind.read(table, common, path, problems)
+    unformatted({name: table[name] for name in table if name in known}, path, problems)
     return question if len(problems) == before else None
 
 
@@ -94,8 +104,10 @@ def _kind(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> type
         hint = did_you_mean(name or "", KINDS, f"type: one of {', '.join(KINDS)}")
         if re.search(r"choice|^mc$|^mcq$", str(name), re.IGNORECASE):  # others call both so
             hint = "type: single where one option is right, type: multiple where several are"
-        given = "type" in table
+        given = name is not None
         message = f"there is no type “{str(name)[:40]}”" if given else "type is missing"
-        where = (*path, "type") if given else path
+        if given and not isinstance(name, str):
+            message, hint = "type is one word", "type: single"
+        where = (*path, "type") if "type" in table else path
         problems.append(Problem(where, "unknown-type" if given else "missing", message, hint))
     return kind

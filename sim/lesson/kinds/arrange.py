@@ -18,7 +18,7 @@ from sim.lesson.kinds.options import LETTERS
 from sim.lesson.kinds.pictures import alike, places
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
-from sim.scene.problem import Path, Problem
+from sim.scene.problem import Path, Problem, nearest
 from sim.scene.tables import unknown_keys
 
 PAIR_KEYS = (
@@ -56,11 +56,11 @@ class Ordering(Question):
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
         """Three lines or more, all different."""
-        lines = keys.texts(table, "order", path, problems, "order: [first, second, third]")
-        if not 3 <= len(set(lines)) == len(lines) <= len(LETTERS):
+        before, hint = len(problems), "order: [first, second, third]"
+        lines = keys.texts(table, "order", path, problems, hint)
+        if len(problems) == before and not 3 <= len(lines) <= len(LETTERS):
             where = (*path, "order") if "order" in table else path
             message = f"order lists 3 to {len(LETTERS)} different lines"
-            hint = "order: [first, second, third]"
             problems.append(Problem(where, "not-a-list", message, hint))
         alike(lines, places((*path, "order"), lines), problems)
         return cls(common=common, order=lines)
@@ -141,24 +141,27 @@ class Matching(Question):
         if not isinstance(listed, (list, tuple)) or len(listed) < 2:
             problems.append(Problem(here, "not-a-list", "pairs lists two or more pairs", hint))
             return cls(common=common, left=(), right=())
-        left, right = [], []
+        left, right, read = [], [], []
         for k, entry in enumerate(listed):
-            if not isinstance(entry, Mapping):
+            known = keys.names(PAIR_KEYS)
+            if not isinstance(entry, Mapping) or not any(nearest(str(e), known) for e in entry):
                 message = "a pair has a left and a right"
                 problems.append(Problem((*here, k), "not-a-table", message, hint))
                 continue
-            unknown_keys(entry, keys.names(PAIR_KEYS), (*here, k), problems)
+            unknown_keys(entry, known, (*here, k), problems)
+            read.append(k)
             left.append(keys.needed(entry, "left", (*here, k), problems, hint))
             right.append(keys.needed(entry, "right", (*here, k), problems, hint))
         others = keys.texts(table, "others", path, problems, "others: [something else]")
-        rows = places(here, right)
+        rows = [(*here, k) for k in read]
         right += others
-        if len(set(right)) != len(right) or len(right) > len(LETTERS):
-            message = f"on the right stand at most {len(LETTERS)} different texts"
-            problems.append(Problem(here, "twice", message, hint))
-        else:
-            alike(right, [*rows, *places((*path, "others"), others)], problems)
-            alike(left, rows, problems)
+        if len(right) > len(LETTERS):
+            message = f"on the right stand at most {len(LETTERS)} texts"
+            problems.append(Problem(here, "not-a-list", message, hint))
+        several = isinstance(table.get("others"), (list, tuple))
+        beside = places((*path, "others"), others) if several else [(*path, "others")]
+        alike(right, [*rows, *beside[: len(others)]], problems)
+        alike(left, rows, problems)
         return cls(common=common, left=tuple(left), right=tuple(right))
 
     @classmethod

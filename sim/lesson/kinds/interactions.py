@@ -73,16 +73,21 @@ class Interactions(Question):
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
         """Different objects, at least one link, and rows about links that can be meant."""
+        before = len(problems)
         objects = keys.texts(table, "objects", path, problems, "objects: [book, table, Earth]")
         fits = FEWEST <= len(set(objects)) == len(objects) <= MOST
-        if not fits or max(map(len, objects)) > LONGEST:
+        if len(problems) == before and (not fits or max(map(len, objects)) > LONGEST):
             message = (
                 f"objects lists {FEWEST} to {MOST} different names of up to {LONGEST} characters"
             )
             where = (*path, "objects") if "objects" in table else path
             problems.append(Problem(where, "not-a-list", message, "objects: [book, table, Earth]"))
+        if (
+            len(problems) > before and "objects" in table
+        ):  # whatever is said about the rest would follow from this
+            return cls(common=common, objects=(), links=())
         links = read_links(table, objects, path, problems)
-        if not links:
+        if not links and (len(problems) == before or "objects" not in table):
             message = "contact or distance lists at least one link"
             problems.append(Problem(path, "missing", message, HINT))
         focus = keys.texts(table, "focus", path, problems, "focus: book")

@@ -64,9 +64,10 @@ def ends_of(pair: object, objects: tuple[str, ...]) -> tuple[int, int] | None:
     """The places of two different objects, the smaller first."""
     if not isinstance(pair, (list, tuple)) or len(pair) != 2:
         return None
-    if not all(isinstance(name, str) and name in objects for name in pair):
+    names = [str(name) for name in pair]
+    if not all(name in objects for name in names):
         return None
-    a, b = sorted(objects.index(name) for name in pair)
+    a, b = sorted(map(objects.index, names))
     return (a, b) if a != b else None
 
 

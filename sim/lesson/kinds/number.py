@@ -80,8 +80,10 @@ class Number(Question):
         if len(problems) == before and others and is_number(table, "answer", path, problems):
             given = f"in {unit}" if unit else "a plain number"
             message = f"the answer is {given}, the other numbers of this question are in {others}"
-            here = (*path, "answer")
-            problems.append(Problem(here, "wrong-unit", message, f"answer: 0.25 {others}"))
+            hint = f"answer: {_without(unit, table['answer'])} {others}"
+            if unit and not table.get("wrong"):  # either of the two may be the slip
+                hint += f", or tolerance: {_without(others, table['tolerance'])} {unit}"
+            problems.append(Problem((*path, "answer"), "wrong-unit", message, hint))
         if len(problems) > before:  # whatever is said about the rest would follow from this
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
         exact = read_number(table, "answer", dimension, path, problems)
@@ -173,6 +175,10 @@ def mark_number(
             beliefs = (known.belief,) if known.belief else ()
             return all_or_nothing(False, False, of, shown=shown, beliefs=beliefs)
     return all_or_nothing(False, False, of)
+
+
+def _without(unit: str, value: object) -> str:
+    return str(value).strip().removesuffix(unit).strip()
 
 
 def _numbers(table: Mapping[str, Any]) -> list[Any]:

@@ -11,7 +11,7 @@ from sim.lesson import keys
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import PROSE, Key
 from sim.lesson.kinds.pictures import alike, places
-from sim.scene.problem import Path, Problem, did_you_mean
+from sim.scene.problem import Path, Problem, did_you_mean, nearest
 from sim.scene.tables import unknown_keys
 
 LETTERS = "abcdefghijkl"
@@ -24,6 +24,7 @@ OPTION_KEYS = (
     Key("feedback", "shown to who chose it", "Compare the two arrows.", PROSE),
     Key("id", "name of the answer; default: its letter", "b"),
 )  # fmt: skip
+_NAMES = keys.names(OPTION_KEYS)
 _HINT = "options:\n    - {text: They are equal., correct: true}\n    - {text: A pushes harder.}"
 RIGHT = "add correct: true to what is right: {text: They are equal., correct: true}"
 ELSEWHERE = dict.fromkeys(("answer", "correct", "right"), RIGHT)
@@ -78,10 +79,12 @@ def read_options(
     """The options of a question; empty with a problem if they cannot be used."""
     here = (*path, "options")
     listed = table.get("options")
+    if "options" not in table:
+        problems.append(Problem(path, "missing", "options is missing", _HINT))
+        return ()
     if not isinstance(listed, (list, tuple)) or not 2 <= len(listed) <= len(LETTERS):
-        where = here if "options" in table else path
         message = f"options lists 2 to {len(LETTERS)} answers"
-        problems.append(Problem(where, "not-a-list", message, _HINT))
+        problems.append(Problem(here, "not-a-list", message, _HINT))
         return ()
     options: list[Option] = []
     for k, entry in enumerate(listed):
@@ -91,9 +94,6 @@ def read_options(
         if any(option.id == other.id for other in options):
             message = f"two options have the id “{option.id}”"
             problems.append(Problem((*here, k), "id-taken", message, "each needs its own"))
-        same = " ".join(option.text.split())
-        if same and any(same == " ".join(other.text.split()) for other in options):
-            problems.append(Problem((*here, k), "twice", "this answer stands there twice", _HINT))
         options.append(option)
     alike([option.text for option in options], places(here, options), problems)
     return tuple(options)
@@ -104,7 +104,11 @@ def _option(entry: object, letter: str, path: Path, problems: list[Problem]) -> 
     if not isinstance(table, Mapping):
         problems.append(Problem(path, "not-a-table", "an option is a text or a table", _HINT))
         return None
-    unknown_keys(table, keys.names(OPTION_KEYS), path, problems, elsewhere=ELSEWHERE)
+    if len(table) == 1 and not any(nearest(str(key), _NAMES) for key in table):
+        hint = keys.cut_by_colon(table) or _HINT
+        problems.append(Problem(path, "not-a-table", "an option is a text or a table", hint))
+        return None
+    unknown_keys(table, _NAMES, path, problems, elsewhere=ELSEWHERE)
     belief = read_belief(table, path, problems)
     correct = keys.flag(table, "correct", path, problems, default=False)
     if correct and belief:

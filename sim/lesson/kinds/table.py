@@ -27,7 +27,7 @@ from sim.lesson.kinds.measured_number import (
 from sim.lesson.kinds.number import mark_number
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
-from sim.scene.problem import Path, Problem
+from sim.scene.problem import Path, Problem, meant
 from sim.scene.prose import MARK
 from sim.scene.tables import unknown_keys
 
@@ -80,13 +80,17 @@ class Table(Question):
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
         """As many cells in each row as there are columns, and at least one to fill in."""
+        before = len(problems)
         columns = keys.texts(table, "columns", path, problems, "columns: [push, velocity]")
+        unread = len(problems) > before
         listed = table.get("rows")
         if not isinstance(listed, (list, tuple)) or not 1 <= len(listed) <= MOST:
             message = f"rows lists 1 to {MOST} rows"
             problems.append(Problem((*path, "rows"), "not-a-list", message, HINT))
             listed = ()
-        if not 2 <= len(set(columns)) == len(columns) <= MOST:
+        if unread:
+            listed = ()
+        elif not 2 <= len(set(columns)) == len(columns) <= MOST:
             message = f"columns lists 2 to {MOST} different heads"
             problems.append(Problem((*path, "columns"), "not-a-list", message, "columns: [a, b]"))
             listed = ()
@@ -98,7 +102,7 @@ class Table(Question):
                 problems.append(Problem(here, "wrong-count", message, HINT))
                 continue
             rows.append(tuple(_cell(cell, (*here, c), problems) for c, cell in enumerate(row)))
-        if len(rows) == len(listed) > 0 and not any(
+        if len(problems) == before and not any(
             isinstance(cell, Open) for row in rows for cell in row
         ):
             message = "no cell is left to fill in"
@@ -195,8 +199,9 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
         if isinstance(cell, bool) or not isinstance(cell, (str, int, float)):
             problems.append(Problem(path, "not-text", "a given cell is a text or a number", HINT))
         return str(cell)
-    unknown_keys(cell, keys.names(CELL_KEYS), path, problems)
     before = len(problems)
+    elsewhere = {"value": meant("answer")}
+    unknown_keys(cell, keys.names(CELL_KEYS), path, problems, elsewhere=elsewhere)
     unit, dimension = read_unit(cell, "answer", path, problems)
     if len(problems) > before:  # whatever is said about the rest would follow from this
         return Open(answer=0, tolerance=0, unit="", units={})
@@ -230,7 +235,7 @@ def _plot(
     if "plot" not in table:
         return None
     heads = keys.texts(table, "plot", path, problems, f"plot: [{', '.join(columns[:2])}]")
-    if len(heads) != 2 or not set(heads) <= set(columns):
+    if len(heads) != 2 or len(set(heads) & set(columns)) != 2:
         message = "plot names two of the columns"
         hint = f"plot: [{', '.join(columns[:2])}]"
         problems.append(Problem((*path, "plot"), "not-a-choice", message, hint))

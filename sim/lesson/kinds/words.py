@@ -122,10 +122,12 @@ class Short(Long):
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
         """Either what is accepted, or a rubric."""
+        before = len(problems)
         accept = read_accept(table, path, problems)
+        alone = not accept and "answer" not in table and len(problems) == before
         return cls(
             common=common,
-            rubric=_rubric(table, path, problems, required=not accept and "answer" not in table),
+            rubric=_rubric(table, path, problems, required=alone),
             start=keys.text(table, "start", path, problems) or "",
             words=keys.texts(table, "words", path, problems, "words: [equal, pair]"),
             accept=accept,
