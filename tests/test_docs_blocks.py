@@ -59,7 +59,7 @@ def of(*languages: str) -> list[tuple[str, str]]:
 
 
 def test_every_block_says_what_it_is() -> None:
-    known = OURS | SHOWN_AS_IT_IS | {"sh", "yaml", "json", "python", "js"}
+    known = OURS | SHOWN_AS_IT_IS | {"sh", "yaml", "json", "python", "js", "jinja"}
     assert [(place, language) for place, language, _ in ALL if language not in known] == []
 
 

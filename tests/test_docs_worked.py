@@ -12,11 +12,16 @@ from types import ModuleType
 from typing import Any
 
 import pytest
+from jinja2 import DictLoader
 
 from sim.classroom.files.keyed import keyed_item
 from sim.lesson import read as lesson_read
 from sim.lesson.key_file import item_key
+from sim.lesson.question import Common
+from sim.pages.language import speaking
+from sim.pages.question import render
 from sim.pages.runtime.node import node_program
+from sim.pages.templates import templates
 
 ROOT = Path(__file__).parents[1]
 DEVELOPERS = ROOT / "docs" / "developers"
@@ -32,6 +37,38 @@ def module(name: str, text: str) -> Any:
     sys.modules[name] = made
     exec(compile(text, name, "exec"), vars(made))
     return made
+
+
+def with_rule(ours: str, rule: str) -> str:
+    """The rules of the page and the guide's; where the guide was followed it is there already."""
+    assert "const RULES = {" in ours
+    if "export function claim(" in ours:
+        return ours
+    return ours.replace("const RULES = {", "const RULES = {\n  claim,") + rule
+
+
+def test_the_form_of_the_added_question_type_speaks_the_language_of_its_page(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The guide showed no form: one written beside the others was English in a Malay lesson."""
+    (text,) = code("add-a-question-type.md", "python")
+    monkeypatch.setitem(sys.modules, "kind_claim", ModuleType("kind_claim"))
+    question = module("kind_claim", text).Claim(common=Common(id="c", ask="?"), holds=False)
+    environment = templates("sim.pages.question")
+    assert environment.loader
+    ours = environment.loader.get_source(environment, "question.html.j2")[0]
+    (branch,) = code("add-a-question-type.md", "jinja")
+    before = '{% elif kind == "multiple" %}'
+    if 'kind == "claim"' not in ours:  # it is, where the guide was followed
+        ours = ours.replace(before, branch + before, 1)
+    made = environment.overlay(loader=DictLoader({"question.html.j2": ours}))
+    monkeypatch.setattr(render, "templates", lambda _: made)
+    with speaking({"true": "benar", "false": "salah"}):
+        page = render.render_question(question, number=1, key=True)
+    assert re.findall(r'value="(\w+)"> <span class="carts-q-text">(\w+)', page) == [
+        ("true", "benar"),
+        ("false", "salah"),
+    ]
 
 
 def test_the_added_question_type_marks_alike_in_both_languages(
@@ -69,8 +106,9 @@ def test_the_rule_of_the_added_question_type_passes_the_type_checker_among_ours(
     file = tmp_path / "sim/web/src/question/marking/mark.js"
     (rule,) = code("add-a-question-type.md", "js")
     ours = file.read_text(encoding="utf-8")
-    assert "const RULES = {" in ours
-    file.write_text(ours.replace("const RULES = {", "const RULES = {\n  claim,") + rule, "utf-8")
+    followed = with_rule(ours, rule)
+    assert with_rule(followed, rule) == followed
+    file.write_text(followed, "utf-8")
     settings = {"extends": str(ROOT / "sim/web/tsconfig.json"), "include": [str(file)]}
     (tmp_path / "tsconfig.json").write_text(json.dumps(settings), encoding="utf-8")
     checker = ROOT / "node_modules/typescript/bin/tsc"
