@@ -101,6 +101,8 @@ def test_signs_that_stand_for_themselves_are_none() -> None:
     [
         (NUMBER + "tolerance: 0.01 kg", "answer: 0.36 kg, or tolerance: 0.01 m/s"),
         (NUMBER.replace(" m/s", "") + "tolerance: 0.01 m/s", "answer: 0.36 m/s"),
+        (NUMBER + "tolerance: ± 0.01 m/s", "tolerance: 0.01 m/s"),
+        (NUMBER + "tolerance: +/- 2 %", "tolerance: 2 %"),
         (NUMBER + "tolerance: 1 %\npoints: 2", "did you mean “marks”?"),
         (NUMBER + "tolerance: 1 %\nunit: m/s", "a unit stands behind its number: answer: 0.25 m/s"),
         (TABLE.format("{value: 0.4 m/s, tolerance: 1 %}"), "did you mean “answer”?"),

@@ -66,7 +66,10 @@ def read_number(
     try:
         return read_quantity(table[name], dimension)
     except QuantityError as error:
-        problems.append(Problem((*path, name), error.code, error.message, error.hint))
+        value, hint = str(table[name]).strip(), error.hint
+        if sign := PLUS_MINUS.match(value):
+            hint = f"{name}: {value[sign.end() :]}"  # to both sides is meant anyway
+        problems.append(Problem((*path, name), error.code, error.message, hint))
         return Fraction(0)
 
 
