@@ -9,6 +9,7 @@ from __future__ import annotations
 import functools
 import http.server
 import os
+import shutil
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -20,7 +21,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Playwright, Request, expect, sync_playwright
 
 from tests.web.last_words import LastWords
-from tests.web.shared_page import SharedPage
+from tests.web.shared_page import WINDOW, SharedPage, Size, parts
 
 LAUNCH: dict[str, dict[str, Any]] = {
     "chromium": {
@@ -46,7 +47,7 @@ machine that others use too, the five seconds of the driver's own are not always
 expect.set_options(timeout=PATIENCE)
 
 OpenPage = Callable[..., Page]
-SharePage = Callable[[Path], Page]
+SharePage = Callable[..., Page]
 OPENED = pytest.StashKey[list[LastWords]]()
 """The pages that a test has opened, to be told about where it fails."""
 
@@ -147,12 +148,15 @@ def open_for_all(
 
 @pytest.fixture(scope="module")
 def _shared(open_for_all: OpenPage) -> Callable[[Path], SharedPage]:
-    kept: dict[Path, SharedPage] = {}
+    kept: dict[tuple[Path, tuple[str, str]], SharedPage] = {}
 
     def of(file: Path) -> SharedPage:
-        if file not in kept:
-            kept[file] = SharedPage(open_for_all(file), file)
-        return kept[file]
+        key = file.parent, parts(file)[0]
+        if key not in kept:
+            copy = file.with_name(f"shared-{os.getpid()}-{len(kept)}.html")
+            shutil.copyfile(file, copy)
+            kept[key] = SharedPage(open_for_all(copy), copy)
+        return kept[key]
 
     return of
 
@@ -161,14 +165,14 @@ def _shared(open_for_all: OpenPage) -> Callable[[Path], SharedPage]:
 def shared_page(
     _shared: Callable[[Path], SharedPage], request: pytest.FixtureRequest
 ) -> Iterator[SharePage]:
-    """Return `shared_page(file)`: a page that the tests of a file of tests have one after another,
-    as it was when it came, with Python running (`tests/web/shared_page.py`)."""
+    """Return `shared_page(file, window=WINDOW)`: a page that the tests of a file of tests have one
+    after another, as it was when it came, with Python running (`tests/web/shared_page.py`)."""
     used: list[SharedPage] = []
 
-    def begin(file: Path) -> Page:
+    def begin(file: Path, window: Size = WINDOW) -> Page:
         used.append(_shared(file))
         request.node.stash.setdefault(OPENED, []).append(used[-1].words)
-        return used[-1].begin(file)
+        return used[-1].begin(file, window)
 
     yield begin
     for one in used:

@@ -4,6 +4,9 @@ Before every test the page is as it came: its elements are made anew from the fi
 empty, the window is as wide as at first. What cannot be put back no test may leave behind: it fails
 at its own end where it does. A test that adds scripts, routes or listeners of its own, or whose
 subject is the start, wants `open_page`.
+
+Files of one folder that differ in their `<main>` alone are one page: it is opened from a copy that
+lies beside them and is now the one, now the other, so that it may also be loaded again.
 """
 
 from __future__ import annotations
@@ -16,8 +19,9 @@ from playwright.sync_api import ConsoleMessage, Page
 from tests.web.last_words import LastWords
 
 MAIN = re.compile(r"<main>(.*)</main>", re.S)
+Size = dict[str, int]
 NO_FILE = "Failed to load resource"  # sites of tests have not all scripts; the built one is asked
-WINDOW = {"width": 1280, "height": 720}  # as the driver opens one
+WINDOW: Size = {"width": 1280, "height": 720}  # as the driver opens one
 # Elements leave first: what they keep as they go does not outlive the stores.
 ANEW = """async (main) => {
   document.activeElement?.blur();
@@ -50,10 +54,11 @@ LEFT = """() => ({
 
 
 class SharedPage:
-    """One open page, the text it was made of, and what it complains of."""
+    """One open page, the copy that it was opened from, and what it complains of."""
 
-    def __init__(self, page: Page, file: Path) -> None:
-        self.page, self.text, self.words = page, file.read_text(encoding="utf-8"), LastWords(page)
+    def __init__(self, page: Page, copy: Path) -> None:
+        self.page, self.words = page, LastWords(page)
+        self._copy = copy
         self._complaints: list[str] = []
         page.on("pageerror", lambda error: self._complaints.append(str(error)))
         page.on("console", self._hear)
@@ -64,16 +69,14 @@ class SharedPage:
         if said.type == "error" and not said.text.startswith(NO_FILE):
             self._complaints.append(said.text)
 
-    def begin(self, file: Path) -> Page:
-        """The page as it came from `file`, in which nothing has changed since it was opened."""
-        assert file.read_text(encoding="utf-8") == self.text, f"{file.name} is another page now"
-        found = MAIN.search(self.text)
-        assert found, f"{file.name} has no <main> to be made anew"
-        self.page.set_viewport_size(WINDOW)  # type: ignore[arg-type]
+    def begin(self, file: Path, window: Size) -> Page:
+        """The page as it comes from `file` in a window of this size."""
+        self._copy.write_text(file.read_text(encoding="utf-8"), encoding="utf-8")
+        self.page.set_viewport_size(window)  # type: ignore[arg-type]
         if self._is_chromium():  # the other driver cannot, so that no test there does
             self.page.emulate_media(media="null")
         self.page.mouse.move(0, 0)
-        self.page.evaluate(ANEW, found[1])
+        self.page.evaluate(ANEW, parts(file)[1])
         self._complaints.clear()
         return self.page
 
@@ -89,3 +92,11 @@ class SharedPage:
     def _is_chromium(self) -> bool:
         browser = self.page.context.browser
         return browser is not None and browser.browser_type.name == "chromium"
+
+
+def parts(file: Path) -> tuple[tuple[str, str], str]:
+    """The text of a page around its `<main>`, and what stands in it."""
+    text = file.read_text(encoding="utf-8")
+    found = MAIN.search(text)
+    assert found, f"{file.name} has no <main> to be made anew"
+    return (text[: found.start()], text[found.end() :]), found[1]

@@ -32,9 +32,11 @@ MEAN_ON_B = """const { header } = await (async () => {
 
 
 @pytest.mark.one_browser
-def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_site: Path) -> None:
+def test_a_found_force_shows_them_all_and_is_kept(
+    shared_page: SharePage, widget_site: Path
+) -> None:
     path = write_page(widget_site, "hidden", HIDDEN)
-    page = live(open_page(path), "hidden")
+    page = live(shared_page(path), "hidden")
     expect(page.locator('#hidden .carts-graph[data-quantity="F"]')).to_have_count(0)
     mean = on_scene(page, MEAN_ON_B, name="hidden")
     assert mean > 0
@@ -81,9 +83,9 @@ def test_half_of_a_pair_does_not_go_with_that_of_another_run(
 
 @pytest.mark.one_browser
 def test_the_next_reader_is_not_told_the_forces_that_the_one_before_has_found(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(write_page(widget_site, "asking-again", ASKING)), "asking")
+    page = live(shared_page(write_page(widget_site, "asking-again", ASKING)), "asking")
     page.get_by_role("radio", name="It stops").check()
     lock(page, "asking")
     expect(page.locator("#asking .carts-find")).to_be_visible()
@@ -203,9 +205,9 @@ def test_the_forces_are_hidden_in_whatever_the_page_says_before(
 
 @pytest.mark.one_browser
 def test_a_locked_prediction_stays_when_the_forces_are_found(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(write_page(widget_site, "asking", ASKING)), "asking")
+    page = live(shared_page(write_page(widget_site, "asking", ASKING)), "asking")
     assert page.locator("#asking .carts-find button").is_disabled()
     page.locator("#asking .carts-options input").first.check()
     lock(page, "asking")
@@ -230,9 +232,11 @@ def test_a_locked_prediction_stays_when_the_forces_are_found(
 
 
 @pytest.mark.one_browser
-def test_a_run_without_a_contact_that_lasts_says_so(open_page: OpenPage, widget_site: Path) -> None:
+def test_a_run_without_a_contact_that_lasts_says_so(
+    shared_page: SharePage, widget_site: Path
+) -> None:
     path = write_page(widget_site, "apart", {**HIDDEN, "id": "apart", "until": "1 s"})
-    page = live(open_page(path), "apart")
+    page = live(shared_page(path), "apart")
     expect(page.locator("#apart .carts-find-note")).to_have_text(
         "In this run no two touch for a time that can be read off."
     )

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.question.answering import guess
 from tests.web.scene.given.widget_site import (
     ARROWS,
@@ -30,8 +30,8 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.mark.one_browser
-def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site: Path) -> None:
-    page = open_page(widget_site / "arrows.html")
+def test_a_prediction_comes_back_after_a_reload(shared_page: SharePage, widget_site: Path) -> None:
+    page = shared_page(widget_site / "arrows.html")
     page.locator(".carts-guess [type=text]:enabled").first.wait_for()
     guess(page, "A", 2)
     expect(page.locator("#arrows .carts-saved")).to_have_text("Saved.")
@@ -63,11 +63,11 @@ def test_without_python_a_prediction_is_kept_and_the_reader_told(
 
 @pytest.mark.one_browser
 def test_after_talking_a_prediction_is_changed_once_and_explained(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
     talk = {**CHOICE, "id": "talk", "predict": {**CHOICE["predict"], "talk": True}}
     path = write_page(widget_site, "talk", talk)
-    page = live(open_page(path), "talk")
+    page = live(shared_page(path), "talk")
     scene = page.locator("#talk")
     scene.locator("input[type=radio]").first.check()
     scene.locator(".carts-lock").click()
@@ -109,10 +109,10 @@ def test_after_talking_a_prediction_is_changed_once_and_explained(
     ids=["arrows", "choice", "curve", "words"],
 )
 def test_who_changes_a_prediction_by_keyboard_is_at_what_can_be_changed(
-    open_page: OpenPage, widget_site: Path, given: dict[str, Any], first: str
+    shared_page: SharePage, widget_site: Path, given: dict[str, Any], first: str
 ) -> None:
     talk = {**given, "id": "keys", "predict": {**given["predict"], "talk": True}}
-    page = live(open_page(write_page(widget_site, f"keys-{given['id']}", talk)), "keys")
+    page = live(shared_page(write_page(widget_site, f"keys-{given['id']}", talk)), "keys")
     scene = page.locator("#keys")
     if given is ARROWS:
         guess(page, "A", 2)
@@ -130,11 +130,11 @@ def test_who_changes_a_prediction_by_keyboard_is_at_what_can_be_changed(
 
 @pytest.mark.one_browser
 def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
     first, second = CHOICE, {**CHOICE, "id": "second"}
-    page = open_page(
-        write_page(widget_site, "class", first, second), viewport={"width": 1024, "height": 768}
+    page = shared_page(
+        write_page(widget_site, "class", first, second), window={"width": 1024, "height": 768}
     )
     live(page, "choice")
     live(page, "second")
@@ -159,8 +159,8 @@ def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
 
 
 @pytest.mark.one_browser
-def test_the_next_student_can_start_again(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "choice.html"), "choice")
+def test_the_next_student_can_start_again(shared_page: SharePage, widget_site: Path) -> None:
+    page = live(shared_page(widget_site / "choice.html"), "choice")
     again, asked = page.locator("#choice .carts-again"), page.locator("#choice .carts-forget")
     expect(again).to_be_hidden()
     page.get_by_label("It turns back", exact=True).check()

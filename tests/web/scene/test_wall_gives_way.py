@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage, SharePage
+from tests.web.conftest import SharePage
 from tests.web.scene.given.against_ends import AT_PEAK
 from tests.web.scene.given.widget_site import MEETING, live, on_scene, widget_site, write_page
 
@@ -67,9 +67,9 @@ def test_no_cart_is_drawn_inside_a_wall(foam: Page) -> None:
         assert place["was"] == ""
 
 
-def test_bumpers_give_way_before_the_wall_does(open_page: OpenPage, widget_site: Path) -> None:
+def test_bumpers_give_way_before_the_wall_does(shared_page: SharePage, widget_site: Path) -> None:
     fence = {**MEETING, "id": "sprung"}
-    page = live(open_page(write_page(widget_site, "sprung", fence)), "sprung")
+    page = live(shared_page(write_page(widget_site, "sprung", fence)), "sprung")
     hit = "el.trajectory.events.filter((e) => e.kind === 'peak').at(-1)"
     bodies = on_scene(page, f"el.time = {hit}.t; return {hit}.bodies;", name="sprung")
     assert bodies[1] == "right"
@@ -123,13 +123,13 @@ return ["wide", "narrow"].map((kind) => {
 
 @pytest.mark.parametrize("unit", ["m", "cm"])
 def test_a_slider_of_the_track_s_length_moves_wall_beam_and_ruler(
-    open_page: OpenPage, widget_site: Path, unit: str
+    shared_page: SharePage, widget_site: Path, unit: str
 ) -> None:
     """The cart turned in mid-track, or drove through the old wall."""
     ends = {"m": ("1.2 m", "2 m", "0.1 m"), "cm": ("120 cm", "200 cm", "10 cm")}[unit]
     slider = {"set": "track.length", **dict(zip(("from", "to", "step"), ends, strict=True))}
     plain = {**FOAM, "track": {"length": "1.6 m", "right": "wall"}, "controls": [slider]}
-    page = live(open_page(write_page(widget_site, "track", {**plain, "id": "track"})), "track")
+    page = live(shared_page(write_page(widget_site, "track", {**plain, "id": "track"})), "track")
     for length in (1.2, 2.0):
         for place in on_scene(page, RULED, length, name="track"):
             assert place["face"] == pytest.approx(place["end"], abs=0.2)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage, SharePage
+from tests.web.conftest import SharePage
 from tests.web.scene.given.widget_site import CHOICE, LIVE, MEETING, live, on_scene, widget_site
 from tests.web.scene.given.widget_site import write_page as put
 
@@ -127,9 +127,9 @@ def test_a_reader_goes_back_at_once_and_forth_as_far_as_was_seen(watched: Page) 
 
 
 def test_after_the_lock_it_plays_by_itself_and_is_compared_at_its_end(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(put(widget_site, "asked", ASKED)), "asked")
+    page = live(shared_page(put(widget_site, "asked", ASKED)), "asked")
     scene = page.locator("#asked")
     scene.locator("input[type=radio]").first.check()
     scene.locator(".carts-lock").click()
@@ -153,9 +153,9 @@ def test_after_the_lock_it_plays_by_itself_and_is_compared_at_its_end(
 
 @pytest.mark.one_browser
 def test_where_a_lesson_has_it_free_everything_is_there_after_the_lock(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(put(widget_site, "known", KNOWN)), "known")
+    page = live(shared_page(put(widget_site, "known", KNOWN)), "known")
     page.locator("#known input[type=radio]").first.check()
     page.locator("#known .carts-lock").click()
     expect(page.locator("#known .carts-compared")).to_be_visible(timeout=LIVE)
@@ -166,9 +166,9 @@ def test_where_a_lesson_has_it_free_everything_is_there_after_the_lock(
 
 @pytest.mark.one_browser
 def test_on_the_projector_a_class_watches_too_and_one_run_is_enough(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(put(widget_site, "class-watched", PRESETS)), "presets")
+    page = live(shared_page(put(widget_site, "class-watched", PRESETS)), "presets")
     scene = page.locator("#presets")
     scene.locator(".carts-project").click()
     scene.locator(".carts-project-bar button").first.click()  # Reveal
@@ -194,9 +194,9 @@ def test_a_changed_run_is_watched_anew_until_one_was_seen_to_its_end(watched: Pa
 
 @pytest.mark.one_browser
 def test_of_ready_made_settings_each_is_watched_before_all_of_them_are_known(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(put(widget_site, "presets", PRESETS)), "presets")
+    page = live(shared_page(put(widget_site, "presets", PRESETS)), "presets")
     scene, left = page.locator("#presets"), page.locator("#presets .carts-presets-left")
     heading = scene.locator(".carts-predict > .carts-heading")
     scene.locator("input[type=radio]").first.check()

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.widget_site import (
     in_windows,
     live,
@@ -45,9 +45,9 @@ FEET = """const box = (part) => part.getBoundingClientRect();
 
 @pytest.mark.one_browser
 def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
-    page = live(open_page(write_page(widget_site, "asked", QUESTION)), "asked")
+    page = live(shared_page(write_page(widget_site, "asked", QUESTION)), "asked")
     page.locator("#asked input[type=radio]").first.check()
     lock(page, "asked")
     for width in in_windows(page, (700, 1075), 768):
@@ -59,7 +59,7 @@ def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
 
 @pytest.mark.one_browser
 def test_ten_events_stand_in_full_and_more_are_scrolled(
-    open_page: OpenPage, widget_site: Path
+    shared_page: SharePage, widget_site: Path
 ) -> None:
     bouncing = {
         "id": "bouncing",
@@ -68,7 +68,7 @@ def test_ten_events_stand_in_full_and_more_are_scrolled(
         "track": {"left": "wall", "right": "wall", "length": 1},
         "until": 1,
     }
-    page = live(open_page(write_page(widget_site, "bouncing", bouncing)), "bouncing")
+    page = live(shared_page(write_page(widget_site, "bouncing", bouncing)), "bouncing")
     seen = """const list = el.querySelector(".carts-events");
       return [list.children.length, list.scrollHeight > list.clientHeight,
         list.getAttribute("tabindex")];"""
@@ -84,11 +84,11 @@ def test_ten_events_stand_in_full_and_more_are_scrolled(
 
 
 def test_on_paper_there_are_lines_to_write_on_and_no_velocity_twice(
-    open_page: OpenPage, widget_site: Path, browser_name: str
+    shared_page: SharePage, widget_site: Path, browser_name: str
 ) -> None:
     if browser_name == "firefox":
         pytest.skip("this driver cannot show Firefox's pages as on paper; the style sheet is one")
-    page = live(open_page(write_page(widget_site, "paper", {**QUESTION, "id": "paper"})), "paper")
+    page = live(shared_page(write_page(widget_site, "paper", {**QUESTION, "id": "paper"})), "paper")
     assert page.locator("#paper .carts-write hr:visible").count() == 0
     page.emulate_media(media="print")
     expect(page.locator("#paper .carts-write hr").filter(visible=True)).to_have_count(4)
@@ -135,12 +135,12 @@ OVERLAPS = """
 @pytest.mark.parametrize("width", [360, pytest.param(1000, marks=pytest.mark.one_browser)])
 @pytest.mark.parametrize("length", ["1.4", pytest.param("4", marks=pytest.mark.one_browser)])
 def test_signs_of_touching_carts_do_not_overlap_in_any_font(
-    open_page: OpenPage, widget_site: Path, width: int, length: str
+    shared_page: SharePage, widget_site: Path, width: int, length: str
 ) -> None:
     scene = {**HEAVY, "track": {"length": length}}
     page = live(
-        open_page(
-            write_page(widget_site, "heavy", scene), viewport={"width": width, "height": 700}
+        shared_page(
+            write_page(widget_site, "heavy", scene), window={"width": width, "height": 700}
         ),
         "heavy",
     )
@@ -154,7 +154,7 @@ def test_signs_of_touching_carts_do_not_overlap_in_any_font(
 
 
 @pytest.mark.one_browser
-def test_names_of_forces_stay_between_the_walls(open_page: OpenPage, widget_site: Path) -> None:
+def test_names_of_forces_stay_between_the_walls(shared_page: SharePage, widget_site: Path) -> None:
     narrow = {
         "id": "between",
         "carts": {
@@ -165,8 +165,8 @@ def test_names_of_forces_stay_between_the_walls(open_page: OpenPage, widget_site
         "until": 8,
     }
     page = live(
-        open_page(
-            write_page(widget_site, "between", narrow), viewport={"width": 360, "height": 700}
+        shared_page(
+            write_page(widget_site, "between", narrow), window={"width": 360, "height": 700}
         ),
         "between",
     )
