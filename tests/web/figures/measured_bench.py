@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page
 
 from tests.conftest import made_once
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.measured_site import build_measured
 
 LIVE = "carts-measured[data-state=live]"
@@ -21,7 +21,7 @@ def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made_once(tmp_path_factory, "measured", build_measured)
 
 
-def opened(open_page: OpenPage, place: Path) -> Page:
+def opened(open_page: OpenPage | SharePage, place: Path) -> Page:
     page = open_page(place)
     page.on("pageerror", lambda error: pytest.fail(str(error)))
     return page

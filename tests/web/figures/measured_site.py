@@ -15,7 +15,7 @@ from tests.web.runtime.boot_site import ROOT, STRICT, bundle
 PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{csp}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="carts-site" content="test-site"><meta name="carts-page" content="{name}">
+<meta name="carts-site" content="test-site"><meta name="carts-page" content="bench">
 <title>Real carts</title><link rel="icon" href="data:,">
 <link rel="stylesheet" href="assets/carts/carts.css"></head>
 <body><main><h1>Real carts</h1>{element}</main>
@@ -36,7 +36,7 @@ def element(body: str) -> str:
 
 
 def build_measured(site: Path) -> Path:
-    """Write the pages film.html, forces.html and empty.html into `site`."""
+    """Write the pages film.html, forces.html and empty.html, alike but for their one block."""
     assets = site / "assets" / "carts"
     assets.mkdir(parents=True)
     packages = frozenset({"numpy", "scipy", MEASURED})
@@ -47,6 +47,6 @@ def build_measured(site: Path) -> Path:
     bundle(web / "src" / "measured-main.js", assets / "measured.js")
     bundle(web / "src" / "film-main.js", assets / "film.js")
     for name, body in BLOCKS.items():
-        text = PAGE.format(csp=html.escape(STRICT), element=element(body), name=name)
+        text = PAGE.format(csp=html.escape(STRICT), element=element(body))
         (site / f"{name}.html").write_text(text, encoding="utf-8")
     return site

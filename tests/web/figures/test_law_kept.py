@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
 from tests.web.question.answering import saved_file
 from tests.web.question.broken_stores import late_store
@@ -45,9 +45,9 @@ def test_keys_before_the_kept_law_is_back_do_not_take_its_place(
 
 
 def test_the_last_key_is_kept_when_the_page_is_left_soon_after(
-    open_page: OpenPage, bench: Path
+    shared_page: SharePage, bench: Path
 ) -> None:
-    page = opened(open_page, bench)
+    page = opened(shared_page, bench)
     with page.expect_navigation():
         page.evaluate(
             """(text) => {
@@ -62,8 +62,8 @@ def test_the_last_key_is_kept_when_the_page_is_left_soon_after(
     expect(text_box(page)).to_have_value(HEAVY)
 
 
-def test_who_begins_again_is_asked_and_loses_nothing(open_page: OpenPage, bench: Path) -> None:
-    page = opened(open_page, bench)
+def test_who_begins_again_is_asked_and_loses_nothing(shared_page: SharePage, bench: Path) -> None:
+    page = opened(shared_page, bench)
     start = text_box(page).input_value()
     kept(page, HEAVY)
     again = page.locator(".carts-law-again")
@@ -81,9 +81,9 @@ def test_who_begins_again_is_asked_and_loses_nothing(open_page: OpenPage, bench:
 
 
 def test_a_law_that_is_changed_in_one_tab_is_changed_in_the_other(
-    open_page: OpenPage, bench: Path
+    shared_page: SharePage, bench: Path
 ) -> None:
-    page = opened(open_page, bench)
+    page = opened(shared_page, bench)
     other = page.context.new_page()
     other.goto(page.url)
     other.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
@@ -91,12 +91,13 @@ def test_a_law_that_is_changed_in_one_tab_is_changed_in_the_other(
     expect(text_box(other)).to_have_value(HEAVY)
     press(other, "Run")
     assert [item["value"] for item in saved_file(other)["items"]] == [HEAVY]
+    other.close()
 
 
 def test_a_law_that_is_cleared_in_one_tab_is_not_brought_back_by_the_other(
-    open_page: OpenPage, bench: Path
+    shared_page: SharePage, bench: Path
 ) -> None:
-    page = opened(open_page, bench)
+    page = opened(shared_page, bench)
     start = text_box(page).input_value()
     other = page.context.new_page()
     other.goto(page.url)
@@ -110,10 +111,11 @@ def test_a_law_that_is_cleared_in_one_tab_is_not_brought_back_by_the_other(
     other.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
     kept(other, SPRING)
     assert [item["value"] for item in saved_file(other)["items"]] == [SPRING]
+    other.close()
 
 
-def test_one_press_on_judge_is_one_try(open_page: OpenPage, bench: Path) -> None:
-    page = opened(open_page, bench)
+def test_one_press_on_judge_is_one_try(shared_page: SharePage, bench: Path) -> None:
+    page = opened(shared_page, bench)
     write(page, SPRING)
     press(page, "Judge")
     expect(page.locator(".carts-law-verdicts li")).to_have_count(6)

@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 from tests.measured.device_reports import lost_at_the_touch
 from tests.measured.devices import Motion, phone, sensor_carts
 from tests.measured.several_runs import below, beside
-from tests.web.conftest import OpenPage, SharePage
+from tests.web.conftest import SharePage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
 
 __all__ = ["benches"]  # a fixture
@@ -65,8 +65,8 @@ def test_the_run_that_is_read_is_the_one_that_stands_there(
 
 
 @pytest.mark.one_browser
-def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, open_page: OpenPage) -> None:
-    page = opened(open_page, benches / "empty.html")
+def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, shared_page: SharePage) -> None:
+    page = opened(shared_page, benches / "empty.html")
     page.locator(LIVE).wait_for(timeout=STARTS)
     logs = [sensor_carts(Motion(), seed=seed) for seed in (1, 2)]
     choose(page, "log.csv", below(logs).removeprefix("\ufeff"))

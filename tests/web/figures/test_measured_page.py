@@ -11,7 +11,7 @@ from playwright.sync_api import Page, expect
 from sim.measured.tracks import read_measured
 from tests.measured.makers import as_text, film, truth
 from tests.web.classroom.class_site import CATCH, LAST
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
 
 __all__ = ["benches"]  # a fixture
@@ -46,9 +46,9 @@ def known(page: Page, key: str) -> dict[str, float]:
 
 @pytest.mark.one_browser
 def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
-    benches: Path, open_page: OpenPage, browser_name: str
+    benches: Path, shared_page: SharePage, browser_name: str
 ) -> None:
-    page = opened(open_page, benches / "empty.html")
+    page = opened(shared_page, benches / "empty.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     choose(page, "our film.txt", TRACKER)
     faults = page.locator(".carts-measured-unread")
@@ -108,9 +108,9 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
 
 @pytest.mark.one_browser
 def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "film.html")
+    page = opened(shared_page, benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     left = page.locator(".carts-measured-spread")
     expect(left).to_contain_text("root mean square", timeout=STARTS)
@@ -151,9 +151,9 @@ def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
 
 @pytest.mark.one_browser
 def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "empty.html")
+    page = opened(shared_page, benches / "empty.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     page.locator(".carts-measured-type summary").click()
     measured = film(MADE, rate=30)
@@ -189,9 +189,9 @@ def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
 
 @pytest.mark.one_browser
 def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "forces.html")
+    page = opened(shared_page, benches / "forces.html")
     expect(page.locator(".carts-measured-result")).to_contain_text(
         "equal in size and opposite", timeout=STARTS
     )
@@ -207,9 +207,9 @@ def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
 
 @pytest.mark.one_browser
 def test_hostile_names_are_shown_and_never_run_and_a_phone_is_wide_enough(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = opened(open_page, benches / "film.html")
+    page = opened(shared_page, benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     hostile = "<img src=x onerror=window.hacked=1>"
     text = as_text(film(MADE)).replace("\tA\t", f"\t{hostile}\t")

@@ -12,9 +12,10 @@ from tests.web.question.question_site import ready
 
 KEEP_FILES = """() => {
   const make = URL.createObjectURL;
-  window.files = [];
+  window.files = Object.assign([], { make });
   URL.createObjectURL = (blob) => { window.files.push(blob); return make.call(URL, blob); };
 }"""
+FILES_GO = "() => { URL.createObjectURL = window.files.make; delete window.files; }"
 
 
 def saved(page: Page, question: str) -> None:
@@ -47,6 +48,7 @@ def saved_file(page: Page, k: int = 0) -> dict[str, Any]:
     if without.count():  # nobody has said yet who works here
         without.click()
     text = page.evaluate("window.files[0].text()")
+    page.evaluate(FILES_GO)
     page.locator(".carts-answers-close").click()
     read_answer_file(text)
     return dict(json.loads(text))
