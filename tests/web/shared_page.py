@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 from playwright.sync_api import ConsoleMessage, Page
 
@@ -62,7 +63,7 @@ class SharedPage:
         self._complaints: list[str] = []
         page.on("pageerror", lambda error: self._complaints.append(str(error)))
         page.on("console", self._hear)
-        self._first = page.evaluate(LEFT)
+        self._first = self._left()
         self._names = set(self._first.pop("names"))
 
     def _hear(self, said: ConsoleMessage) -> None:
@@ -84,10 +85,15 @@ class SharedPage:
         """Fail where the next test would not find the page as this one did."""
         assert self._complaints == []
         assert len(self.page.context.pages) == 1, "a page beside it was left open"
-        now = self.page.evaluate(LEFT)
+        now = self._left()
         more = set(now.pop("names")) ^ self._names
         assert not more, f"a test left something in the window: {more}"
         assert now == self._first, "a test left something in the page"
+
+    def _left(self) -> dict[str, Any]:
+        if self.page.locator("#carts-lesson").count():  # its foot comes when answers are back
+            self.page.locator(".carts-bar[data-ready]").wait_for(state="attached")
+        return dict(self.page.evaluate(LEFT))
 
     def _is_chromium(self) -> bool:
         browser = self.page.context.browser
