@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 
 from sim.measured.events.brakes import STEPS, Side, Step, design, solved, steps_of
 from sim.measured.events.contacts import Contact
+from sim.measured.events.nearer import nearer
 from sim.measured.events.rungs import (
     BETTER,
     Rung,
@@ -110,6 +111,8 @@ def sides_of(
             kept = (t >= low - INSTANT) & (t <= high + INSTANT)
             # A contact ends in the middle of a cell, which may be a reading: it is pushed still.
             kept &= t > contact.end + INSTANT if after else t < contact.begin - INSTANT
+            if int(kept.sum()) < FEWEST:
+                kept = nearer(t, x, kept, (contact.begin, contact.end), after=after)
             if int(kept.sum()) < FEWEST:
                 when = "after" if after else "before"
                 raise FitError(
