@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,6 +11,8 @@ import pytest
 
 from sim.pages.runtime import MissingSourceError, pack
 from sim.pages.runtime.cache import Cache, sha256
+from sim.pages.runtime.ours import read_classroom
+from sim.pages.runtime.pack import PACKAGE
 from sim.pages.runtime.places import Place
 from sim.pages.runtime.sources import Wanted, collect
 from tests.pages.given.packed_runtime import quiet, read_index
@@ -91,3 +95,16 @@ def test_elsewhere_the_page_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert any("What helps" in text for text in told)
     assert list(facts.files) == ["index.js"]
     assert "pyodide.asm.wasm" in read_index(facts.folder)["missing"]
+
+
+def test_the_class_page_carries_only_what_it_runs() -> None:
+    """Each module of its package is imported sooner or later by what answers it."""
+    carried = {
+        name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        for name, _ in read_classroom(PACKAGE, "0").files
+        if name.endswith(".py")
+    }
+    said = "import sys, sim.bridge.class_answer; print(*sys.modules)"
+    run = [sys.executable, "-c", said]
+    imported = subprocess.run(run, capture_output=True, text=True, check=True).stdout.split()
+    assert carried - set(imported) == set()

@@ -32,6 +32,14 @@ PROOF_ENTRY = "bridge/certify_answer.py"
 NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js", "lesson_set.py", "made.py"}
 """Beside what runs: a page carries no proofs, docs and scenes of effects, nor what makes a
 lesson's readings, which holds their truth."""
+NOT_IN_CLASS = (
+    *("lesson/goal.py", "lesson/schema.py", "classroom/paper.py"),
+    *(
+        f"classroom/summary/{name}.py"
+        for name in ("handed_on", "merge", "numbers", "of_answers", "reading", "written")
+    ),
+)
+"""What checks and builds lessons, and joins what schools hand on: only commands do."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
@@ -103,6 +111,7 @@ def read_ours(package: Path, version: str) -> Ours:
 def read_classroom(package: Path, version: str) -> Ours:
     """Return what the page "Class results" has beside `read_ours`."""
     found = [package / CLASSROOM_ENTRY, *_layers(package, CLASSROOM_LAYERS)]
+    found = [p for p in found if not p.as_posix().endswith(NOT_IN_CLASS)]
     return replace(_ours(package, version, CLASSROOM, found), also=ENCODINGS)
 
 
