@@ -41,6 +41,14 @@ _WORTH = ("points", "point", "score", "worth")
 """What others call `marks`; “points” is nearer to `hints`."""
 
 
+_CALLED = {
+    "essay": "long", "paragraph": "long", "text": "short", "shortanswer": "short",
+    "truefalse": "single", "trueorfalse": "single", "boolean": "single",
+    "numerical": "number", "numeric": "number",
+}  # fmt: skip
+"""What others call a type, and what it is called here."""
+
+
 def read_question(plain: object) -> Question:
     """The question that `plain` describes; raises LessonError with every problem."""
     problems: list[Problem] = []
@@ -68,6 +76,7 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
     )
     unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=elsewhere)
     question = kind.read(table, common, path, problems)
+    _for_nothing(kind, table, path, problems)
     unformatted({name: table[name] for name in table if name in known}, path, problems)
     return question if len(problems) == before else None
 
@@ -90,6 +99,18 @@ def _ask(table: Mapping[str, Any], known: tuple[str, ...]) -> dict[str, str]:
     return {said[0]: meant("ask")} if len(said) == 1 and "ask" not in table else {}
 
 
+def _for_nothing(
+    kind: type[Question], table: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> None:
+    """Keys of every question that would do nothing in one of this type."""
+    never = {"marks": f"nothing is right or wrong in a question of type {kind.KIND}"}
+    if kind is Confidence:
+        message = "this question itself asks how sure a student is, and has no answer to find"
+        never |= {"sure": message, "hints": message}
+    for name in () if kind.MARKED else table.keys() & never:
+        problems.append(Problem((*path, name), "unknown-key", never[name], f"remove {name}"))
+
+
 def _missing_list(kind: type[Question], table: Mapping[str, Any]) -> str:
     """The only list that this type needs and has not; empty: none, or several."""
     needed = [key.name for key in kind.KEYS if key.required and key.schema.get("type") == "array"]
@@ -104,6 +125,8 @@ def _kind(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> type
         hint = did_you_mean(name or "", KINDS, f"type: one of {', '.join(KINDS)}")
         if re.search(r"choice|^mc$|^mcq$", str(name), re.IGNORECASE):  # others call both so
             hint = "type: single where one option is right, type: multiple where several are"
+        if called := _CALLED.get(re.sub(r"[\W_]", "", str(name)).lower()):
+            hint = f"type: {called}"
         given = name is not None
         message = f"there is no type “{str(name)[:40]}”" if given else "type is missing"
         if given and not isinstance(name, str):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
+from itertools import combinations, pairwise
 from typing import Any
 
 from sim.scene import quantity
@@ -18,6 +20,9 @@ TOGETHER = {
 }
 """Written without a blank between two symbols. Each is named: “ms⁻¹” could be one per millisecond,
 and none of these has a second meaning."""
+
+LONGEST_TOGETHER = 8
+"""Symbols that are tried apart: kgms and a few more; not all of a word."""
 
 
 def _more(dimension: Dimension, *units: str) -> Dimension:
@@ -66,6 +71,15 @@ def dimension_of(unit: str) -> Dimension | None:
     if not unit or unit == "%":
         return RATIO
     return next((d for d in DIMENSIONS if d.factor(unit) is not None), None)
+
+
+def apart(unit: str) -> str:
+    """A unit whose symbols stand together, with the spaces that make it one: m s⁻¹; "": none."""
+    symbols = re.match(r"[A-Za-zµ]*", unit[:LONGEST_TOGETHER])
+    last = len(symbols[0]) if symbols else 0
+    cuts = [cut for count in (2, 1) for cut in combinations(range(1, last), count)]
+    tried = (" ".join(unit[a:b] for a, b in pairwise((0, *cut, len(unit)))) for cut in cuts)
+    return next((one for one in tried if dimension_of(one)), "")
 
 
 def of_others(values: Iterable[Any], dimension: Dimension) -> str:

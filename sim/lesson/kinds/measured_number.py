@@ -14,6 +14,8 @@ from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
 
 PLUS_MINUS = re.compile(r"(?:±|\+/?[-−])\s*(?=[\d.])")
 FIGURES = 3  # what pages show and students type
+_FRACTION = re.compile(r"\s*([+-]?[\d.]+)\s*/\s*(\d+)\s*(.*)")
+_DATE = re.compile(r"\d{4}-\d\d?-\d\d?.*", re.DOTALL)
 TOLERANCE = Key(
     "tolerance",
     "how far from the answer is still right: with a unit, or in % of the answer",
@@ -32,16 +34,28 @@ def read_unit(
     if dimension is None:
         if not is_number(table, name, path, problems):  # a comma in the number is no unit
             return "", units.RATIO
-        message = f"“{unit[:20]}” is not a unit that is known here"
-        hint = "for example m/s, cm, N, kg, J, N s"
-        if both := PLUS_MINUS.match(unit):
-            number, spread = str(table[name]).split(both[0], 1)
-            message = "how far from it is still right has a key of its own, tolerance"
-            whole = f"{number.strip()} {unit_of(spread)}".strip()
-            hint = f"{name}: {whole}, and beside it tolerance: {spread.strip()}"
+        message, hint = _no_unit(str(table[name]), unit, name)
         problems.append(Problem((*path, name), "wrong-unit", message, hint))
         return "", units.RATIO
     return unit, dimension
+
+
+def _no_unit(value: str, unit: str, name: str) -> tuple[str, str]:
+    """What is told of a number behind which stands no unit that is known, and what to write."""
+    if both := PLUS_MINUS.match(unit):
+        number, spread = value.split(both[0], 1)
+        whole = f"{number.strip()} {unit_of(spread)}".strip()
+        message = "how far from it is still right has a key of its own, tolerance"
+        return message, f"{name}: {whole}, and beside it tolerance: {spread.strip()}"
+    if _DATE.fullmatch(value):
+        return f"“{value[:20]}” is a date", f"write a plain number: {name}: 0.8"
+    if (parts := _FRACTION.fullmatch(value)) and Fraction(parts[2]):
+        decimal = float(Fraction(parts[1]) / Fraction(parts[2]))
+        shown = f"{name}: {decimal:.{FIGURES}g} {parts[3]}".rstrip()
+        return f"“{value[:20]}” is a fraction", f"write it with decimals: {shown}"
+    hint = units.apart(unit)
+    hint = f"with a space: {hint}" if hint else "for example m/s, cm, N, kg, J, N s"
+    return f"“{unit[:20]}” is not a unit that is known here", hint
 
 
 def is_number(table: Mapping[str, Any], name: str, path: Path, problems: list[Problem]) -> bool:

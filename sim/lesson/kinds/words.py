@@ -213,6 +213,8 @@ def _rubric(
         found[int(key)] = str(value)
     if sorted(found) != list(range(len(found))) or len(found) < 2:
         message = "a rubric names every number of marks from 0 up"
+        if found and sorted(found) == list(range(1, len(found) + 1)):
+            hint = "add 0: anything else"
         problems.append(Problem((*path, "rubric"), "out-of-range", message, hint))
     elif max(found) > MOST_MARKS:
         message = f"a rubric gives at most {MOST_MARKS} marks: a teacher gives them with one key"

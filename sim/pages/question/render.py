@@ -21,7 +21,6 @@ from sim.pages.templates import script_json, templates
 LINES = {"short": 1, "long": 5, "number": 1, "reading": 1}
 LEVELS = {"core": "", "support": mark("a bit of help"), "stretch": mark("for more")}
 FORM_NAMES = {"pre": mark("Before"), "post": mark("After"), "delayed": mark("Some time later")}
-UNMARKED = ("confidence", "drawn", "idea")  # kinds that nothing is said to
 SURE = {"guess": mark("a guess"), "think": mark("I think so"), "sure": mark("I am sure")}
 
 
@@ -78,7 +77,7 @@ def render_question(
         "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
         "feedback": _feedback(question) if key else {},
         "checks": key
-        and question.KIND not in UNMARKED
+        and question.MARKED  # else nothing is said to it
         and not (question.free and not common.explain),  # nothing to compare with
         "free": question.free,
         "certainty": [(word, tr(SURE[word])) for word in CERTAINTY],
