@@ -14,7 +14,7 @@ from sim.classroom.report.settings import told_settings
 from sim.classroom.show.class_csv import items_csv
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
-from sim.lesson.bank import read_bank
+from sim.lesson.bank import Bank, read_bank
 from tests.classroom.given.makers import answers, bank, keys, random_class, sources
 from tests.classroom.given.page_report import report_of
 
@@ -113,31 +113,34 @@ def test_a_known_wrong_number_is_counted_with_its_belief_and_talked_about_first(
     assert talk["sentence"].startswith("Question 1: 3 of 5 chose 0.6 m/s, 3 of them sure; students")
 
 
-TWO_WAYS = read_bank({"title": "Two ways", "items": [
-    {"id": name, "type": "single", "ask": "Which?", "options": [
+def in_two_ways(*names: str) -> Bank:
+    """Single choices with two wrong answers of one belief, and one of another."""
+    options = [
         {"text": "equal", "correct": True},
         {"text": "the heavy one", "belief": "bigger-pushes-more"},
         {"text": "the fast one", "belief": "mover-pushes-more"},
         {"text": "the big one", "belief": "bigger-pushes-more"},
-    ]} for name in ("first", "second")
-]})  # fmt: skip
+    ]
+    asked = {"type": "single", "ask": "Which?", "options": options}
+    return read_bank({"title": "Two ways", "items": [{"id": name, **asked} for name in names]})
 
 
 def test_a_belief_is_talked_about_once_with_all_answers_that_go_with_it() -> None:
     """In the first question two chose “the heavy one” and two “the big one”: together more than
     the three of “the fast one”."""
+    ways = in_two_ways("first", "second", "third")
     chosen = [("b", "b"), ("b", "b"), ("d", "a"), ("d", "a"), ("c", "a"), ("c", "a"), ("c", "a")]
     files = [
-        answers(TWO_WAYS, f"FOX-{k}", "pre", {"first": one, "second": other})
+        answers(ways, f"FOX-{k}", "pre", {"first": one, "second": other, "third": other})
         for k, (one, other) in enumerate(chosen)
     ]
-    (form,) = report_of(files, keys(TWO_WAYS, ("pre",)))["lessons"][0]["forms"]
+    (form,) = report_of(files, keys(ways, ("pre",)))["lessons"][0]["forms"]
     (talk,) = form["talk"]
     assert talk["id"] == "first"
     said = talk["sentence"]
     assert said.startswith("Question 1: 4 of 7 chose B (“the heavy one”) or D (“the big one”)")
     assert said.count("often think") == 1
-    assert said.endswith("Also in: Question 2.")
+    assert said.endswith("Also in: Question 2, Question 3.")
 
 
 def test_a_question_that_nobody_had_right_is_talked_about_without_a_shared_wrong_answer() -> None:
@@ -150,8 +153,9 @@ def test_a_question_that_nobody_had_right_is_talked_about_without_a_shared_wrong
 
 
 def test_a_question_that_nobody_answered_is_talked_about() -> None:
-    files = [answers(TWO_WAYS, f"FOX-{k}", "pre", {"first": "a"}) for k in range(4)]
-    (form,) = report_of(files, keys(TWO_WAYS, ("pre",)))["lessons"][0]["forms"]
+    two = in_two_ways("first", "second")
+    files = [answers(two, f"FOX-{k}", "pre", {"first": "a"}) for k in range(4)]
+    (form,) = report_of(files, keys(two, ("pre",)))["lessons"][0]["forms"]
     (talk,) = form["talk"]
     assert talk["sentence"] == "Question 2: none of 4 students answered it."
 
@@ -163,7 +167,7 @@ def test_questions_that_nobody_came_to_stand_last_and_together() -> None:
     shared, nobody = form["talk"]
     assert shared["sentence"].startswith("Question 1: 5 of 5 chose")
     assert nobody["sentence"] == (
-        "Question 2 and Question 3 and Question 4: none of 5 students answered any of them."
+        "Question 2, Question 3, Question 4: none of 5 students answered any of them."
     )
 
 

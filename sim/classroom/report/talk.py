@@ -16,7 +16,7 @@ from typing import Any
 
 from sim.classroom.report.sentences import begins
 from sim.classroom.show.prose import prose
-from sim.scene.said import counted, listed, listed_or, said
+from sim.scene.said import commas, counted, listed_or, said
 
 FEWEST = 2
 """Students who chose wrong answers of one belief, before it is worth a talk in class."""
@@ -67,7 +67,7 @@ class _Chosen:
                     belief=says)  # fmt: skip
         if not also:
             return text
-        others = listed([other.item["label"] for other in also])
+        others = commas([other.item["label"] for other in also])
         return said("{sentence} Also in: {questions}.", sentence=text, questions=others)
 
 
@@ -121,7 +121,7 @@ def _not_reached(missed: Sequence[_Talk]) -> list[dict[str, Any]]:
     first, *more = missed
     if not more:
         return [{"id": first.item["id"], "sentence": first.sentence(())}]
-    labels = listed([one.item["label"] for one in missed])
+    labels = commas([one.item["label"] for one in missed])
     sentence = counted("{questions}: the one student answered none of them.",
                        "{questions}: none of {n} students answered any of them.",
                        n=max(one.count for one in missed), questions=labels)  # fmt: skip
