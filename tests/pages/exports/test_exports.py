@@ -71,8 +71,11 @@ def test_every_question_of_a_lesson_is_in_the_file_or_named_as_left_behind(
     }  # fmt: skip
     out = tmp_path / "x.xml"
     result = CliRunner().invoke(main, ["export", str(path), "--out", str(out)])
-    assert result.exit_code == 0, result.output
-    taken = {str(fact["id"]) for fact in from_moodle(out.read_text(encoding="utf-8"))}
+    nothing = result.exit_code == 1 and "no question that a platform could take" in result.stderr
+    assert nothing or result.exit_code == 0, result.output
+    taken = (
+        {str(fact["id"]) for fact in from_moodle(out.read_text("utf-8"))} if out.exists() else set()
+    )
     left = set(re.findall(r"^(\S+): a question of type \w+ stays here$", result.stderr, re.M))
     assert taken | left == keys
     assert not taken & left
