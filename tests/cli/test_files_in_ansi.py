@@ -64,3 +64,12 @@ def test_hand_in_codes_that_are_not_utf_8_are_refused(folder: Path) -> None:
     result = CliRunner().invoke(main, ["class", "--codes", "codes.txt"])
     assert result.exit_code == 2
     assert "save this file as UTF-8" in result.output
+
+
+def test_a_scene_file_that_is_not_utf_8_is_told_as_a_lesson_is(folder: Path) -> None:
+    (folder / "worksheets/scenes").mkdir()
+    scene = "carts: {A: {mass: 1 kg, position: 0.4 m}}\n"
+    (folder / "worksheets/scenes/wide.yml").write_bytes(scene.encode("utf-16"))
+    (folder / "worksheets/ansi.md").write_text("# T\n\n```scene\nid: a\nfile: wide.yml\n```\n")
+    for words in (("check", "worksheets/ansi.md"), ("single", "worksheets/scenes/wide.yml")):
+        assert "scenes/wide.yml:1:1: error: this is not UTF-8 text" in told(*words)

@@ -106,3 +106,8 @@ def test_a_language_may_be_called_as_the_settings_of_a_site_call_it(lesson: Path
     result = CliRunner().invoke(main, ["words", str(lesson), "--language", "zh"])
     assert result.exit_code == 0, result.output
     assert Path("worksheets/words/zh-Hans/one.po").is_file()
+
+
+def test_one_text_is_told_of_as_one(lesson: Path) -> None:
+    lesson.write_text("# Alone\n", encoding="utf-8")
+    assert "1 text, 1 not in" in call(str(lesson), "--language", "ms").output

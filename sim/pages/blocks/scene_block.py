@@ -22,7 +22,7 @@ from sim.pages.blocks.law_files import with_law_files
 from sim.pages.checks.off_track import off_track
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
-from sim.pages.text.author_text import shown_here
+from sim.pages.text.author_text import author_text, shown_here
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
 from sim.pages.text.yaml.source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
@@ -207,12 +207,9 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
         )
     shown = shown_here(path)
     try:
-        scene = load(path.read_text(encoding="utf-8-sig"))
+        scene = load(author_text(path, shown))
     except YamlError as error:
         raise AuthorError(yaml_findings(shown, error)) from None
-    except UnicodeDecodeError:
-        message = f"“{name}” is not a text file"
-        raise refuse(("file",), "not-text", message, "save it as UTF-8") from None
     own = {key: value for key, value in source.plain.items() if key != "file"}
     if twice := sorted(set(own) & set(scene.plain)):
         raise refuse(
