@@ -172,3 +172,9 @@ assert "power-series" in row.solvers and row.ledger.imbalance() < 1e-12
 
 def test_a_new_law_is_one_folder_too(project: Path) -> None:
     python(project, "-c", LAW)
+    contact = "{law: gel, restitution: 0.8}"
+    carts = "{A: {mass: 1, position: 0, velocity: 1}, B: {mass: 1, position: 0.5}}"
+    scene = project / "gel.yml"
+    scene.write_text(f"carts: {carts}\ncontact: {contact}\n", encoding="utf-8")
+    told = python(project, "-m", "sim", "run", str(scene), "--certify")
+    assert "No certificate: gel has no bound yet." in told

@@ -25,6 +25,7 @@ from sim.certify.numbers.roots import first_root
 from sim.certify.oscillation import Line
 from sim.certify.phases import ContactPhase
 from sim.certify.watches import Watch, signal
+from sim.scene.laws import power_of
 from sim.scene.said import said
 
 Damped = Callable[[Ball], tuple[Ball, bool]]
@@ -47,6 +48,8 @@ class Touch:
         if contact.stiffness is None or restitution is None:
             raise NoBoundError(said("{what} has no bound yet", what=law))
         if law != BUMPER and law not in DAMPED:
+            if power_of(law) == 1:  # of a law that somebody has added
+                raise NoBoundError(said("{what} has no bound yet", what=law))
             raise NoBoundError(said("{what} has no bound: its force is not linear", what=law))
         self.gap, self.law, self.begun = gap, law, now
         self.k, self.e = exact(contact.stiffness), exact(restitution)
