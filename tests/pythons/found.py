@@ -18,7 +18,9 @@ SAYS = "import sys; print(*sys.version_info[:3])"
 def version_of(python: str) -> tuple[int, ...]:
     """(3, 12, 1); nothing for a name that stands for no Python (version managers do that)."""
     try:
-        told = subprocess.run([python, "-c", SAYS], capture_output=True, text=True, check=True)
+        told = subprocess.run(
+            [python, "-I", "-S", "-c", SAYS], capture_output=True, text=True, check=True
+        )
     except (OSError, subprocess.CalledProcessError):
         return ()
     return tuple(map(int, told.stdout.split()))

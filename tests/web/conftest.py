@@ -57,14 +57,19 @@ OPENED = pytest.StashKey[list[LastWords]]()
 BRIEFLY = "--js-flags=--liftoff-only"
 
 
-def launch(driver: Playwright, name: str, *, briefly: bool = False) -> Browser:
-    """Start a browser by name; Chromium without a desktop's windows where Debian has it so.
+def options(name: str, *, briefly: bool = False) -> dict[str, Any]:
+    """How a browser starts: Chromium without a desktop's windows where Debian has it so.
     `briefly`: for pages that live a moment."""
-    options = dict(LAUNCH[name])
+    found = dict(LAUNCH[name])
     if name == "chromium":
-        options |= {"executable_path": LIGHT} if LIGHT.exists() else {}
-        options |= {"args": [*options["args"], BRIEFLY]} if briefly else {}
-    return getattr(driver, name).launch(**options)
+        found |= {"executable_path": LIGHT} if LIGHT.exists() else {}
+        found |= {"args": [*found["args"], BRIEFLY]} if briefly else {}
+    return found
+
+
+def launch(driver: Playwright, name: str, *, briefly: bool = False) -> Browser:
+    """Start a browser by name, as `options` says."""
+    return getattr(driver, name).launch(**options(name, briefly=briefly))
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from playwright.sync_api import BrowserContext, Page, Playwright, expect
 
-from tests.web.conftest import CONTEXT, LAUNCH
+from tests.web.conftest import CONTEXT, options
 from tests.web.question.question_site import ready
 
 SLOWEST_KEYS = 0.2
@@ -20,8 +20,8 @@ SLOWEST_KEYS = 0.2
 
 
 def started(driver: Playwright, name: str, profile: Path) -> BrowserContext:
-    launcher = getattr(driver, name)
-    return launcher.launch_persistent_context(str(profile), **LAUNCH[name], **CONTEXT[name])
+    launcher, how = getattr(driver, name), options(name, briefly=True)
+    return launcher.launch_persistent_context(str(profile), **how, **CONTEXT[name])
 
 
 def processes(profile: Path) -> Iterator[int]:
