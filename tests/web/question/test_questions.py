@@ -142,3 +142,12 @@ def test_of_pairs_each_that_was_joined_is_marked(open_page: OpenPage, question_s
     page.reload()
     ready(page)
     expect(marks).to_have_text(["✓ right", "✗ not yet"])
+
+
+@pytest.mark.one_browser
+def test_what_moves_a_line_is_large_enough_for_a_finger(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html", has_touch=True, is_mobile=True))
+    size = page.locator(".carts-q-moves .carts-button").first.bounding_box()
+    assert size and min(size["width"], size["height"]) >= 44

@@ -45,3 +45,5 @@ def test_nothing_is_cut_off_beside_large_letters(
     expect(page.locator("html")).to_have_css("font-size", f"{1.25 * size:g}px")  # of the theme
     assert page.evaluate(CUT) == []
     assert page.evaluate("document.documentElement.scrollWidth") <= width + 1
+    for whole in page.locator(".carts-bar-who").all():  # “no code word yet”
+        assert whole.evaluate("(button) => button.scrollWidth - button.clientWidth") <= 1
