@@ -108,10 +108,10 @@ def drawn(kind: str, **words: str) -> Any:
 
 
 def test_an_effect_without_a_view_is_a_force_with_the_name_that_python_tells() -> None:
-    said, forces = drawn("wind", called="a wind", agent="the air")
-    assert said.startswith("In this model: a wind.")
-    assert forces == ["on A by the air: 0.250 N"]
+    said, forces = drawn("tide", called="a tide", agent="the sea")
+    assert said.startswith("In this model: a tide.")
+    assert forces == ["on A by the sea: 0.250 N"]
 
 
 def test_an_effect_that_nobody_describes_is_a_fault_and_not_another_effect() -> None:
-    assert drawn("wind") == "nobody describes an effect of the kind “wind”"
+    assert drawn("tide") == "nobody describes an effect of the kind “tide”"
