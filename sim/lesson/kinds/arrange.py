@@ -153,15 +153,15 @@ class Matching(Question):
             left.append(keys.needed(entry, "left", (*here, k), problems, hint))
             right.append(keys.needed(entry, "right", (*here, k), problems, hint))
         others = keys.texts(table, "others", path, problems, "others: [something else]")
-        rows = [(*here, k) for k in read]
         right += others
         if len(right) > len(LETTERS):
             message = f"on the right stand at most {len(LETTERS)} texts"
             problems.append(Problem(here, "not-a-list", message, hint))
         several = isinstance(table.get("others"), (list, tuple))
         beside = places((*path, "others"), others) if several else [(*path, "others")]
+        rows = [(*here, k, "right") for k in read]
         alike(right, [*rows, *beside[: len(others)]], problems)
-        alike(left, rows, problems)
+        alike(left, [(*here, k, "left") for k in read], problems)
         return cls(common=common, left=tuple(left), right=tuple(right))
 
     @classmethod

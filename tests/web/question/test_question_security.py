@@ -9,7 +9,9 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.lesson import read_question
+from sim.lesson.kinds.unformatted import unformatted
 from sim.pages.question.render import render_question
+from sim.scene.problem import Problem
 from tests.web.conftest import OpenPage
 from tests.web.question.question_site import PAGE, SITE_ID, question_site, ready
 from tests.web.question.xss import payloads
@@ -37,6 +39,9 @@ UNSAFE = """() => {
 
 def poisoned(k: int, payload: str) -> dict[str, object]:
     """A question of some kind with the payload in every text that an author writes."""
+    refused: list[Problem] = []  # where a page shows only what is typed
+    unformatted({"start": payload}, (), refused)
+    typed = "b" if refused else payload
     common = {"id": f"q-{k}", "ask": payload, "hints": [payload], "explain": payload}
     kinds: tuple[dict[str, object], ...] = (
         {
@@ -46,13 +51,13 @@ def poisoned(k: int, payload: str) -> dict[str, object]:
                 {"text": f"b {payload}", "feedback": payload},
             ],
         },
-        {"type": "short", "accept": [payload], "start": payload, "words": [payload]},
+        {"type": "short", "accept": [payload], "start": typed, "words": [typed]},
         {"type": "ordering", "order": [f"1 {payload}", f"2 {payload}", f"3 {payload}"]},
         {
             "type": "matching",
             "pairs": [{"left": payload, "right": payload}, {"left": "b", "right": f"b {payload}"}],
         },
-        {"type": "long", "rubric": {"0": payload, "1": payload}, "start": payload},
+        {"type": "long", "rubric": {"0": payload, "1": payload}, "start": typed},
     )
     return {**common, **kinds[k % len(kinds)]}
 
