@@ -45,11 +45,11 @@ class Touch:
     def __init__(self, gap: Gap, now: Instant) -> None:
         contact = gap.contact
         law, restitution = contact.law, contact.restitution
-        if contact.stiffness is None or restitution is None:
+        bounded = law == BUMPER or law in DAMPED
+        added = not bounded and power_of(law) == 1  # a linear one, by somebody
+        if contact.stiffness is None or restitution is None or added:
             raise NoBoundError(said("{what} has no bound yet", what=law))
-        if law != BUMPER and law not in DAMPED:
-            if power_of(law) == 1:  # of a law that somebody has added
-                raise NoBoundError(said("{what} has no bound yet", what=law))
+        if not bounded:
             raise NoBoundError(said("{what} has no bound: its force is not linear", what=law))
         self.gap, self.law, self.begun = gap, law, now
         self.k, self.e = exact(contact.stiffness), exact(restitution)

@@ -91,9 +91,9 @@ def _update(path: Path, root: Path, languages: Iterable[str]) -> None:
         write_out(target, updated(target, shown, units, language, name))
         said = read_words(target, shown)
         texts = {unit.text for unit in units}
-        many = "text" if len(texts) == 1 else "texts"
         left = len(texts - set(said.words))
         click.echo(
-            f"{shown}: {len(texts)} {many}, {left} not in {LANGUAGES[language]} yet"
+            f"{shown}: {len(texts)} text{'s' * (len(texts) != 1)}, "
+            f"{left} not in {LANGUAGES[language]} yet"
             + (f", {len(said.fuzzy)} of them with an old translation" if said.fuzzy else "")
         )

@@ -40,7 +40,6 @@ _ELSEWHERE = {
 _WORTH = ("points", "point", "score", "worth")
 """What others call `marks`; “points” is nearer to `hints`."""
 
-
 _CALLED = {
     "essay": "long", "paragraph": "long", "text": "short", "shortanswer": "short",
     "truefalse": "single", "trueorfalse": "single", "boolean": "single",
@@ -76,7 +75,7 @@ def collect_question(plain: object, path: Path, problems: list[Problem]) -> Ques
     )
     unknown_keys(table, known, path, problems, a_list=a_list, elsewhere=elsewhere)
     question = kind.read(table, common, path, problems)
-    _for_nothing(kind, table, path, problems)
+    _marks_for_nothing(kind, table, path, problems)
     unformatted({name: table[name] for name in table if name in known}, path, problems)
     return question if len(problems) == before else None
 
@@ -99,16 +98,13 @@ def _ask(table: Mapping[str, Any], known: tuple[str, ...]) -> dict[str, str]:
     return {said[0]: meant("ask")} if len(said) == 1 and "ask" not in table else {}
 
 
-def _for_nothing(
+def _marks_for_nothing(
     kind: type[Question], table: Mapping[str, Any], path: Path, problems: list[Problem]
 ) -> None:
-    """Keys of every question that would do nothing in one of this type."""
-    never = {"marks": f"nothing is right or wrong in a question of type {kind.KIND}"}
-    if kind is Confidence:
-        message = "this question itself asks how sure a student is, and has no answer to find"
-        never |= {"sure": message, "hints": message}
-    for name in () if kind.MARKED else table.keys() & never:
-        problems.append(Problem((*path, name), "unknown-key", never[name], f"remove {name}"))
+    """A problem where marks would be given for nothing."""
+    if "marks" in table and not kind.MARKED:
+        message = f"nothing is right or wrong in a question of type {kind.KIND}"
+        problems.append(Problem((*path, "marks"), "unknown-key", message, "remove marks"))
 
 
 def _missing_list(kind: type[Question], table: Mapping[str, Any]) -> str:

@@ -67,7 +67,8 @@ def _comes_near(gap: Gap) -> bool:
 
 GRAZES = 2e-15
 """Of a bumper's greatest overlap. A cart that hops or shakes on its steep line comes just as deep
-every time: what rounding adds to that is no pressing further, which would take two phases more."""
+every time: what rounding adds to that is no pressing further, which would take two phases more.
+One that is laid on it swings back to no force, and what rounding takes from that is no parting."""
 
 
 def passed(guard: Guard) -> float:

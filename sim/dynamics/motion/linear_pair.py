@@ -234,7 +234,7 @@ def _happens(
     room = part * (math.hypot(between.o0 - c, between.u / w) + abs(between.o0) + speed / w)
     if guard.of == "force":
         none = branch.kappa * (branch.rest - c) - room * (branch.kappa + branch.gamma * w)
-        turns = between.turns_at(branch.rest)  # laid on a bumper: from twice its load to none
+        turns = between.turns_at(branch.rest, GRAZES)  # laid on it: from twice its load to none
         return math.inf if turns else between.falls(branch.kappa, branch.gamma, none)
     if guard.of == "rate":
         return between.falls(0.0, 1.0, -room * w)

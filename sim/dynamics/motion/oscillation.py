@@ -18,9 +18,6 @@ KEPT = 4
 MOST_MARKS = 2000
 """Quarter swings drawn one by one."""
 
-GRAZES = 2e-15
-"""Of the farthest overlap. What is laid on a bumper swings between twice its load and none."""
-
 
 def rate_of(stiff: float, damp: float, mu: float) -> Rate:
     """Rates of an oscillator with these N/m and N s/m."""
@@ -96,15 +93,15 @@ class Oscillation:
             self.rate, over * y0 + rate * self.u, over * self.u + rate * bend, level
         )
 
-    def turns_at(self, level: float) -> bool:
-        """Is that the lowest place of a swing that does not fade, but for rounding of an overlap?
+    def turns_at(self, level: float, within: float) -> bool:
+        """Is that the lowest place of a swing that does not fade, `within` a part of its farthest?
 
         Then it does not fall below it, though by rounding it does in every swing.
         """
+        if self.rate.beta != 0.0:
+            return False
         swing = self.fastest() / self.rate.w0
-        lowest = self.centre - swing
-        whole = swing + abs(self.centre)
-        return self.rate.beta == 0.0 and abs(lowest - level) <= GRAZES * whole
+        return abs(self.centre - swing - level) <= within * (swing + abs(self.centre))
 
     def greatest(self, kappa: float, gamma: float, t: float) -> list[float]:
         """Times up to t at which kappa o + gamma o' may be greatest."""

@@ -82,9 +82,8 @@ class Interactions(Question):
             )
             where = (*path, "objects") if "objects" in table else path
             problems.append(Problem(where, "not-a-list", message, "objects: [book, table, Earth]"))
-        if (
-            len(problems) > before and "objects" in table
-        ):  # whatever is said about the rest would follow from this
+        # Whatever is said about the rest would follow from this.
+        if len(problems) > before and "objects" in table:
             return cls(common=common, objects=(), links=())
         links = read_links(table, objects, path, problems)
         if not links and (len(problems) == before or "objects" not in table):

@@ -53,8 +53,8 @@ def _no_unit(value: str, unit: str, name: str) -> tuple[str, str]:
         decimal = float(Fraction(parts[1]) / Fraction(parts[2]))
         shown = f"{name}: {decimal:.{FIGURES}g} {parts[3]}".rstrip()
         return f"“{value[:20]}” is a fraction", f"write it with decimals: {shown}"
-    hint = units.apart(unit)
-    hint = f"with a space: {hint}" if hint else "for example m/s, cm, N, kg, J, N s"
+    spaced = units.apart(unit)
+    hint = f"with a space: {spaced}" if spaced else "for example m/s, cm, N, kg, J, N s"
     return f"“{unit[:20]}” is not a unit that is known here", hint
 
 

@@ -23,8 +23,13 @@ class Confidence(Question):
     def read(
         cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
     ) -> Self:
-        """It needs nothing of its own."""
-        del table, path, problems
+        """It needs nothing of its own, and has no answer to be sure of or to find."""
+        for name in ("sure", "hints"):
+            if name in table:
+                message = (
+                    "this question itself asks how sure a student is, and has no answer to find"
+                )
+                problems.append(Problem((*path, name), "unknown-key", message, f"remove {name}"))
         return cls(common=common)
 
     @classmethod

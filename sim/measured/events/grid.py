@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from sim.measured.refusal import FitError
 from sim.measured.rounding import EVEN, step_of
-from sim.measured.scatter import scatter_of
+from sim.measured.scatter import noise_of
 from sim.measured.track import Track
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def grid_of(tracks: tuple[Track, Track]) -> Grid:
     t, step = 0.5 * (edges[1:] + edges[:-1]), (end - begin + frame) / cells
     x = np.array([_averaged(one, edges, t) for one in tracks])
     rounded = _rounded(tracks[0]), _rounded(tracks[1])
-    noise = max(_noise(x[0]), rounded[0]), max(_noise(x[1]), rounded[1])
+    noise = max(noise_of(x[0]), rounded[0]), max(noise_of(x[1]), rounded[1])
     half, most = max(HALF, round(SMOOTHED / step)), min(round(WIDEST / step), (cells - 2) // 2)
     tried: list[tuple[float, Grid]] = []
     while True:
@@ -139,14 +139,6 @@ def _slid(x: Floats, half: int, step: float) -> tuple[Floats, Floats]:
     v, a = windows @ through[1], 2.0 * (windows @ through[2])
     pad = ((0, 0), (half, half))
     return np.pad(v, pad, mode="edge"), np.pad(a, pad, mode="edge")
-
-
-def _noise(x: Floats) -> float:
-    """m. Of one cell: what third differences of places leave (of white noise their variance is
-    1 + 9 + 9 + 1)."""
-    import numpy as np
-
-    return scatter_of(np.diff(x, 3)) / math.sqrt(20.0)
 
 
 MOST_JUDGED = 170

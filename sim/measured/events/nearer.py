@@ -14,7 +14,7 @@ import math
 from typing import TYPE_CHECKING
 
 from sim.measured.rounding import EVEN, step_of
-from sim.measured.scatter import scatter_of
+from sim.measured.scatter import noise_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -44,7 +44,7 @@ def nearer(t: Floats, x: Floats, kept: Kept, span: tuple[float, float], *, after
     own = np.flatnonzero(kept)
     if len(own) < LEAST:
         return found
-    noise = max(scatter_of(np.diff(x, 3)) / math.sqrt(20.0), EVEN * step_of(x))
+    noise = max(noise_of(x), EVEN * step_of(x))
     begin, end = span
     reach = SMOOTHED * (end - begin)
     towards = range(own[0] - 1, -1, -1) if after else range(own[-1] + 1, len(t))

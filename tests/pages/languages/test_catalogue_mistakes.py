@@ -19,12 +19,8 @@ def test_a_mistake_in_a_translation_is_told_at_its_place_in_the_catalogue(
         "  - {left: one, right: first}\n  - {left: two, right: second}\n```\n"
     )
     root = three(make_site, TEXT + pairs)
-    same = {
-        "one": "satu",
-        "two": "dua",
-        "first": "sama",
-        "second": "sama",
-    }  # on the right all must differ
+    # on the right all must differ
+    same = {"one": "satu", "two": "dua", "first": "sama", "second": "sama"}
     catalogue = write_words(root, "first.md", SAID | same)
     (found,) = check_paths([root / "worksheets"], root)
     assert (found.file, found.code) == ("worksheets/words/ms/first.po", "twice")
