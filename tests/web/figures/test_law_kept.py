@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, Page, expect
 from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.law_writing import HEAVY, SPRING, STARTS, bench, opened, press, write
 from tests.web.question.answering import saved_file
-from tests.web.question.broken_stores import late_store
+from tests.web.question.broken_stores import WHEN_TOLD, late_store, tell_to_open
 
 __all__ = ["bench"]  # a fixture
 
@@ -31,11 +31,12 @@ def test_keys_before_the_kept_law_is_back_do_not_take_its_place(
 ) -> None:
     page = opened(open_page, bench)
     kept(page, HEAVY)
-    page.add_init_script(late_store("1500"))
+    page.add_init_script(late_store(WHEN_TOLD))
     page.reload()
     text_box(page).focus()
     page.keyboard.type("too early")
     expect(page.get_by_role("button", name="Run", exact=True)).to_be_disabled()
+    tell_to_open(page)
     page.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)
     expect(text_box(page)).to_have_value(HEAVY)
     expect(page.get_by_role("button", name="Run", exact=True)).to_be_enabled()

@@ -25,18 +25,28 @@ REFUSING = """IDBObjectStore.prototype.put = () => {
 };"""
 
 
-def late_store(milliseconds: str) -> str:
-    """A script: the database opens so much later. `milliseconds`: an expression of JavaScript."""
+# A store opens when it is told to, so that what is done before is before on any machine.
+WHEN_TOLD = """new Promise((open) =>
+  (window.mayOpen ? open() : addEventListener("may-open", open)))"""
+
+
+def late_store(when: str) -> str:
+    """A script: the database opens later. `when`: an expression of JavaScript, a promise."""
     return f"""const open = IDBFactory.prototype.open;
 IDBFactory.prototype.open = function (...asked) {{
   const request = open.apply(this, asked);
   Object.defineProperty(request, "onsuccess", {{
     set(then) {{
-      request.addEventListener("success", (event) => setTimeout(() => then(event), {milliseconds}));
+      request.addEventListener("success", (event) => {when}.then(() => then(event)));
     }},
   }});
   return request;
 }};"""
+
+
+def tell_to_open(page: Page) -> None:
+    """The store that waits to be told (`WHEN_TOLD`) opens."""
+    page.evaluate("window.mayOpen = dispatchEvent(new Event('may-open'))")
 
 
 def again_with(page: Page, script: str, address: str = "") -> Page:

@@ -14,7 +14,9 @@ from tests.web.question.question_site import ready
 
 LATEST = 5.0
 """s after which the latest store opens: a laptop whose disk must first wake up."""
-LATE = "Number(new URLSearchParams(location.search).get('late'))"  # ms, in the address
+# So many ms as the address says.
+LATE = """new Promise((open) =>
+  setTimeout(open, Number(new URLSearchParams(location.search).get('late'))))"""
 BOX = "#why textarea"
 
 

@@ -11,8 +11,10 @@ from tests.web.conftest import OpenPage
 from tests.web.question.answering import saved, saved_file
 from tests.web.question.broken_stores import (
     NO_DATABASE,
+    WHEN_TOLD,
     again_with,
     late_store,
+    tell_to_open,
 )
 from tests.web.question.question_site import question_site, ready
 
@@ -69,18 +71,20 @@ def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
     page.get_by_label("They are equal").check()
     saved(page, "why")
     saved(page, "pick-one")  # it is another write
-    page.add_init_script(late_store("1500"))
+    page.add_init_script(late_store(WHEN_TOLD))
     page.reload()
     page.locator("#why textarea").focus()
     page.keyboard.type("too early")
     page.get_by_label("The one on the van").click(force=True)
     expect(page.locator("#why .carts-q-saved")).to_have_text("Opening your answers …")
+    tell_to_open(page)
     ready(page)
     expect(page.locator("#why textarea")).to_have_value("written yesterday")
     expect(page.get_by_label("They are equal")).to_be_checked()
     page.locator("#why textarea").press_sequentially("!")
     saved(page, "why")
     page.reload()
+    tell_to_open(page)
     expect(page.locator("#why textarea")).to_have_value("written yesterday!")
 
 
