@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from random import Random
 from typing import Any
@@ -15,6 +16,7 @@ from sim.dynamics.motion.modes.normal_modes import Segment, modes
 from sim.dynamics.result.trajectory import sample
 from sim.scene import read_scene
 from tests.fuzz.units import scaled
+from tests.processor_time import budget
 
 
 def random_segment(seed: int) -> Segment:
@@ -202,6 +204,19 @@ def test_the_greatest_value_of_a_ringing_sum_is_found_in_few_looks() -> None:
     when = maximum(q, 10.0, 1e-5, 3000)
     most = 0.1 + abs(SLOW[1]) + abs(RINGING[1])
     assert most - 1e-6 < q.value(when) <= most
+
+
+SOON = 5.0
+"""s of processor time for a search that takes far less, or never ends."""
+
+
+def test_a_maximum_is_found_where_the_last_steps_to_it_are_below_the_rounding_of_its_time() -> None:
+    """A light cart beside heavy ones: what its fast swing makes a short step is none at 2.7 s."""
+    swing = complex(-6.894922164007762e-05, 0.5773502016700788)
+    rate = complex(166655.53501377327, 245.77385281990823)
+    with budget(SOON):
+        when = maximum(ModalSum(0.0, ((swing, rate / swing),)), 3.4, 8.7e-9, 3000)
+    assert when == pytest.approx((0.5 * math.pi - cmath.phase(rate)) / swing.imag, rel=1e-12)
 
 
 def test_integrals_of_a_sum_and_of_its_square_are_those_of_quadrature() -> None:

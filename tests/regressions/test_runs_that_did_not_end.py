@@ -77,6 +77,17 @@ COLLAPSE = {
     "contact": {"law": "instant", "restitution": 0.05},
     "until": 2,
 }
+FEATHER_BETWEEN_ROCKS = {
+    "carts": {
+        "A": cart(0.35, 0, 0.2) | {"length": 0.1},
+        "B": cart(0.8, 0.5, 1e6),
+        "C": cart(1.25, 1, 1e-6) | {"length": 0.1},
+        "D": cart(1.4, -1, 3),
+    },
+    "track": {"left": "wall", "right": "wall", "length": 2},
+    "contact": {"law": "paper", "stiffness": 1e6, "restitution": 0.3},
+    "until": 5,
+}
 
 ENDLESS: dict[str, tuple[dict[str, Any], int]] = {
     "a spring holds a pair at the edge of contact": (HELD_BY_A_SPRING, 50),
@@ -87,6 +98,7 @@ ENDLESS: dict[str, tuple[dict[str, Any], int]] = {
     "a push runs through a row of dead bumpers": (PUSH_THROUGH_DEAD_ROW, 100_000),
     "three that touch are hit in turn": (COLLAPSE, 20),
     "a spring draws a cart from the dead bumper of a wall": (scene_of("scales", 60003), 500),
+    "a maximum is sought more finely than its time is told": (FEATHER_BETWEEN_ROCKS, 500),
     "so slowly at first that only rounding tells": (scene_of("touching springs", 21011), 50),
 }
 

@@ -196,15 +196,22 @@ def _near_crest(q: ModalSum, t: float, least: float, most: int) -> float:
     return _top(slope, begin, min(best + part, t), least) if slope.value(begin) > 0.0 else best
 
 
+FOUND = 1e-9
+"""Of the step within which nothing happens. A maximum that is known so well is found."""
+
+
 def _top(slope: ModalSum, begin: float, end: float, least: float) -> float:
-    """The next zero of q', which is positive at `begin`: safe steps, then Newton's."""
+    """s. The next zero of q', which is positive at `begin`: safe steps, near it Newton's.
+
+    A step that no longer moves t has found it: `least` may be below the rounding of a late t.
+    """
     t = begin
     while t < end:
         here, rate = slope.both(t)
         if here <= 0.0:
             break
         step = safe_step(here, rate, slope.bound(t, 2))
-        if step < 1e-9 * least:
+        if step < FOUND * least or t + step == t:
             break
         t += step
     return min(t, end)
