@@ -63,3 +63,17 @@ def test_a_plain_number_that_was_meant_in_cm_is_a_hint(
     assert {finding.severity for finding in told} <= {"hint"}
     assert [w for w in hinted if any(f"write {w};" in f.message for f in told)] == hinted
     assert len(told) == len(hinted)
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "with: [free-body]",
+        "with: [lens]\nforces: hidden\nshow: [x]",
+        "with: [bars]\ncontact: {law: velcro}",
+        "with: [lens]\ncontact: {law: instant}\n"
+        "effects: [{magnets: {between: [A, B], strength: 1e-4, active: false}}]",
+    ],
+)
+def test_a_view_of_forces_that_are_there_or_may_be_is_no_mistake(more: str) -> None:
+    assert check_lesson(ARROWS % ("0.6 m/s", "3 s", more), Lesson("a.md", (), ()), SiteIds()) == []

@@ -19,6 +19,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from sim.pages.blocks.law_files import with_law_files
+from sim.pages.checks.no_forces import no_forces
 from sim.pages.checks.off_track import off_track
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
@@ -123,8 +124,8 @@ def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: 
         fence = read_fence(with_law_files(plain, lesson.scene_folders))
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
-    if off := off_track(fence.scene):
-        raise AuthorError(map(places.finding, off))
+    if seen_nowhere := [*off_track(fence.scene), *no_forces(fence)]:
+        raise AuthorError(map(places.finding, seen_nowhere))
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return SceneBlock(replace(fence, watch=fence.watch or lesson.watch), places)
 
