@@ -6,6 +6,7 @@ Characters are put in the place of characters: what has no translation stays, by
 from __future__ import annotations
 
 import json
+from bisect import bisect_left
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -21,16 +22,33 @@ from sim.pages.translate.unit import Unit
 
 
 @dataclass(frozen=True, slots=True)
+class Span:
+    """Where a unit stands in the text with its translation: lines and columns from 1."""
+
+    first: int
+    end: tuple[int, int]
+    unit: Unit
+
+
+@dataclass(frozen=True, slots=True)
 class PutIn:
-    """A text with translations in it. `lines`: the unit that stands at each line, counted from 1.
+    """A text with translations in it.
 
     `units`: all that the source has, in order; `open`: those without a translation.
     """
 
     text: str
-    lines: Mapping[int, Unit]
+    spans: tuple[Span, ...]
     units: tuple[Unit, ...]
     open: tuple[Unit, ...]
+
+    def unit_at(self, line: int, col: int) -> Unit | None:
+        """What stands there or next; behind the last of a line that one rather than a later."""
+        k = bisect_left(self.spans, (line, col), key=lambda span: span.end)
+        later = k == len(self.spans) or self.spans[k].first > line
+        if k and later and self.spans[k - 1].end[0] == line:
+            k -= 1
+        return self.spans[k].unit if k < len(self.spans) else None
 
 
 @lru_cache(maxsize=64)  # one text is put into several languages
@@ -67,19 +85,25 @@ def units_of(path: Path, text: str) -> tuple[Unit, ...]:
 def put_in(text: str, units: Sequence[Unit], words: Mapping[str, str]) -> PutIn:
     """The text with what `words` say in the place of each unit that they know."""
     parts: list[str] = []
-    lines: dict[int, Unit] = {}
-    line, done = 1, 0
+    spans: list[Span] = []
+    line, col, done = 1, 1, 0
     for unit in units:
         before = text[done : unit.start]
         said = _written(unit, words[unit.text]) if unit.text in words else None
         made = text[unit.start : unit.end] if said is None else said
-        line += before.count("\n")
-        last = line + made.count("\n")
-        lines |= {k: unit for k in range(line, last + 1) if k not in lines}
-        line, done = last, unit.end
+        first, col = _behind(before, line, col)
+        line, col = _behind(made, first, col)
+        spans.append(Span(first, (line, col), unit))
+        done = unit.end
         parts += [before, made]
     left = tuple(unit for unit in units if unit.text not in words)
-    return PutIn("".join([*parts, text[done:]]), lines, tuple(units), left)
+    return PutIn("".join([*parts, text[done:]]), tuple(spans), tuple(units), left)
+
+
+def _behind(text: str, line: int, col: int) -> tuple[int, int]:
+    """Line and column behind a text that begins there."""
+    ends = text.count("\n")
+    return line + ends, len(text) - text.rfind("\n") if ends else col + len(text)
 
 
 def _written(unit: Unit, said: str) -> str:

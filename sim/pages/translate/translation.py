@@ -43,9 +43,8 @@ class Part:
 
     def finding(self, found: Finding) -> Finding:
         """The same in the catalogue, where its translation stands there."""
-        lines = self.made.lines
-        near = min((line for line in lines if line >= found.line), default=0)
-        unit = lines.get(near)  # what is wrong with a table stands at its name, above its texts
+        # What is wrong with a table stands at its name, above its texts.
+        unit = self.made.unit_at(found.line, found.col)
         if unit is None or unit.text not in self.words.words:
             return replace(found, file=self.words.file, line=1, col=1)
         message = f"{found.message} (at the translation of “{unit.text[:60]}”)"

@@ -24,7 +24,7 @@ def test_a_mistake_in_a_translation_is_told_at_its_place_in_the_catalogue(
     catalogue = write_words(root, "first.md", SAID | same)
     (found,) = check_paths([root / "worksheets"], root)
     assert (found.file, found.code) == ("worksheets/words/ms/first.po", "twice")
-    assert "at the translation of “two”" in found.message
+    assert "at the translation of “second”" in found.message
     lines = catalogue.read_text(encoding="utf-8").splitlines()
     assert lines[found.line - 1].startswith("msgid")
 
