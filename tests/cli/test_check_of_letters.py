@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -39,6 +41,39 @@ def test_rich_text_under_the_name_of_a_lesson_is_told(tmp_path: Path) -> None:
     result = CliRunner().invoke(main, ["check", str(lesson)])
     assert result.exit_code == 1
     assert "this is rich text (RTF)" in result.output
+
+
+def zipped(**files: str) -> bytes:
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as packed:
+        for name, text in files.items():
+            packed.writestr(name.replace("__", "/"), text)
+    return data.getvalue()
+
+
+NOT_TEXT = {
+    "a Word document": zipped(word__document="<w:document/>"),
+    "a LibreOffice document": zipped(mimetype="application/vnd.oasis.opendocument.text"),
+    "a zip file": zipped(notes="# Carts"),
+    "a PDF file": b"%PDF-1.7\n%\xe2\xe3\n",
+    "an old Word document": b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
+    "no text: it holds bytes of the value 0": b"# Carts\n\0\0\n",
+}
+
+
+@pytest.mark.parametrize("what", NOT_TEXT)
+def test_what_is_no_text_under_the_name_of_a_lesson_or_a_scene_is_told_by_what_it_is(
+    what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("carts.md").write_bytes(NOT_TEXT[what])
+    Path("carts.yml").write_bytes(NOT_TEXT[what])
+    for call in (("check", "carts.md"), ("words", "carts.md"), ("run", "carts.yml")):
+        result = CliRunner().invoke(main, call)
+        assert result.exit_code == 1, call
+        assert f"{call[1]}:1:1: error: this is {what}\n" in result.output
+        assert result.output.count("error:") == 1
+        assert "hint: save its text as plain text, UTF-8" in result.output
 
 
 @pytest.mark.parametrize(("angle", "told"), [("1", True), ("0.05", False), ("1 rad", False)])
