@@ -85,6 +85,9 @@ def _update(path: Path, root: Path, languages: Iterable[str]) -> None:
     name = shown_from(path, root)
     text = author_text(path, name)
     units = units_of(path, text)
+    if not units:
+        click.echo(f"{name}: no text to translate is in it, so no catalogue is written")
+        return
     for language in languages:
         target = source_of(path, folder, language).catalogue
         shown = shown_from(target, root)

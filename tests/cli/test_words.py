@@ -38,6 +38,13 @@ def test_it_writes_a_catalogue_for_each_language(lesson: Path) -> None:
         assert f"worksheets/words/{language}/one.po: 3 texts, 3 not in" in said
 
 
+@pytest.mark.parametrize("text", ["", "\n\n", "---\norder: 3\n---\n"])
+def test_of_a_lesson_without_a_text_it_says_so_and_writes_none(lesson: Path, text: str) -> None:
+    lesson.write_text(text, encoding="utf-8")
+    assert call(str(lesson)).output.startswith("worksheets/one.md: no text to translate")
+    assert not Path("worksheets/words").exists()
+
+
 def test_or_for_the_one_that_is_asked_for(lesson: Path) -> None:
     call(str(lesson), "--language", "ta")
     assert [path.name for path in Path("worksheets/words").iterdir()] == ["ta"]
