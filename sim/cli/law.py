@@ -30,7 +30,7 @@ CHECKS = ("third-law", "energy", "galilei", "mirror", "order", "step")
 
 @click.command("law")
 @click.argument("law", metavar="FILE.py")
-@click.option("--scene", "name", metavar="SCENE.yml", help="Begin with this scene and its numbers.")
+@click.option("--scene", "name", metavar="SCENE", help="Begin with it: a file, or LESSON.md#ID.")
 @click.option(
     "--budget",
     type=click.IntRange(min=1000),

@@ -15,7 +15,7 @@ from sim.cli.scene_of_lesson import scene_in
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import read_scene_text
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.text.author_text import SAVE_AS
+from sim.pages.text.author_text import decoded
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml.source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
@@ -45,7 +45,7 @@ def read_shown(name: str, laws: Mapping[str, str] | None = None) -> Fence:
         if of_lesson:
             lesson = of_lesson["lesson"]
             bytes_of(lesson, 0, "a scene file")  # is there, or says so
-            return scene_in(Path(lesson), of_lesson["id"], Path.cwd(), f"{lesson}#").fence
+            return scene_in(Path(lesson), of_lesson["id"], Path.cwd(), f"{lesson}#", laws).fence
         plain, places = read_scene_text(without_fence(text_of(name)), shown)
         return read_fence(with_law_files(plain, [folder], laws), named=False)
     except AuthorError as error:
@@ -83,8 +83,6 @@ def text_of(name: str, thing: str = "scene") -> str:
         hint = f"a {thing} is short: is this the right file?"
         fail([Finding(shown, 1, 1, "too-long", what, hint)])
     try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data[: error.start].count(b"\n") + 1
-        what, hint = "this is not UTF-8 text", SAVE_AS
-        fail([Finding(shown, line, 1, "not-text", what, hint)])
+        return decoded(data, shown)
+    except AuthorError as error:
+        fail(error.findings)

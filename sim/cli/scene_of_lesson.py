@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
@@ -18,9 +19,15 @@ from sim.pages.text.plain_lines import lines_of
 LESSON = ".md"
 
 
-def scene_in(path: Path, wanted: str | None, root: Path, naming: str) -> SceneBlock:
+def scene_in(
+    path: Path,
+    wanted: str | None,
+    root: Path,
+    naming: str,
+    laws: Mapping[str, str] | None = None,
+) -> SceneBlock:
     """The scene that was meant; raises `AuthorError` for its mistakes. `naming`: what a command has
-    before the id of one of several."""
+    before the id of one of several; `laws`: texts of laws that need no file beside it."""
     path = path.resolve()
     shown = path.relative_to(root).as_posix() if path.is_relative_to(root) else path.name
     folders = (path.parent, *scene_folders(path, root))
@@ -36,7 +43,7 @@ def scene_in(path: Path, wanted: str | None, root: Path, naming: str) -> SceneBl
     found = {}
     for block in scan(lines):
         if block.name == "scene":
-            read = read_scene_block(block, lesson, SiteIds(), first_line=1)
+            read = read_scene_block(block, lesson, SiteIds(), first_line=1, laws=laws)
             found[read.fence.id] = read
     if wanted is None and len(found) == 1:
         return next(iter(found.values()))
@@ -44,7 +51,8 @@ def scene_in(path: Path, wanted: str | None, root: Path, naming: str) -> SceneBl
         return found[str(wanted)]
     if not found:
         raise click.UsageError(f"There is no scene in {shown}.")
-    raise click.UsageError(f"Name one scene of {shown}: {naming}{' | '.join(found)}")
+    missing = f"There is no scene “{wanted}” here. " if wanted else ""
+    raise click.UsageError(f"{missing}Name one scene of {shown}: {naming}{' | '.join(found)}")
 
 
 def _among_lessons(path: Path, root: Path) -> bool:

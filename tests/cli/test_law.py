@@ -102,6 +102,21 @@ def test_the_call_that_is_printed_gives_the_scene_that_was_told_of(written: Path
     assert again.stdout.startswith("title:")
 
 
+def test_it_begins_with_a_scene_of_a_lesson_that_names_the_law_which_lies_elsewhere(
+    written: Path,
+) -> None:
+    (written / "scene.yml").write_text(SCENE, encoding="utf-8")
+    (written / "lessons").mkdir()
+    lesson = written / "lessons" / "two.md"
+    lesson.write_text(f"# Two\n\n```scene\nid: one\n{SCENE}```\n", encoding="utf-8")
+    of_file, of_lesson = (
+        law(written / "spring.py", "--scene", name, "--json", *FEW)
+        for name in ("scene.yml", f"{lesson}#one")
+    )
+    assert of_lesson.exit_code == 0, of_lesson.output
+    assert of_lesson.output == of_file.output
+
+
 def test_no_call_is_printed_for_a_law_that_came_through_a_pipe(written: Path) -> None:
     told = CliRunner().invoke(main, ["law", "-", *FEW], input=HEAVY_WINS)
     assert "BROKEN  third-law" in told.output

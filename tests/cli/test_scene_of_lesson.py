@@ -48,6 +48,7 @@ def test_of_several_scenes_all_ids_are_said(lesson: str, command: str, asked: st
     found = carts(command, asked)
     assert found.exit_code == 2
     assert "Name one scene of two.md: two.md#one | other" in found.output
+    assert ("There is no scene “nobody” here." in found.output) == asked.endswith("nobody")
 
 
 def test_a_mistake_is_told_at_its_line_of_the_lesson(lesson: str) -> None:

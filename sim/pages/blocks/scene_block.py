@@ -113,15 +113,23 @@ class Places:
         return Finding(file, line, col, problem.code, message, problem.hint)
 
 
-def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: int) -> SceneBlock:
+def read_scene_block(
+    block: Block,
+    lesson: Lesson,
+    ids: SiteIds,
+    *,
+    first_line: int,
+    laws: Mapping[str, str] | None = None,
+) -> SceneBlock:
     """The described scene of `block`; raises `AuthorError` with everything that is wrong.
 
-    `first_line` is the line in the lesson's file of the first scanned line (counted from 1).
+    `first_line` is the line in the lesson's file of the first scanned line (counted from 1);
+    `laws`: texts of laws that need no file.
     """
     source = load_block(block, lesson.file, first_line=first_line)
     plain, places = with_scene_file(source, lesson)
     try:
-        fence = read_fence(with_law_files(plain, lesson.scene_folders))
+        fence = read_fence(with_law_files(plain, lesson.scene_folders, laws))
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
     if seen_nowhere := [*off_track(fence.scene), *no_forces(fence)]:
