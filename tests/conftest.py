@@ -110,3 +110,20 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             for item in items
             if item.get_closest_marker("hypothesis") or re.search("properties|fuzz", item.nodeid)
         ]
+    _in_one_browser(config, items)
+
+
+def _in_one_browser(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """What is marked `one_browser` runs in Chromium only: its path through the page is tested in
+    both by another test, and what it looks at is the same code."""
+    others = [
+        item
+        for item in items
+        if item.get_closest_marker("one_browser")
+        and getattr(item, "callspec", None) is not None
+        and item.callspec.params.get("browser_name") == "firefox"  # type: ignore[attr-defined]
+    ]
+    if others:
+        config.hook.pytest_deselected(items=others)
+        left = set(map(id, others))
+        items[:] = [item for item in items if id(item) not in left]

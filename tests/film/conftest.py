@@ -5,7 +5,6 @@ from tests.web.conftest import (
     browser_name,
     driver,
     open_page,
-    pytest_collection_modifyitems,
     site_server,
 )
 
@@ -14,6 +13,5 @@ __all__ = [
     "browser_name",
     "driver",
     "open_page",
-    "pytest_collection_modifyitems",
     "site_server",
 ]

@@ -72,22 +72,6 @@ def launch(driver: Playwright, name: str, *, briefly: bool = False) -> Browser:
     return getattr(driver, name).launch(**options(name, briefly=briefly))
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """What is marked `one_browser` runs in Chromium only: its path through the page is tested in
-    both by another test, and what it looks at is the same code."""
-    others = [
-        item
-        for item in items
-        if item.get_closest_marker("one_browser")
-        and getattr(item, "callspec", None) is not None
-        and item.callspec.params.get("browser_name") == "firefox"  # type: ignore[attr-defined]
-    ]
-    if others:
-        config.hook.pytest_deselected(items=others)
-        left = set(map(id, others))
-        items[:] = [item for item in items if id(item) not in left]
-
-
 _drivers: list[Playwright] = []  # at most one: a second in the same process refuses to start
 _running: dict[tuple[str, bool], Browser] = {}
 """The browsers that run, by name and whether for pages that live a moment. Each is started once and
