@@ -37,3 +37,24 @@ def errors(*ids: str, kind: str) -> list[str]:
 def test_a_question_that_names_a_scene_copied_with_its_id_has_no_mistake(kind: str) -> None:
     assert errors("one", "one", kind=kind) == ["id-taken"]
     assert errors("one", "three", kind=kind)[:1] == ["no-such-scene"]
+
+
+@pytest.mark.parametrize(
+    ("above", "clash"),
+    [
+        ("## Two carts {: #one }", True),
+        ("## Two carts {: .more #one data-minutes=8 }", True),
+        ("## Two carts { #one }", True),
+        ("## Two carts {: #one-text }", False),
+        ("```text\n## Two carts {: #one }\n```", False),
+        ("## One", False),
+    ],
+)
+@pytest.mark.parametrize("file", ["lesson.md", "worksheets/ms/lesson.md"])
+def test_an_id_that_a_heading_has_too_is_told_at_its_block(
+    above: str, clash: bool, file: str
+) -> None:
+    text = f"# A\n\n{above}\n\n{SCENE.format(id='one')}"
+    found = check_lesson(text, Lesson(file), SiteIds())
+    line = text.split("\n").index("```scene") + 2
+    assert [(one.code, one.line) for one in found] == ([("id-taken", line)] if clash else [])

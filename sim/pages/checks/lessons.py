@@ -8,6 +8,7 @@ from pathlib import Path
 from sim.pages.blocks.bake import bake
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
+from sim.pages.checks.heading_ids import heading_ids
 from sim.pages.checks.hidden_forces import forces_nobody_finds
 from sim.pages.checks.large_numbers import large_numbers
 from sim.pages.checks.never_touch import forces_that_never_act
@@ -83,7 +84,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
         except AuthorError as error:
             items.give_up(block)
             findings += error.findings
-    return sorted([*items.first_causes(findings), *text_findings(text, lesson)])
+    around = [*text_findings(text, lesson), *heading_ids(text, lesson.file, ids)]
+    return sorted([*items.first_causes(findings), *around])
 
 
 def _read(

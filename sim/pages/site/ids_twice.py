@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 
 from sim.pages.blocks.scene_block import SiteIds
+from sim.pages.checks.heading_ids import of_a_heading
 from sim.pages.findings import Finding
 from sim.pages.language import language_folder
 
@@ -26,12 +27,11 @@ def ids_twice(html: str, file: str, ids: SiteIds) -> Iterator[Finding]:
         if html.count(f' id="{block}"') == 1:
             continue
         owner = next((name for name in blocks if block.startswith(f"{name}-")), "")
+        place = ids.used.get(f"{folder}/{block}" if folder else block, "").rpartition(":")
+        line = int(place[2]) if place[0] == file else 1
         if owner:
             told = f"id: “{block}” is also what “{owner}” calls a part of its own"
             hint = f"give one of the two blocks another id, for example {block}-1"
+            yield Finding(file, line, 1, "id-taken", told, hint)
         else:
-            told = f"id: “{block}” is also the address of a heading on this page"
-            hint = f"write another one behind the heading, for example {{: #{block}-text }}"
-        place = ids.used.get(f"{folder}/{block}" if folder else block, "").rpartition(":")
-        line = int(place[2]) if place[0] == file else 1
-        yield Finding(file, line, 1, "id-taken", told, hint)
+            yield of_a_heading(block, file, line)
