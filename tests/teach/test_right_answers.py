@@ -146,3 +146,16 @@ def test_every_choice_of_our_lessons_can_have_each_answer_right() -> None:
 def test_letters_of_every_language_stay_letters() -> None:
     text = question(options="  - Größer, நன்றி 一样\n  - {text: smaller, correct: true}\n")
     assert '  - {text: "Größer, நன்றி 一样", correct: true}\n' in moved(text, 0)["text"]
+
+
+def test_what_is_said_where_a_link_of_a_diagram_is_missing_has_a_field() -> None:
+    text = (
+        "```question\nid: book\ntype: interactions\nask: Draw.\nobjects: [book, table]\n"
+        "contact: [[book, table]]\nmissing:\n"
+        "  - {between: [book, table], feedback: They do touch.}\n```\n"
+    )
+    found = [field for field in fields(text, blocks(text)[0]) if field.label == "feedback"]
+    assert [(field.group, field.value) for field in found] == [("Missing link 1", "They do touch.")]
+    path = list(found[0].path)
+    changed = {"do": "set", "text": text, "block": 0, "path": path, "value": "Look."}
+    assert "feedback: Look." in teach_answer(changed)[0]["text"]

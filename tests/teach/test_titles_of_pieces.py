@@ -22,6 +22,13 @@ TITLES = [
         {"kind": "block", "text": "id: a", "title": "Cart #2 > cart #1", "id": "a"},
         "Cart #2 > cart #1",
     ),
+    (
+        {"kind": "block", "text": "", "title": "| t | x |\n|---|--:|\n| 1 | 2 |\n\nHow fast?"},
+        "How fast?",
+    ),
+    ({"kind": "block", "text": "", "title": "| *t* | x |\n|---|--:|\n| 1 | 2 |"}, "t, x"),
+    ({"kind": "text", "text": "| time | place |\n|---|---|\n| 1 | 2 |"}, "time, place"),
+    ({"kind": "block", "text": "", "title": "|v| of A?"}, "|v| of A?"),
 ]
 
 

@@ -164,6 +164,8 @@ def _in_question(path: KeyPath) -> tuple[str, str] | None:
             return f"Answer {letter(k)}", OPTION[key]
         case ("wrong", int(k), str(key)) if key in WRONG:
             return f"Wrong answer {k + 1}", WRONG[key]
+        case ("missing", int(k), "feedback"):
+            return f"Missing link {k + 1}", WRONG["feedback"]
         case ("pairs", int(k), str(key)) if key in PAIR:
             return f"Pair {k + 1}", PAIR[key]
         case ("rubric", str(marks)):

@@ -772,6 +772,7 @@
       place2.cloneNode(true)
     );
     for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
+    for (const picture of copy.querySelectorAll("img")) picture.replaceWith(picture.alt);
     for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
       fraction.textContent = [...fraction.children].map(grouped).join("/");
     }

@@ -3860,13 +3860,22 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   // src/teach/piece-title.js
   function titleOf({ kind: kind2, text: text2, title, id }) {
     if (kind2 === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
-    if (kind2 === "block") return short2(seen(title || id || text2.split("\n")[0] || ""));
+    if (kind2 === "block") {
+      const said = (title ?? "").replace(TABLE, "") || title?.split("\n")[0];
+      return short2(seen(unbarred(said || id || text2.split("\n")[0] || "")));
+    }
     const heading = /^#+ +(.+)/m.exec(text2)?.[1];
     const lines3 = heading ? [heading] : text2.split("\n").map(unmarked);
     return short2(lines3.map(seen).find(Boolean) ?? "(no text yet)");
   }
+  var TABLE = /^ *\|.*\n *\|[ :|-]+(?:\n *\|.*)*\s*/;
+  var unbarred = (line) => {
+    if (!/^ *\|.*\| *$/.test(line)) return line;
+    const cells = line.split("|").map((cell) => cell.trim());
+    return cells.filter((cell) => /[^:-]/.test(cell)).join(", ");
+  };
   var short2 = (words) => words.length > 70 ? `${words.slice(0, 70)}…` : words;
-  var unmarked = (line) => line.replace(/^ *(?:#+(?: |$)|(?:> ?)+|(?:[-+*]|\d+\.) )/, "");
+  var unmarked = (line) => unbarred(line.replace(/^ *(?:#+(?: |$)|(?:> ?)+|(?:[-+*]|\d+\.) )/, ""));
   function seen(line) {
     return line.replace(/^(?:!!!|\?{3}\+?) .*?"(.*)".*$/, "$1").replace(/^(?:!!!|\?{3}\+?) (\w+).*$/, "$1").replace(/<!--.*?-->|\{:?[^}]*\}/g, "").replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1").replace(/[*_`$]/g, "").trim();
   }

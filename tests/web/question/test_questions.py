@@ -77,6 +77,23 @@ def test_the_file_holds_every_answer_for_people_and_programs(
         assert item["first"] <= item["last"]
 
 
+@pytest.mark.one_browser
+def test_an_option_that_is_a_picture_is_told_by_the_words_of_the_picture(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    asks = (
+        "```question\nid: which\ntype: single\nask: Which way?\noptions:\n"
+        "  - {text: '![an arrow to the left](left.png)', correct: true}\n"
+        "  - '![an arrow to the right](right.png) of *two*'\n```\n"
+    )
+    page = ready(open_page(write_page(question_site, "pictured", asks)))
+    told = []
+    for option in ("a", "b"):
+        page.locator(f"#which input[value={option}]").check()
+        told.append(saved_file(page)["items"][0]["said"])
+    assert told == ["A: an arrow to the left", "B: an arrow to the right of two"]
+
+
 def test_the_keyboard_is_enough(open_page: OpenPage, question_site: Path) -> None:
     page = ready(open_page(question_site / "kinds.html"))
     page.locator("#pick-one input").first.focus()

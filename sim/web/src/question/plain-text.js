@@ -1,10 +1,11 @@
-/** The words of a part of the page; a formula once, not drawn and spoken. */
+/** The words of a part of the page; a formula once, not drawn and spoken; of a picture its own. */
 
 /** @param {Element | null | undefined} place @returns {string} */
 export function plainText(place) {
   if (!place) return "";
   const copy = /** @type {Element} */ (place.cloneNode(true));
   for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
+  for (const picture of copy.querySelectorAll("img")) picture.replaceWith(picture.alt);
   for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
     fraction.textContent = [...fraction.children].map(grouped).join("/"); // the inner ones first
   }
