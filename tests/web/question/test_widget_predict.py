@@ -91,6 +91,26 @@ def test_arrows_are_drawn_kept_locked_and_compared(
     expect(page.locator("#arrows .carts-play")).to_be_enabled()
 
 
+@pytest.mark.one_browser
+def test_arrows_that_were_locked_are_not_to_be_drawn_on_paper_while_the_run_still_plays(
+    shared_page: SharePage, widget_site: Path
+) -> None:
+    page = live(shared_page(widget_site / "arrows.html"), "arrows")
+    to_draw = """() => [...document.querySelectorAll("#arrows .carts-guess")].map(
+        (line) => getComputedStyle(line, "::after").content !== "none")"""
+    page.emulate_media(media="print")
+    assert page.evaluate(to_draw) == [True, True]
+    page.emulate_media(media="null")
+    guess(page, "A", 2)
+    guess(page, "B", 6)
+    if (sure := page.locator("#arrows .carts-certainty input")).count():
+        sure.first.check()
+    page.locator("#arrows .carts-lock").click()
+    expect(page.locator("#arrows .carts-results")).to_be_visible()
+    page.emulate_media(media="print")
+    assert page.evaluate(to_draw) == [False, False]
+
+
 def test_arrows_are_pulled_in_the_picture_until_they_are_locked(
     shared_page: SharePage, widget_site: Path
 ) -> None:

@@ -210,3 +210,25 @@ def test_a_reader_who_wants_no_motion_gets_stills(
     )
     assert 2 <= len(seen["times"]) <= 5
     assert any(t == pytest.approx(seen["touch"], abs=1e-9) for t in seen["times"])
+
+
+@pytest.mark.one_browser
+def test_the_ring_around_a_typed_number_leaves_its_unit_free_on_a_phone(
+    shared_page: SharePage, widget_site: Path
+) -> None:
+    page = live(shared_page(widget_site / "meeting.html", window={"width": 360, "height": 700}))
+    box = page.locator("#meeting .carts-control .carts-number-box").first
+    box.focus()
+    page.keyboard.press("Shift")  # as who goes on by keys: else no ring is drawn
+    free = box.evaluate(
+        """(box) => {
+          const { outlineStyle, outlineWidth, outlineOffset } = getComputedStyle(box);
+          const unit = document.createRange();
+          unit.selectNodeContents(box.parentElement.querySelector(".carts-unit-text"));
+          const ring = parseFloat(outlineWidth) + parseFloat(outlineOffset);
+          const gap = unit.getBoundingClientRect().left - box.getBoundingClientRect().right;
+          return [outlineStyle, gap - ring];
+        }"""
+    )
+    assert free[0] == "solid"
+    assert free[1] >= 0.5, free
