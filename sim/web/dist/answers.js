@@ -2362,8 +2362,8 @@
       /** @type {Element} */
       place2.cloneNode(true)
     );
-    for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
-    for (const picture of copy.querySelectorAll("img")) picture.replaceWith(picture.alt);
+    for (const part2 of copy.querySelectorAll(".katex-html, annotation")) part2.remove();
+    for (const part2 of copy.querySelectorAll("img")) part2.replaceWith(part2.alt);
     for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
       fraction.textContent = [...fraction.children].map(grouped).join("/");
     }

@@ -4,8 +4,8 @@
 export function plainText(place) {
   if (!place) return "";
   const copy = /** @type {Element} */ (place.cloneNode(true));
-  for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
-  for (const picture of copy.querySelectorAll("img")) picture.replaceWith(picture.alt);
+  for (const part of copy.querySelectorAll(".katex-html, annotation")) part.remove();
+  for (const part of copy.querySelectorAll("img")) part.replaceWith(part.alt);
   for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
     fraction.textContent = [...fraction.children].map(grouped).join("/"); // the inner ones first
   }
