@@ -50,10 +50,10 @@ def command(name: str, title: str | None, kind: str | None, like: str | None) ->
     if kind == "site":
         _site(name, title, like)
         return
-    if not re.fullmatch(r"[a-z][a-z0-9-]{1,40}", name):
+    if not re.fullmatch(r"[a-z][a-z0-9-]{0,40}", name):
         raise click.UsageError(
-            "NAME has small letters, digits and hyphens; any title goes beside it: "
-            'carts new two-trains --title "Two trains"'
+            "NAME is a small letter, then small letters, digits and hyphens, 41 in all; any title"
+            ' goes beside it: carts new two-trains --title "Two trains"'
         )
     if not (here / WORKSHEETS).is_dir():
         raise click.UsageError(

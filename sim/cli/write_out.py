@@ -1,10 +1,19 @@
-"""A file that a command was asked to write."""
+"""A file or a site that a command was asked to write, and the sentence where a disk says no."""
 
 from __future__ import annotations
 
+import errno
 from pathlib import Path
 
 import click
+
+NOT_OURS = {
+    *(errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOSPC, errno.EDQUOT),
+    *(errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ENAMETOOLONG),
+}
+"""What a disk refuses, as opposed to a mistake of ours."""
+
+A_SITE = "The site needs a folder that is yours, with room: for example a copy of it in Documents."
 
 
 def write_out(path: Path, content: str | bytes, another: str = "") -> None:
@@ -30,3 +39,11 @@ def unwritten(path: Path, error: OSError, another: str) -> click.ClickException:
         why = "a folder of its path is a file"
     elsewhere = f" Another place: {another}" if another else ""
     return click.ClickException(f"{path} cannot be written: {why}.{elsewhere}")
+
+
+def no_place(error: OSError, needs: str = A_SITE) -> str:
+    """The sentence where a disk says no, with what is needed; empty for a mistake of ours."""
+    if error.errno not in NOT_OURS:
+        return ""
+    where = f"{error.filename}: " if error.filename else ""
+    return f"{where}{error.strerror}. {needs}"

@@ -37,6 +37,11 @@ def test_a_lesson_that_is_there_stays_as_it_is(folder: Path) -> None:
     assert (folder / "worksheets" / "old.md").read_text(encoding="utf-8") == before
 
 
+def test_a_name_of_one_letter_is_a_name(folder: Path) -> None:
+    assert CliRunner().invoke(main, ["new", "x"]).exit_code == 0
+    assert check_paths([folder / "worksheets" / "x.md"], folder) == []
+
+
 @pytest.mark.parametrize("name", ["../up", "Two Trains", "a/b", "", "1st"])
 def test_a_name_that_is_none_is_refused_with_an_example(folder: Path, name: str) -> None:
     result = CliRunner().invoke(main, ["new", name])

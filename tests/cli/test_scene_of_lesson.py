@@ -34,6 +34,14 @@ def test_a_scene_of_a_lesson_is_taken_as_if_it_stood_in_a_file(lesson: str, comm
     assert of_lesson.output == of_file.output
 
 
+def test_a_scene_as_one_file_is_named_as_elsewhere(
+    lesson: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sim.pages.single.of_scene.single_file", lambda block, *_, **__: "a page")
+    assert carts("single", f"{lesson}#other").exit_code == 0
+    assert Path("other.html").is_file()
+
+
 def test_another_id_is_another_scene(lesson: str) -> None:
     ends = [
         json.loads(carts("run", f"{lesson}#{name}", "--json").output)["final"]["v"]["A"]

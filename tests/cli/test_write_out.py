@@ -82,3 +82,13 @@ def test_a_dash_is_no_name_of_a_file(name, call, tmp_path, monkeypatch):
     assert result.exit_code != 0
     assert f"“-” is not the name of a file here. Name a file: {name.split()[1]} " in result.stderr
     assert not Path("-").exists()
+
+
+def test_a_folder_in_which_python_cannot_be_packed_is_told_in_a_sentence(call, monkeypatch):
+    def no(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied", "/school/.cache")
+
+    monkeypatch.setattr("sim.pages.single.of_scene.single_file", no)
+    result = call(CALLS["single --out"], Path("a.html"))
+    assert result.exit_code == 1
+    assert "Error: /school/.cache: Permission denied. Go to a folder that is yours" in result.stderr

@@ -141,6 +141,17 @@ def test_a_mistake_is_on_the_page_and_in_the_terminal_and_goes_again(
         assert "carts-author-error" not in page.read_text(encoding="utf-8")
 
 
+def test_a_folder_that_cannot_be_written_is_told_in_a_sentence(
+    preview: Previewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied", "/school/.cache")
+
+    monkeypatch.setattr(preview, "_build", no)
+    preview.make()
+    assert preview.trouble.startswith("/school/.cache: Permission denied. The site needs a folder")
+
+
 def test_what_a_page_gave_up_another_may_take(preview: Previewer, root: Path) -> None:
     edit(root / "worksheets" / "two.md", "id: two-first", "id: renamed")
     preview.make()

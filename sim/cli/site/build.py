@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import logging
 import os
 import time
@@ -16,19 +15,13 @@ import click
 from sim.cli.check import report
 from sim.cli.progress import pages_on_terminal
 from sim.cli.site import site_folder
+from sim.cli.write_out import no_place
 from sim.pages.checks.lessons import USUAL_PLACES, check_paths
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
 
     from sim.pages.site.build import SiteBuild
-
-
-NOT_OURS = {
-    *(errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOSPC, errno.EDQUOT),
-    *(errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ENAMETOOLONG),
-}
-"""What a disk refuses, as opposed to a mistake of ours."""
 
 
 @click.command("build")
@@ -119,11 +112,10 @@ def build_site(
         click.echo(str(error), err=True)
         return None
     except OSError as error:
-        if error.errno not in NOT_OURS:
+        refused = no_place(error)
+        if not refused:
             raise
-        where = error.filename or config.site_dir
-        click.echo(f"{where}: {error.strerror}. The site needs a folder that is yours, with room: "
-                   "for example a copy of it in Documents.", err=True)  # fmt: skip
+        click.echo(refused, err=True)
         return None
     return Path(config.site_dir).resolve()
 

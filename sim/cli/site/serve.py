@@ -16,6 +16,7 @@ import click
 from sim.cli.progress import pages_on_terminal
 from sim.cli.site import site_folder
 from sim.cli.site.build import messages_to_stderr
+from sim.cli.write_out import no_place
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
@@ -100,7 +101,8 @@ class Previewer:
             self._build(changed, partial=partial)
             self.trouble, self.seen = "", seen
         except (Exception, SystemExit) as error:
-            self.trouble = str(error) or type(error).__name__
+            refused = isinstance(error, OSError) and no_place(error)
+            self.trouble = refused or str(error) or type(error).__name__
             self.seen = {}  # next time everything
             click.echo(self.trouble, err=True)
             return
