@@ -9,15 +9,17 @@ from typing import Any
 
 from sim.scene.problem import Path, Problem
 
-_KEYS = ("columns", "rows", "objects", "words", "start")
+KEYS = ("columns", "rows", "objects", "words", "start")
 _MARKS = re.compile(r"\\\(|\\\[|\*\*\S|!?\[[^\]]*\]\(")
 _HINT = "write it with plain words and signs: v in m/s, mass of cart A, m₁"
 
 
-def unformatted(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> None:
+def unformatted(
+    table: Mapping[str, Any], path: Path, problems: list[Problem], keys: tuple[str, ...] = KEYS
+) -> None:
     """A problem at the first text under each of these keys that has a formula, a picture or marks
     of Markdown in it."""
-    for name in _KEYS:
+    for name in keys:
         for place, text in _texts(table.get(name), (*path, name)):
             if _MARKS.search(text):
                 message = "no formula, picture or bold word is shown here, only what is typed"

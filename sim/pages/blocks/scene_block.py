@@ -19,6 +19,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from sim.pages.blocks.law_files import with_law_files
+from sim.pages.checks.as_typed import as_typed
 from sim.pages.checks.no_forces import no_forces
 from sim.pages.checks.off_track import off_track
 from sim.pages.findings import AuthorError, Finding
@@ -132,8 +133,8 @@ def read_scene_block(
         fence = read_fence(with_law_files(plain, lesson.scene_folders, laws))
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
-    if seen_nowhere := [*off_track(fence.scene), *no_forces(fence)]:
-        raise AuthorError(map(places.finding, seen_nowhere))
+    if found := [*off_track(fence.scene), *no_forces(fence), *as_typed(plain)]:
+        raise AuthorError(map(places.finding, found))
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return SceneBlock(replace(fence, watch=fence.watch or lesson.watch), places)
 

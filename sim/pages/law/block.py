@@ -23,6 +23,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from sim.lesson.kinds.unformatted import unformatted
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
@@ -95,6 +96,7 @@ def read_law_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: in
         file = FILE
         plain["contact"] = {**table, "law": FILE}
         plain["laws"] = {FILE: start}
+    unformatted(own, (), problems, ("ask",))
     if problems:
         raise AuthorError(map(places.finding, problems))
     plain = with_law_files(plain, lesson.scene_folders)

@@ -23,7 +23,7 @@ LAYERS = (
 MODULES = (
     *("__init__", "findings", "templates"),
     *("blocks/__init__", "blocks/bake", "blocks/law_files", "blocks/scene_block"),
-    *("checks/__init__", "checks/no_forces", "checks/off_track"),
+    *("checks/__init__", "checks/as_typed", "checks/no_forces", "checks/off_track"),
     *("site/__init__", "site/effect_pages"),
 )
 """Of `sim/pages`."""
