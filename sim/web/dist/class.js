@@ -423,6 +423,20 @@
     return label;
   }
 
+  // src/class/held-focus.js
+  var BY_KEYS = "button, input:not([hidden]), select, textarea, summary";
+  function holdingFocus(root, draw) {
+    const places = () => [.../** @type {NodeListOf<HTMLElement>} */
+    root.querySelectorAll(BY_KEYS)];
+    const held = (
+      /** @type {HTMLElement} */
+      document.activeElement
+    );
+    const at = places().indexOf(held);
+    draw();
+    if (at >= 0 && !held.isConnected) places()[at]?.focus({ preventScroll: true });
+  }
+
   // src/class/intake.js
   var MOST_JSON = 3e7;
   var MOST_ZIP = 6e7;
@@ -1122,7 +1136,9 @@
         );
       }
       #redraw() {
-        for (const draw of this.#parts) draw();
+        holdingFocus(this, () => {
+          for (const draw of this.#parts) draw();
+        });
       }
       async #ask(message) {
         const { header } = await client.ask({}, () => message);

@@ -162,6 +162,25 @@ def test_a_file_that_is_left_out_does_not_count(page: Page) -> None:
 
 
 @pytest.mark.one_browser
+def test_who_works_by_keys_stays_where_they_were(page: Page) -> None:
+    """The button that chose files, a file's box and a table's button are made anew meanwhile."""
+    pick = page.locator(".carts-class-pick")
+    pick.focus()
+    tables = [Source(f"{k}.csv", b"student,pre\nA,1\n") for k in "ab"]
+    choose(page, [*sources(random_class(BANK, 6)), *tables, KEY])
+    expect(page.locator(".carts-class-report")).to_contain_text("12 of 12", timeout=60_000)
+    expect(pick).to_be_focused()
+    page.locator(".carts-class-list > summary").press("Enter")
+    box = page.locator(".carts-class-list input").nth(2)
+    box.press("Space")
+    expect(page.locator(".carts-class-list > summary")).to_contain_text("1 left out")
+    expect(box).to_be_focused()
+    page.locator(".carts-class-tables li button").first.press("Enter")
+    expect(page.locator(".carts-class-tables li")).to_have_count(1)
+    expect(page.locator(".carts-class-tables li button")).to_be_focused()
+
+
+@pytest.mark.one_browser
 def test_the_key_that_was_dropped_is_printed_without_any_answers(page: Page) -> None:
     expect(page.locator(".carts-class-print-key")).to_be_hidden()
     choose(page, [KEY])

@@ -4,6 +4,7 @@ import { counted, tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { Classroom } from "./classroom.js";
 import { drops } from "./drops.js";
+import { holdingFocus } from "./held-focus.js";
 import { asTable, isTable, readAll } from "./intake.js";
 import { fileList, typedCodes } from "./list.js";
 import { papers, spokenHere } from "./papers.js";
@@ -229,7 +230,9 @@ export function classElement(client) {
     }
 
     #redraw() {
-      for (const draw of this.#parts) draw();
+      holdingFocus(this, () => {
+        for (const draw of this.#parts) draw();
+      });
     }
 
     /** @param {Record<string, unknown>} message @returns {Promise<Record<string, any>>} */
