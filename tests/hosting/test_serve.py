@@ -152,6 +152,14 @@ def test_a_folder_that_cannot_be_written_is_told_in_a_sentence(
     assert preview.trouble.startswith("/school/.cache: Permission denied. The site needs a folder")
 
 
+def test_settings_with_nothing_in_them_are_told_as_by_a_build(
+    preview: Previewer, root: Path
+) -> None:
+    (root / "mkdocs.yml").write_text("", encoding="utf-8")
+    preview.make()
+    assert preview.trouble.startswith("mkdocs.yml:1:1: error: this is no list of settings")
+
+
 def test_what_a_page_gave_up_another_may_take(preview: Previewer, root: Path) -> None:
     edit(root / "worksheets" / "two.md", "id: two-first", "id: renamed")
     preview.make()

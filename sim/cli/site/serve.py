@@ -131,7 +131,8 @@ class Previewer:
         from mkdocs.commands.build import build
         from mkdocs.config import load_config
 
-        site_folder.read(self.root)  # its mistakes in a sentence with a line
+        if wrong := site_folder.findings(self.root):  # in sentences with a line, as of a build
+            raise click.ClickException("\n".join(map(str, wrong)))
         config = load_config(str(self.root / "mkdocs.yml"), site_dir=str(self.site))
         if "carts" not in config.plugins:
             raise click.ClickException("mkdocs.yml: error: “carts” is not listed under plugins:")
