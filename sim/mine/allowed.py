@@ -43,8 +43,11 @@ REFUSED: tuple[tuple[type[ast.AST], str], ...] = (
 )
 """A loop inside of these could swallow the counting; none of them is arithmetic."""
 
-FILLING = ("center", "expandtabs", "ljust", "rjust", "to_bytes", "zfill")
-"""Methods that fill up to any width."""
+GROWING = (
+    *("center", "encode", "expandtabs", "extend", "join", "ljust", "replace", "rjust"),
+    *("to_bytes", "translate", "zfill"),
+)
+"""Methods that make a text or list of any length at one stroke, or bytes, which no bound knows."""
 
 COUNT, RESULT = "_count", "_result"
 """Names of what is put into a law; its author's names have no underscore in front."""
@@ -109,9 +112,13 @@ def _faults(tree: ast.Module, file: str) -> Iterator[WrongLawError]:
 
 
 def _wide(node: ast.AST) -> str:
-    """What makes a text as wide as it is told, at one stroke."""
-    if isinstance(node, ast.Attribute) and node.attr in FILLING:
+    """What makes a text or a list as long as it is told, at one stroke."""
+    if isinstance(node, ast.Attribute) and node.attr in GROWING:
         return node.attr
+    if isinstance(node, ast.Constant) and isinstance(node.value, bytes):
+        return "b''"
+    if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store):
+        return "[:] =" if isinstance(node.slice, ast.Slice) else ""
     spec = node.format_spec if isinstance(node, ast.FormattedValue) else None
     parts = spec.values if isinstance(spec, ast.JoinedStr) else []
     shown = "".join(str(p.value) if isinstance(p, ast.Constant) else "{*}" for p in parts)

@@ -1,8 +1,9 @@
 """Puts bounds into a law's operators: what could grow beyond all memory is looked at before.
 
 `x ** y`, `x << y`, `x * y`, `x + y` and `x % y` become calls (`sim.mine.growing`); `x *= y` becomes
-`x *= _fits("*", x, y)`, so that what it changes in place stays the same object. What holds a float
-cannot grow and is left as it stands: that is nearly all of a force, which costs nothing then.
+`x *= _fits("*", x, y)`, so that what it changes in place stays the same object; `[*x, *y]` becomes
+`_few([*x, *y])` and `f"{x}"` becomes `f"{_told(x)}"`. What holds a float cannot grow and is left as
+it stands: that is nearly all of a force, which costs nothing then.
 """
 
 from __future__ import annotations
@@ -13,15 +14,18 @@ from copy import deepcopy
 from typing import Any
 
 from sim.mine.arguments import ARGUMENTS
-from sim.mine.growing import OPERATORS, fits
+from sim.mine.growing import OPERATORS, few, fits, told
 
 NAMES = {"**": "_power", "<<": "_shifted", "*": "_times", "+": "_plus", "%": "_rest"}
 SIGNS: dict[type[ast.operator], str] = {
     ast.Pow: "**", ast.LShift: "<<", ast.Mult: "*", ast.Add: "+", ast.Mod: "%",
 }  # fmt: skip
-FITS, BASE, PLACE = "_fits", "_base", "_place"
-PUT_IN: dict[str, Callable[..., Any]] = {FITS: fits} | {
-    NAMES[sign]: both for sign, both in OPERATORS.items()
+FITS, FEW, TOLD, BASE, PLACE = "_fits", "_few", "_told", "_base", "_place"
+PUT_IN: dict[str, Callable[..., Any]] = {
+    FITS: fits,
+    FEW: few,
+    TOLD: told,
+    **{NAMES[sign]: both for sign, both in OPERATORS.items()},
 }
 """What the law's text calls now. Its author's names have no underscore in front."""
 
@@ -62,13 +66,28 @@ class Bounded(ast.NodeTransformer):
         if not isinstance(target, ast.Name):
             before.append(_assign(BASE, target.value, node))
             target.value = ast.Name(BASE, ast.Load())
-        if isinstance(target, ast.Subscript) and not isinstance(target.slice, ast.Slice):
+        if isinstance(target, ast.Subscript):
             before.append(_assign(PLACE, target.slice, node))
             target.slice = ast.Name(PLACE, ast.Load())
         now = deepcopy(target)
         now.ctx = ast.Load()
         node.value = _call(FITS, node, ast.Constant(sign), now, node.value)
         return [*before, node]
+
+    def visit_List(self, node: ast.List | ast.Set | ast.Tuple) -> ast.AST:
+        """`[*a, *a]` becomes `_few([*a, *a])`; `first, *rest = a` is none of these."""
+        self.generic_visit(node)
+        starred = any(isinstance(one, ast.Starred) for one in node.elts)
+        made = isinstance(node, ast.Set) or isinstance(node.ctx, ast.Load)
+        return _call(FEW, node, node) if starred and made else node
+
+    visit_Set = visit_Tuple = visit_List  # noqa: N815 - names of ast
+
+    def visit_FormattedValue(self, node: ast.FormattedValue) -> ast.AST:
+        """`f"{a}"` becomes `f"{_told(a)}"`."""
+        self.generic_visit(node)
+        node.value = _call(TOLD, node, node.value)
+        return node
 
     def _grows(self, op: ast.operator, left: ast.expr, right: ast.expr) -> str:
         """The operator's sign, if what comes out may be larger than both."""

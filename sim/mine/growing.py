@@ -1,4 +1,4 @@
-"""What a law may reckon without eating all memory: whole numbers, texts and lists have bounds.
+"""What a law may compute without eating all memory: whole numbers, texts and lists have bounds.
 
 These stand in the place of Python's own wherever a law could make something large at one stroke
 (`sim.mine.bounded` puts the operators there). What it makes turn by turn is counted elsewhere.
@@ -20,7 +20,7 @@ MOST_ITEMS = 20_000
 """Of a list or a text: as many as one answer may have turns."""
 
 WIDE = re.compile(r"\d{5}|\*")
-"""In what a text is formatted with: a width beyond all lines, or one that is reckoned."""
+"""In what a text is formatted with: a width beyond all lines, or one that is computed."""
 
 
 def fits(sign: str, a: Any, b: Any) -> Any:
@@ -28,7 +28,7 @@ def fits(sign: str, a: Any, b: Any) -> Any:
     if isinstance(a, int) and isinstance(b, int):
         if sign == "**" and b > 0 and a.bit_length() * b > MOST_BITS:
             raise OverflowError(f"{a} to the power {b}")
-        if sign in "<<*":
+        if sign in ("<<", "*"):
             _small(a.bit_length() + (b.bit_length() if sign == "*" else b))
     elif sign == "*":
         items, count = (a, b) if isinstance(b, int) else (b, a)
@@ -36,9 +36,29 @@ def fits(sign: str, a: Any, b: Any) -> Any:
             _few(len(items) * count)
     elif sign == "+" and hasattr(a, "__len__") and hasattr(b, "__len__"):
         _few(len(a) + len(b))
-    elif sign == "%" and isinstance(a, str) and WIDE.search(a):
-        raise OverflowError("a text that is too wide")
+    elif sign == "%" and isinstance(a, str):
+        if WIDE.search(a):
+            raise OverflowError("a text that is too wide")
+        told(b)
     return b
+
+
+def few(made: Any) -> Any:
+    """What was made of others with a star, if it is no longer than a law may have."""
+    _few(len(made))
+    return made
+
+
+def told(value: Any) -> Any:
+    """The value, if a text may hold it: with all that lies in it."""
+    left, count = [value], 0
+    while left:
+        one = left.pop()
+        count += len(one) if hasattr(one, "__len__") else 1
+        _few(count)
+        if not isinstance(one, str) and hasattr(one, "__len__"):
+            left += [*one, *one.values()] if isinstance(one, dict) else one
+    return value
 
 
 def _few(count: int) -> None:
@@ -77,6 +97,27 @@ def bounded_range(*bounds: int) -> range:
     if len(made) > MOST_ITEMS:
         raise OverflowError(f"range of {len(made)}")
     return made
+
+
+def bounded_sum(values: Iterable[Any], /, start: Any = 0) -> Any:
+    """`sum`, which would join lists, too."""
+    if isinstance(start, (int, float)):
+        return sum(values, start)
+    for value in values:
+        start = OPERATORS["+"](start, value)
+    return start
+
+
+class _Text(type):
+    def __call__(cls, *given: Any) -> str:
+        return str(*map(told, given))
+
+    def __instancecheck__(cls, one: object) -> bool:
+        return isinstance(one, str)
+
+
+class BoundedText(str, metaclass=_Text):
+    """`str`, also where a law asks whether something is one."""
 
 
 def bounded_round(number: Any, digits: int | None = None) -> Any:

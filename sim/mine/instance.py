@@ -18,7 +18,14 @@ from sim.mine.allowed import BUILTINS, COUNT, RESULT, clean, parsed
 from sim.mine.arguments import ARGUMENTS, PLACES
 from sim.mine.bounded import PUT_IN
 from sim.mine.forgets import keeps_nothing
-from sim.mine.growing import OPERATORS, bounded_math, bounded_range, bounded_round
+from sim.mine.growing import (
+    OPERATORS,
+    BoundedText,
+    bounded_math,
+    bounded_range,
+    bounded_round,
+    bounded_sum,
+)
 from sim.mine.wrong import EndlessError, WrongLawError
 from sim.scene.problem import nearest
 from sim.scene.said import said
@@ -229,6 +236,8 @@ def _builtins() -> dict[str, Any]:
         "print": lambda *_, **__: None,
         "range": bounded_range,
         "round": bounded_round,
+        "str": BoundedText,
+        "sum": bounded_sum,
         "pow": OPERATORS["**"],
         "__import__": only_math,
     }

@@ -57,6 +57,38 @@ WRONG_TEXTS = {
     "a wide field": ("def force(overlap):\n    x = f'{1:100000}'\n    return 1\n", 2, ":100000"),
     "a reckoned width": ("def force(overlap):\n    x = f'{1:{9}}'\n    return 1\n", 2, ":{*}"),
     "a filled text": ("def force(overlap):\n    return len('a'.ljust(10 ** 6))\n", 2, "ljust"),
+    "bytes, whose width has no bound": (
+        "def force(overlap):\n    x = b'%99999d' % 1\n    return 1\n", 2, "b''"
+    ),
+    "a text put in for each letter": (
+        "def force(overlap):\n    return len('aa'.replace('a', 'b' * 9))\n", 2, "replace"
+    ),
+    "lists added up": (
+        "def force(overlap):\n    return len(sum([[0] * 9000] * 9, []))\n", 2, "list or text"
+    ),
+    "a list that is extended by itself": (
+        "def force(overlap):\n    a = [1]\n    a.extend(a)\n    return 1\n", 3, "extend"
+    ),
+    "a list put into itself": (
+        "def force(overlap):\n    a = [1]\n    a[0:0] = a\n    return 1\n", 3, "[:] ="
+    ),
+    "a list put into itself in place": (
+        "def force(overlap):\n    a = [1]\n    a[0:0] += a\n    return 1\n", 3, "[:] ="
+    ),
+    "a list made of itself": (
+        "def force(overlap):\n    a = [1]\n    for k in range(20):\n        a = [*a, *a]\n"
+        "    return 1\n", 4, "list or text"
+    ),
+    "a text made of itself": (
+        "def force(overlap):\n    a = 'a'\n    for k in range(20):\n        a = f'{a}{a}'\n"
+        "    return 1\n", 4, "list or text"
+    ),
+    "the text of a list of long texts": (
+        "def force(overlap):\n    return len(str([['a' * 9000] * 9] * 9))\n", 2, "list or text"
+    ),
+    "a long list in a text": (
+        "def force(overlap):\n    return len('%s' % (['a' * 9000] * 9,))\n", 2, "list or text"
+    ),
     "a factorial": (
         "import math\ndef force(overlap):\n    math.factorial(2000)\n    return 1\n", 3, "number"
     ),
@@ -145,7 +177,7 @@ def test_no_velocity_of_a_huge_force_is_told_that_is_no_number(force: str) -> No
         follow(read_scene(with_law(PAIR, text)))
 
 
-def test_bounds_change_nothing_of_what_a_law_reckons() -> None:
+def test_bounds_change_nothing_of_what_a_law_computes() -> None:
     text = """\
 seen = [0, [1]]
 
@@ -154,7 +186,8 @@ def force(overlap, side):
     seen[1] += [2, 3]
     seen[len(first) - 6] += len(first)
     same *= 2
-    seen[1][1:2] *= 3
+    low, *others = [*seen[1], *map(len, [str(side), f"{overlap:.2f} {n}"])]
+    assert isinstance(side, str) and sum(others, 0.5) and sum([[1], [2]], [3]) == [3, 1, 2]
     n **= 3
     n <<= 2
     word *= 2
@@ -162,7 +195,7 @@ def force(overlap, side):
     force.calls = n
     force.calls *= n
     square = lambda a: a * a
-    lengths = len(word) + sum(seen[1]) + seen[0]
+    lengths = len(word) + sum(seen[1]) + seen[0] + low + len(others)
     return n % 7 + lengths + square(n) / 7 + overlap * 3 ** 2 + force.calls
 """
     plain: dict[str, Any] = {}
