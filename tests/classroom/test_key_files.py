@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
@@ -41,9 +42,11 @@ def test_a_key_file_is_read_form_by_form() -> None:
 def test_damaged_key_files_are_refused_in_words() -> None:
     text = json.dumps(key_file("tests", "kinds", [read_question(SETS["single"]["question"])], []))
     cases = [text[:at] for at in range(0, len(text), 11)]
-    cases += ["", "[]", '{"kind": "newtons-carts-answers"}', "[" * 100_000, "NaN"]
+    cases += ["[]", '{"kind": "newtons-carts-answers"}', "[" * 100_000, "NaN"]
     cases += [text.replace('"marks"', '"mark"'), text.replace('"single"', '"other"', 1)]
     cases += [text.replace('"format": 1', '"format": 2', 1)]
+    cases += [re.sub('"marks": [0-9]', f'"marks": {much}', text) for much in ("Infinity", "1e400")]
+    assert len(set(cases)) == len(cases)  # each replaced something
     for case in cases:
         with pytest.raises(KeyFileError, match="file"):
             read_key_file(case)

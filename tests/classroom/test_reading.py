@@ -5,6 +5,9 @@ from __future__ import annotations
 import json
 import zipfile
 
+import pytest
+
+from sim.classroom.files import archive
 from sim.classroom.files.archive import LARGEST
 from sim.classroom.files.reading import Reading, Source
 from tests.classroom.given.makers import answers, bank, keys, packed, random_class, sources, zipped
@@ -28,6 +31,18 @@ def test_what_students_zipped_is_read_from_the_zip_of_a_platform() -> None:
     reading = Reading.of([Source("all.zip", whole)])
     assert len(reading.files) == len(GOOD)
     assert reading.files[0].name.startswith("all.zip/0.zip/")
+
+
+def test_a_zip_that_is_cut_short_is_told_also_where_its_last_entry_is_a_zip(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    inner = zipped(GOOD)
+    most = len(inner) + sum(len(one.content) for one in GOOD[:-1])
+    monkeypatch.setattr(archive, "MOST_UNPACKED", most)
+    reading = Reading.of([Source("all.zip", packed(lambda a: a.writestr("class.zip", inner)))])
+    assert len(reading.files) == len(GOOD) - 1
+    assert [refused.name for refused in reading.refused] == ["all.zip"]
+    assert "the rest was not read" in reading.refused[0].reason
 
 
 def test_a_key_file_is_recognised_by_what_is_in_it() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sim.bridge.protocol import answer
-from sim.classroom.files.codes import read_codes
+from sim.classroom.files.codes import MOST_LINES, read_codes
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
@@ -59,3 +59,12 @@ def test_a_code_tells_which_form_it_is_of() -> None:
     read, refused = read_codes(f"FOX pre {code}", reading.keys)
     assert not read
     assert "another form" in refused[0].reason
+
+
+def test_more_typed_lines_than_are_read_are_told() -> None:
+    lines = ["\n"] * MOST_LINES + [f"FOX-{k} 7K2M-Q9ZD-03HX\n" for k in range(MOST_LINES + 2)]
+    read, refused = read_codes("".join(lines), [])
+    assert not read
+    assert len(refused) == MOST_LINES + 1
+    assert f"FOX-{MOST_LINES}" in refused[-1].name
+    assert "more than 2,000 lines" in refused[-1].reason

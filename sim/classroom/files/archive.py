@@ -34,6 +34,7 @@ _IGNORED = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
 PASSWORD = template("this file has a password: make the zip without one")
 PACKED = template("this zip is packed in a way that is not known here: make an ordinary one")
 TOO_LARGE = template("this file is too large to be a file of answers")
+TOO_MUCH = template("this zip unpacks to far too much: the rest was not read")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,15 +74,15 @@ def entries(name: str, content: bytes, *, deep: bool = True) -> Iterator[Entry]:
             found, reason = _content(archive, entry)
             unpacked += len(found or b"")
             if unpacked > MOST_UNPACKED:
-                much = template("this zip unpacks to far too much: the rest was not read")
-                yield Entry(name, None, much)
+                yield Entry(name, None, TOO_MUCH)
                 return
             inner = f"{name}/{shown(entry.filename)}"
             if deep and found is not None and is_zip(found):
                 for one in entries(inner, found, deep=False):
                     unpacked += len(one.content or b"")
                     if unpacked > MOST_UNPACKED:
-                        break
+                        yield Entry(name, None, TOO_MUCH)
+                        return
                     yield one
             else:
                 yield Entry(inner, found, reason)

@@ -26,15 +26,21 @@ def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[
     """The answers behind each line, and the lines that hold none, with the reason."""
     read: list[Read] = []
     refused: list[Refused] = []
-    for line in [line.strip() for line in text.splitlines()][:MOST_LINES]:
-        if not line:
-            continue
+    lines = [line for one in text.splitlines() if (line := one.strip())]
+    for line in lines[:MOST_LINES]:
         found = _line(line, forms)
         if isinstance(found, str):
-            refused.append(Refused(said("typed: {line}", line=shown(line)[:60]), found))
+            refused.append(Refused(_typed(line), found))
         else:
             read.append(found)
+    if rest := lines[MOST_LINES:]:
+        reason = said("more than {most} lines: the rest was not read", most=f"{MOST_LINES:,}")
+        refused.append(Refused(_typed(rest[0]), reason))
     return read, refused
+
+
+def _typed(line: str) -> str:
+    return said("typed: {line}", line=shown(line)[:60])
 
 
 def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:

@@ -89,7 +89,7 @@ def read_key_file(text: str) -> tuple[KeyedForm, ...]:
         raise KeyFileError("this key file comes from another version of Newton's Carts")
     try:
         return tuple(_form(part, content) for part in content["forms"])
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError):
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, OverflowError):
         raise KeyFileError("this key file is damaged: write it again with `carts key`") from None
 
 

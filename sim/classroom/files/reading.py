@@ -148,12 +148,17 @@ def of_file(name: str, content: bytes) -> Outcome:
     except UnicodeDecodeError:
         return Refused(name, template("this is no text file, so it holds no answers"))
     try:
-        return Read(name, _slim(read_answer_file(text)))
-    except AnswerFileError as error:
-        return _of_teacher(name, text, reason_of(error))
+        return _of_text(name, text)
     except Exception as error:  # whatever one file does, the others of the class are read
         kind = type(error).__name__
         return Refused(name, said("this file cannot be read ({error})", error=kind))
+
+
+def _of_text(name: str, text: str) -> Outcome:
+    try:
+        return Read(name, _slim(read_answer_file(text)))
+    except AnswerFileError as error:
+        return _of_teacher(name, text, reason_of(error))
 
 
 def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:

@@ -56,7 +56,7 @@ class RowReader:
 
     def _student(self, row: Row) -> str:
         for places in self.layout.student:
-            words = [_cell(row, k) for k in places if _cell(row, k) not in NOTHING]
+            words = [_cell(row, k) for k in places if _cell(row, k).casefold() not in NOTHING]
             name = " ".join(words)
             if name and norm(name) not in ANONYMOUS:
                 return _short(name, template("the name of the student"))

@@ -242,3 +242,9 @@ def test_headings_tell_the_most_marks_and_the_test() -> None:
     assert split_form("energy 3") == ("", "energy 3")
     assert form_of("前测") == "pre"
     assert notes_of([]) == []
+
+
+@pytest.mark.parametrize("nobody", ["N/A", "n/a", "NULL", "None", "–"])
+def test_a_row_without_a_name_is_nobodys_however_that_is_written(nobody: str) -> None:
+    plain = csv(["Student", "Form", "q1", "q2"], [[nobody, "pre", "1", "0"], ["FOX", "pre", 1, 1]])
+    assert [row[0] for row in rows(plain)] == ["", "FOX"]
