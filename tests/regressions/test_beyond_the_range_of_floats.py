@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from sim.dynamics.loop.run import run
+from sim.dynamics.loop.run import is_of_the_numbers, run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import read_scene
+from tests.processor_time import budget
 from tests.regressions.given import cart
+
+SOON = 20.0
+"""s of processor time, on a slow machine; without a count of searches it is hours."""
 
 
 def test_magnets_that_are_met_too_fast_for_the_range_of_floats_are_refused() -> None:
@@ -41,3 +45,47 @@ def test_a_trial_series_that_leaves_the_range_of_floats_refuses_nothing() -> Non
     done = run(read_scene(plain), max_steps=2_000)
     assert done.stopped is None
     assert done.ledger.imbalance() < 1e-13
+
+
+def test_a_series_whose_coefficients_are_no_numbers_is_refused_and_no_search_goes_on() -> None:
+    plain = {
+        "carts": {"A": cart(0.1, 0.5, 1.92e-30), "B": cart(0.3, 0, 0.535)},
+        "track": {"left": "wall", "right": "wall", "length": 0.55},
+        "contact": {"law": "push-only", "restitution": 0.5, "stiffness": 105_000},
+        "effects": [{"incline": {"angle": "3 deg"}}],
+        "until": 3,
+    }
+    with pytest.raises(UnsolvedError, match="too large or too small"):
+        run(read_scene(plain))
+
+
+def test_searches_among_millions_of_swings_count_as_steps_and_end() -> None:
+    """D swings 10^7 times a second on its spring while C comes near; none of it is a step."""
+    plain = {
+        "carts": {"C": cart(1, -1), "D": cart(1.3, -0.3, 1e-19), "E": cart(1.7, 0.5)},
+        "contact": {"law": "push-only", "stiffness": 13.9},
+        "effects": [{"spring": {"between": ["D", "E"], "stiffness": 2.07, "length": 0.3}}],
+        "until": 3,
+    }
+    with budget(SOON):
+        done = run(read_scene(plain), max_steps=500)
+    assert done.stopped is not None
+
+
+@pytest.mark.parametrize(
+    ("error", "is_"),
+    [
+        (OverflowError("math range error"), True),
+        (ValueError("math domain error"), True),
+        (ValueError("expected a nonnegative input, got -1.0"), True),
+        (ValueError("-inf + inf in fsum"), True),
+        (ValueError("cannot convert float NaN to integer"), True),
+        (ValueError("not enough values to unpack (expected 2, got 1)"), False),
+        (ValueError("zip() argument 2 is shorter than argument 1"), False),
+        (ValueError("max() iterable argument is empty"), False),
+        (UnsolvedError("no solver", "none", 0.0, ()), False),
+    ],
+)
+def test_only_what_numbers_do_is_called_too_large_a_number(error: ValueError, is_: bool) -> None:
+    """A mistake of ours rises as what it is."""
+    assert is_of_the_numbers(error) == is_

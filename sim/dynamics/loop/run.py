@@ -9,6 +9,7 @@ from __future__ import annotations
 import gc
 import heapq
 import math
+import re
 from collections.abc import Callable
 
 from sim.dynamics.loop import contacts, recontact, release, synchronise
@@ -80,10 +81,15 @@ CLOSES = 1e-6
 its digits to numbers of very different size, and has no result."""
 
 
+OF_NUMBERS = re.compile(r"math domain error|expected a .* input|expected a number|NaN|inf")
+"""What Python's ValueErrors say where a number is beyond a function of it (3.14 in more words)."""
+
+
 def is_of_the_numbers(error: ArithmeticError | ValueError) -> bool:
-    """Did an operation fail for the size of its numbers? Lists that do not match are our fault."""
-    ours = isinstance(error, UnsolvedError) or str(error).startswith("zip()")
-    return not ours
+    """Did an operation fail for the size of its numbers? A list that is too short is our fault."""
+    if isinstance(error, UnsolvedError):
+        return False
+    return isinstance(error, ArithmeticError) or bool(OF_NUMBERS.search(str(error)))
 
 
 def out_of_range() -> UnsolvedError:

@@ -22,6 +22,10 @@ from sim.dynamics.state.clock import Time
 MISSED = 5e-9
 """Of the longest cart. Touches are found to rounding; with so much room left the search gave up."""
 
+A_SEARCH = 10
+"""Steps of a power series, in time: so much a search costs that came to its last look. A cart of
+1e-15 kg on a spring swings ten million times a second, and each swing is looked through."""
+
 
 class Simulation(Forming):
     """The handlers of the events of a run."""
@@ -35,6 +39,7 @@ class Simulation(Forming):
             if missed and not transitions.is_push(gap):
                 gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
                 self.predictions.gap(gap, now)  # the search came this far: they do not touch yet
+                self.steps += A_SEARCH
                 return
             self.begin(gap, now)
         elif isinstance(gap.solver, PairContact):

@@ -151,6 +151,8 @@ def first_fall(p: Poly, h: float) -> float | None:
             return None
     if t < AHEAD * h:
         return t
+    if not t <= h:
+        raise OverflowError("a coefficient is no number")
     rest = first_fall(shifted(q, t), h - t)  # bounds on what is left are closer
     return None if rest is None else t + rest
 
