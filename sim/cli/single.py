@@ -17,7 +17,7 @@ HERE = "Go to a folder that is yours, with room: for example in Documents."
 
 
 @click.command("single")
-@click.argument("name", metavar="PATH", type=click.Path())
+@click.argument("name", metavar="PATH")
 @click.option("--scene", "wanted", help="The id of the scene, where a lesson has several.")
 @click.option(
     "--out",
