@@ -80,7 +80,7 @@ const noListeners = {
 
 /**
  * Comments in front of a line are for readers of the source: esbuild drops them, but for those in the body of
- * a class, which every page would load.
+ * a class, and for types in the middle of a line, which every page would load.
  */
 const noComments = {
   name: "no-comments",
@@ -89,10 +89,9 @@ const noComments = {
       file.includes("node_modules")
         ? undefined
         : {
-            contents: readFileSync(file, "utf8").replace(
-              /^ *\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n/gm,
-              "",
-            ),
+            contents: readFileSync(file, "utf8")
+              .replace(/^ *\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n/gm, "")
+              .replace(/\/\*\* @type [^*]*\*\/ ?/g, ""),
             loader: "js",
           },
     );

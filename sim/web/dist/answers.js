@@ -37,10 +37,7 @@
   );
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -86,10 +83,7 @@
   function need(root, selector) {
     const found2 = root.querySelector(selector);
     if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found2
-    );
+    return found2;
   }
 
   // src/shared/tab.js
@@ -257,10 +251,7 @@
     }
   };
   function practised() {
-    const quizzes = (
-      /** @type {NodeListOf<HTMLElement>} */
-      document.querySelectorAll('carts-quiz[data-mode="practice"]')
-    );
+    const quizzes = document.querySelectorAll('carts-quiz[data-mode="practice"]');
     return [...quizzes].map((quiz) => quiz.dataset.form ?? "");
   }
 
@@ -513,10 +504,7 @@
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page = (
-      /** @type {any} */
-      globalThis
-    );
+    const page = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page[name] ??= /* @__PURE__ */ new Map();
     return page[name];
@@ -774,11 +762,7 @@
       hearStudent(this.all, () => this.#leave());
       document.addEventListener("carts-kept", () => void this.refresh());
       document.addEventListener("carts-forgotten", (event) => {
-        void this.#hear(
-          /** @type {CustomEvent} */
-          event.detail,
-          true
-        );
+        void this.#hear(event.detail, true);
       });
     }
     async #before(key) {
@@ -937,10 +921,7 @@
       const form2 = FORMS2.includes(entry.form) ? entry.form : "worksheet";
       const lesson = entry.lesson ?? page.split("/").pop() ?? "page";
       const name = `${page} ${form2}`;
-      const group = groups.get(name) ?? { lesson, form: form2, page, kept: (
-        /** @type {any[]} */
-        []
-      ) };
+      const group = groups.get(name) ?? { lesson, form: form2, page, kept: [] };
       group.kept.push(entry);
       groups.set(name, group);
     }
@@ -974,18 +955,15 @@
   }
   function item(entry) {
     const { id, hash: hash2 = "", type, value, first = null, last = null, tries = 0 } = entry;
-    const made2 = (
-      /** @type {Record<string, unknown>} */
-      {
-        id,
-        hash: hash2,
-        type,
-        value,
-        first,
-        last,
-        tries
-      }
-    );
+    const made2 = {
+      id,
+      hash: hash2,
+      type,
+      value,
+      first,
+      last,
+      tries
+    };
     for (const name of [...TEXTS, "own", "set", "found", "right", "before"]) {
       const more = entry[name];
       if (more !== void 0 && more !== null && more !== "") made2[name] = more;
@@ -1051,18 +1029,15 @@
     const { id, hash: hash2, type, value, first, last, tries } = row;
     const good = typeof id === "string" && ID.test(id) && (hash2 === "" || HASH.test(String(hash2))) && typeof type === "string" && /^[a-z][a-z-]{2,23}$/.test(type) && [first, last].every((time) => time === null || TIME.test(String(time))) && Number.isInteger(tries) && tries >= 0 && tries <= MOST_TRIES && isPlain(value, 0);
     if (!good) return null;
-    const entry = (
-      /** @type {Record<string, unknown>} */
-      {
-        id,
-        hash: hash2,
-        type,
-        value,
-        first,
-        last,
-        tries
-      }
-    );
+    const entry = {
+      id,
+      hash: hash2,
+      type,
+      value,
+      first,
+      last,
+      tries
+    };
     for (const name of TEXTS) {
       if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
     }
@@ -1108,10 +1083,7 @@
     return made2;
   }
   function button(text, act, name = "") {
-    const made2 = (
-      /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text)
-    );
+    const made2 = html("button", `carts-button ${name}`.trim(), text);
     made2.type = "button";
     made2.addEventListener("click", act);
     return made2;
@@ -1137,10 +1109,7 @@
   }
   function codeBox(text) {
     const label = html("label", "", `${text} `);
-    const box = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-answers-code")
-    );
+    const box = html("input", "carts-answers-code");
     Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
     box.placeholder = "BLUE-FOX-27";
     label.append(box);
@@ -1160,15 +1129,12 @@
   }
 
   // src/answers/panel-files.js
-  var NAMES = (
-    /** @type {Record<string, string>} */
-    {
-      worksheet: tr("worksheet"),
-      pre: tr("test before"),
-      post: tr("test after"),
-      delayed: tr("last test")
-    }
-  );
+  var NAMES = {
+    worksheet: tr("worksheet"),
+    pre: tr("test before"),
+    post: tr("test after"),
+    delayed: tr("last test")
+  };
   var AFTER_SAVING = 1500;
   function filesPart(book2) {
     const root = part("files", tr("Hand in: save a file"));
@@ -1240,8 +1206,7 @@
   function askWhose(place2, book2, keep) {
     const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
     const above = document.querySelector(".carts-answers-who .carts-answers-code");
-    box.value = /** @type {HTMLInputElement | null} */
-    above?.value ?? "";
+    box.value = above?.value ?? "";
     const told2 = status();
     const withCode = async () => {
       const found2 = readCode(box.value);
@@ -1288,10 +1253,7 @@
   function importRow(book2, told2) {
     const row = html("p", "carts-answers-import");
     const label = html("label", "", `${tr("Bring answers back from a file")} `);
-    const box = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-answers-open")
-    );
+    const box = html("input", "carts-answers-open");
     Object.assign(box, { type: "file", accept: ".json,application/json" });
     label.append(box);
     row.append(label);
@@ -1397,14 +1359,11 @@
   }
 
   // src/question/opening.js
-  var NAMES2 = (
-    /** @type {Record<string, string>} */
-    {
-      pre: tr("the test before the lesson"),
-      post: tr("the test after the lesson"),
-      delayed: tr("the last test")
-    }
-  );
+  var NAMES2 = {
+    pre: tr("the test before the lesson"),
+    post: tr("the test after the lesson"),
+    delayed: tr("the last test")
+  };
   function reasons(rule, state) {
     const why = [];
     if (rule.word && !state.words.includes(rule.word)) {
@@ -1491,10 +1450,7 @@
         this.#leaving.abort();
       }
       #listen() {
-        const word = (
-          /** @type {HTMLInputElement} */
-          need(this, ".carts-quiz-word")
-        );
+        const word = need(this, ".carts-quiz-word");
         need(this, ".carts-quiz-open").addEventListener(
           "click",
           () => void this.#tryWord(word.value)
@@ -1520,10 +1476,7 @@
         };
       }
       #questions() {
-        return (
-          /** @type {any[]} */
-          [...this.querySelectorAll("carts-question")]
-        );
+        return [...this.querySelectorAll("carts-question")];
       }
       #follow() {
         const { handed, words: words3 } = this.state;
@@ -1675,10 +1628,7 @@
     return [...scenes, () => say(head, text)];
   }
   function blank(scene) {
-    const { asBaked } = (
-      /** @type {any} */
-      scene
-    );
+    const { asBaked } = scene;
     const untouched = scene.matches(".carts-asks:not(:has(.carts-saved:not(:empty)))");
     if (!asBaked || untouched) return () => {
     };
@@ -1832,10 +1782,7 @@
   }
   var KEY = "carts-teacher-word";
   function ask(link, sum) {
-    const place2 = (
-      /** @type {HTMLElement} */
-      link.parentElement
-    );
+    const place2 = link.parentElement;
     const asking = place2.querySelector("input");
     asking?.focus();
     if (asking) return Promise.resolve(false);
@@ -1898,10 +1845,7 @@
     return root;
   }
   function wanted() {
-    const link = (
-      /** @type {HTMLElement | null} */
-      document.querySelector(".carts-teach-door a")
-    );
+    const link = document.querySelector(".carts-teach-door a");
     const sum = link?.dataset.word ?? "";
     return recall(KEY) === sum ? "" : sum;
   }
@@ -2270,14 +2214,8 @@
       this.marked = marked2;
       this.root = root;
       this.place = need(root, ".carts-q-feedback");
-      const check2 = (
-        /** @type {HTMLElement | null} */
-        root.querySelector(".carts-q-check")
-      );
-      const box = (
-        /** @type {HTMLElement | null} */
-        root.querySelector("input.carts-q-typed")
-      );
+      const check2 = root.querySelector(".carts-q-check");
+      const box = root.querySelector("input.carts-q-typed");
       box?.addEventListener("keydown", ({ key, isComposing }) => {
         if (key === "Enter" && !isComposing) check2?.click();
       });
@@ -2287,14 +2225,8 @@
         this.place.removeAttribute("aria-live");
         this.marked(...this.#show(tried));
       });
-      const hints = (
-        /** @type {HTMLElement[]} */
-        [...need(root, ".carts-q-hints").children]
-      );
-      const more = (
-        /** @type {HTMLButtonElement | null} */
-        root.querySelector(".carts-q-hint")
-      );
+      const hints = [...need(root, ".carts-q-hints").children];
+      const more = root.querySelector(".carts-q-hint");
       more?.addEventListener("click", () => {
         const next = hints.find((hint) => hint.hidden);
         if (next) next.hidden = false;
@@ -2310,10 +2242,7 @@
       return this.#show(tried)[0];
     }
     #show({ value, own, tries }) {
-      const facts = (
-        /** @type {any} */
-        this.root.facts
-      );
+      const facts = this.root.facts;
       const found2 = mark(facts, value, own);
       this.root.dataset.verdict = found2.verdict;
       const names = new Set(found2.shown);
@@ -2376,10 +2305,7 @@
 
   // src/question/forms/part-mark.js
   function mark2(place2, verdict) {
-    const sign = (
-      /** @type {HTMLElement} */
-      place2.querySelector(".carts-q-cell-mark")
-    );
+    const sign = place2.querySelector(".carts-q-cell-mark");
     const words3 = { right: tr("right"), wrong: tr("not yet"), "": "" };
     place2.dataset.verdict = verdict;
     sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words3[verdict];
@@ -2387,24 +2313,12 @@
 
   // src/question/forms/arrange.js
   function orderForm(root, changed) {
-    const list = (
-      /** @type {HTMLElement} */
-      root.querySelector(".carts-q-lines")
-    );
+    const list = root.querySelector(".carts-q-lines");
     let touched = false;
-    const items2 = () => (
-      /** @type {HTMLElement[]} */
-      [...list.children]
-    );
-    const buttons = () => (
-      /** @type {HTMLButtonElement[]} */
-      [...list.querySelectorAll("button")]
-    );
+    const items2 = () => [...list.children];
+    const buttons = () => [...list.querySelectorAll("button")];
     list.addEventListener("click", ({ target }) => {
-      const button2 = (
-        /** @type {Element} */
-        target.closest("button")
-      );
+      const button2 = target.closest("button");
       const item2 = button2?.closest("li");
       if (!button2 || !item2) return;
       const up = button2.classList.contains("carts-q-up");
@@ -2436,14 +2350,8 @@
     };
   }
   function matchForm(root, changed) {
-    const rows2 = (
-      /** @type {HTMLElement[]} */
-      [...root.querySelectorAll("[data-left]")]
-    );
-    const select = (row) => (
-      /** @type {HTMLSelectElement} */
-      row.querySelector("select")
-    );
+    const rows2 = [...root.querySelectorAll("[data-left]")];
+    const select = (row) => row.querySelector("select");
     for (const row of rows2) {
       select(row).addEventListener("change", () => {
         for (const other of rows2) mark2(other, "");
@@ -2481,14 +2389,8 @@
 
   // src/question/forms/choice.js
   function choiceForm(root, changed) {
-    const body = (
-      /** @type {HTMLElement} */
-      root.querySelector(".carts-q-body")
-    );
-    const inputs = (
-      /** @type {HTMLInputElement[]} */
-      [...body.querySelectorAll("input")]
-    );
+    const body = root.querySelector(".carts-q-body");
+    const inputs = [...body.querySelectorAll("input")];
     const several = inputs.some((input) => input.type === "checkbox");
     for (const input of inputs) input.addEventListener("change", changed);
     const picked = () => inputs.filter((input) => input.checked);
@@ -2520,29 +2422,22 @@
 
   // src/question/forms/diagram.js
   var APART = 7;
-  var NEXT = (
-    /** @type {Record<string, number>} */
-    {
-      ArrowRight: 1,
-      ArrowDown: 1,
-      ArrowLeft: -1,
-      ArrowUp: -1
-    }
-  );
+  var NEXT = {
+    ArrowRight: 1,
+    ArrowDown: 1,
+    ArrowLeft: -1,
+    ArrowUp: -1
+  };
   var Diagram = class {
     #picked = null;
     #open = false;
     constructor(root, names, join) {
       this.names = names;
       this.join = join;
-      this.picture = /** @type {SVGSVGElement} */
-      root.querySelector(".carts-q-diagram");
-      this.drawn = /** @type {SVGElement} */
-      root.querySelector(".carts-q-drawn");
-      this.status = /** @type {HTMLElement} */
-      root.querySelector(".carts-q-picked");
-      this.nodes = /** @type {SVGGElement[]} */
-      [...root.querySelectorAll(".carts-q-node")];
+      this.picture = root.querySelector(".carts-q-diagram");
+      this.drawn = root.querySelector(".carts-q-drawn");
+      this.status = root.querySelector(".carts-q-picked");
+      this.nodes = [...root.querySelectorAll(".carts-q-node")];
       put(this.picture, "role", "group");
       put(this.picture, "aria-label", tr("Choose one object, then the other."));
       for (const [k, node] of this.nodes.entries()) this.#listen(node, k);
@@ -2573,11 +2468,7 @@
         node.addEventListener("pointermove", move);
         const end = (now) => {
           for (const kind of ["pointerup", "pointercancel"]) {
-            node.removeEventListener(
-              kind,
-              /** @type {EventListener} */
-              end
-            );
+            node.removeEventListener(kind, end);
           }
           node.removeEventListener("pointermove", move);
           this.drawn.querySelector(".carts-q-rubber")?.remove();
@@ -2668,23 +2559,14 @@
     const links = /* @__PURE__ */ new Map();
     let verdicts = {};
     let open2 = null;
-    const radios = (
-      /** @type {HTMLInputElement[]} */
-      [
-        ...root.querySelectorAll(".carts-q-ways input")
-      ]
-    );
+    const radios = [
+      ...root.querySelectorAll(".carts-q-ways input")
+    ];
     const adder = need(root, ".carts-q-add");
-    const [first, how, second] = (
-      /** @type {HTMLSelectElement[]} */
-      [
-        ...adder.querySelectorAll("select")
-      ]
-    );
-    const add2 = (
-      /** @type {HTMLButtonElement} */
-      need(adder, "button")
-    );
+    const [first, how, second] = [
+      ...adder.querySelectorAll("select")
+    ];
+    const add2 = need(adder, "button");
     const list = need(root, ".carts-q-linked");
     const status2 = need(root, ".carts-q-picked");
     if (!first || !how || !second) throw new Error("this diagram lacks its lists");
@@ -2693,10 +2575,7 @@
     const sorted = () => [...links].sort(([a], [b]) => a.localeCompare(b, "en")).map(([, link]) => link);
     const diagram = new Diagram(root, objects, (a, b) => toggle(a, b));
     function toggle(a, b, by = way()) {
-      const link = (
-        /** @type {Link} */
-        { between: [objects[a], objects[b]], by }
-      );
+      const link = { between: [objects[a], objects[b]], by };
       const gone = links.delete(name(link));
       if (!gone) links.set(name(link), link);
       touched(link, gone);
@@ -2722,20 +2601,14 @@
       const [a, b] = link.between;
       const line = html("li");
       const verdict = verdicts[name(link)] ?? "";
-      const remove = (
-        /** @type {HTMLButtonElement} */
-        html("button", "carts-button", "×")
-      );
+      const remove = html("button", "carts-button", "×");
       put(remove, "type", "button");
       put(remove, "aria-label", tr("Remove: {link}", { link: words2(link) }));
       remove.disabled = add2.disabled;
       remove.addEventListener("click", () => {
         links.delete(name(link));
         touched(link, true);
-        const next = (
-          /** @type {HTMLElement | null} */
-          list.querySelector("button")
-        );
+        const next = list.querySelector("button");
         (next ?? first)?.focus();
       });
       const said = html("span", "carts-q-text");
@@ -2787,10 +2660,7 @@
         for (const link of Array.isArray(value) ? value : []) {
           const known2 = linkName(objects, link?.between, link?.by);
           const [a, b, by] = known2.split("-");
-          const between = (
-            /** @type {[string, string]} */
-            [a, b].map((k) => objects[Number(k) - 1])
-          );
+          const between = [a, b].map((k) => objects[Number(k) - 1]);
           if (known2) links.set(known2, { between, by: String(by) });
         }
         show();
@@ -2823,10 +2693,7 @@
     let high = times.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times[middle] <= t
-      ) low = middle + 1;
+      if (times[middle] <= t) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -2838,10 +2705,7 @@
     return hermite(times, values, slopes, k, t);
   }
   function hermite(times, values, slopes, k, t) {
-    const at2 = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
+    const at2 = ((c, i) => c[i]);
     const h = at2(times, k + 1) - at2(times, k);
     const s = (t - at2(times, k)) / h;
     if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s;
@@ -2981,10 +2845,7 @@
   // src/question/forms/run.js
   var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };
   function ownReading(facts) {
-    const scene = (
-      /** @type {any} */
-      document.getElementById(facts.scene)
-    );
+    const scene = document.getElementById(facts.scene);
     const run = scene?.trajectory;
     const set = setBy(scene);
     if (!run) return { own: null, set };
@@ -2999,20 +2860,14 @@
   }
   var changes = /* @__PURE__ */ new WeakMap();
   document.addEventListener("carts-update", (event) => {
-    const { target, detail } = (
-      /** @type {CustomEvent} */
-      event
-    );
+    const { target, detail } = event;
     if (target instanceof Element) changes.set(target, detail);
   });
   document.addEventListener(RESET, ({ target }) => {
     if (target instanceof Element) changes.delete(target);
   });
   function setBy(scene) {
-    return changes.get(
-      /** @type {Element} */
-      scene
-    ) ?? {};
+    return changes.get(scene) ?? {};
   }
   function masses(scene) {
     const found2 = {};
@@ -3026,10 +2881,7 @@
     return found2;
   }
   function drawnForm(root, _changed, facts) {
-    const done = (
-      /** @type {HTMLElement} */
-      root.querySelector(".carts-q-done")
-    );
+    const done = root.querySelector(".carts-q-done");
     return {
       value: null,
       enable: () => {
@@ -3076,15 +2928,9 @@
   var [LEFT, RIGHT, TOP, BOTTOM] = [50, 305, 15, 160];
   var COUNT = 4;
   function tableForm(root, changed, facts) {
-    const places = (
-      /** @type {HTMLElement[]} */
-      [...root.querySelectorAll("[data-cell]")]
-    );
+    const places = [...root.querySelectorAll("[data-cell]")];
     const name = (place2) => String(place2.dataset.cell);
-    const box = (place2) => (
-      /** @type {HTMLInputElement} */
-      place2.querySelector("input")
-    );
+    const box = (place2) => place2.querySelector("input");
     const label = (place2) => box(place2).getAttribute("aria-label") ?? "";
     const unit = (place2) => facts.cells[name(place2)]?.unit ?? "";
     const read = (place2) => readNumber(box(place2).value, facts.cells[name(place2)]?.units ?? {});
@@ -3144,32 +2990,20 @@
     };
   }
   function plot(root, { rows: rows2, plot: plot2, given }, value) {
-    const known2 = (
-      /** @type {Record<string, unknown>} */
-      { ...given, ...value }
-    );
+    const known2 = { ...given, ...value };
     const [x, y] = plot2 ?? [1, 2];
     const points = rows2.map((_, r) => [known2[`${r + 1}-${x}`], known2[`${r + 1}-${y}`]]).filter((pair) => pair.every((number3) => typeof number3 === "number"));
-    const columns = [0, 1].map((k) => (
-      /** @type {number[]} */
-      points.map((point) => point[k])
-    ));
+    const columns = [0, 1].map((k) => points.map((point) => point[k]));
     const [across, up] = columns.map((all) => axis(Math.min(0, ...all), Math.max(0, ...all), COUNT));
     if (!across || !up) return;
     const at2 = (number3) => px(LEFT + (number3 - across.low) / (across.high - across.low) * (RIGHT - LEFT));
     const high = (number3) => px(BOTTOM - (number3 - up.low) / (up.high - up.low) * (BOTTOM - TOP));
     const numbers = (one) => ticks(one).map((tick) => ({ tick, text: fixed(tick, axisDecimals(one)) }));
     const lines = (xs, ys) => xs.map((one) => `M${at2(one)} ${TOP}V${BOTTOM}`).join("") + ys.map((one) => `M${LEFT} ${high(one)}H${RIGHT}`).join("");
-    const part2 = (name) => (
-      /** @type {Element} */
-      root.querySelector(`.carts-q-plot .${name}`)
-    );
+    const part2 = (name) => root.querySelector(`.carts-q-plot .${name}`);
     put(part2("carts-grid"), "d", lines(ticks(across), ticks(up)));
     put(part2("carts-q-axes"), "d", lines([0], [0]));
-    const place2 = (
-      /** @type {Element} */
-      root.querySelector(".carts-q-points")
-    );
+    const place2 = root.querySelector(".carts-q-points");
     place2.replaceChildren(
       ...numbers(across).map(
         ({ tick, text }) => tickText(text, at2(tick), `${BOTTOM + 16}`, "middle")
@@ -3226,10 +3060,7 @@
     };
   }
   function typedBox(root, changed) {
-    const box = (
-      /** @type {HTMLInputElement | HTMLTextAreaElement} */
-      root.querySelector(".carts-q-typed")
-    );
+    const box = root.querySelector(".carts-q-typed");
     box.addEventListener("input", changed);
     return box;
   }
@@ -3340,10 +3171,7 @@
         return { id, hash: hash2, type, value: null, first: null, last: null, tries: 0 };
       }
       #certainty() {
-        return (
-          /** @type {HTMLInputElement[]} */
-          [...this.querySelectorAll(".carts-q-sure input")]
-        );
+        return [...this.querySelectorAll(".carts-q-sure input")];
       }
       #restore() {
         this.#say("");

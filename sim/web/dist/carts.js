@@ -142,14 +142,11 @@
   function told({ v: v2, energy, evaluations }) {
     const speeds = Object.entries(v2.stepped).map(([name, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
-      return (
-        /** @type {[string, string, string]} */
-        [
-          `velocity of ${name} at the end`,
-          got,
-          `${plain(Number(v2.exact[name]), 4)} m/s`
-        ]
-      );
+      return [
+        `velocity of ${name} at the end`,
+        got,
+        `${plain(Number(v2.exact[name]), 4)} m/s`
+      ];
     });
     const { initial, stepped, exact, imbalance } = energy;
     return [
@@ -383,28 +380,19 @@
   function need(root, selector) {
     const found3 = root.querySelector(selector);
     if (!found3) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found3
-    );
+    return found3;
   }
   function parsed(markup) {
     const holder = document.createElement("template");
     holder.innerHTML = markup;
-    return (
-      /** @type {HTMLElement} */
-      holder.content.firstElementChild
-    );
+    return holder.content.firstElementChild;
   }
   function onResize(element, act) {
     if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
   }
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -496,10 +484,7 @@
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 10, 510, 322];
   var TICKS_Y = BOTTOM + 16;
   var MADE = "energy was made";
-  var UNITS = (
-    /** @type {Record<string, string>} */
-    { stiffness: "N/m", mass: "kg" }
-  );
+  var UNITS = { stiffness: "N/m", mass: "kg" };
   var cell = (count2) => ({ wide: (RIGHT - LEFT) / count2, high: (BOTTOM - TOP) / count2 });
   function squares({ parts: parts2 }, map, method) {
     const { wide, high } = cell(parts2.length);
@@ -589,10 +574,7 @@
       const picture2 = need(root, ".carts-breaks-picture");
       picture2.addEventListener("click", (event) => {
         const { left, top, width, height } = picture2.getBoundingClientRect();
-        const { clientX, clientY } = (
-          /** @type {MouseEvent} */
-          event
-        );
+        const { clientX, clientY } = event;
         const [wide, high] = (picture2.getAttribute("viewBox") ?? "").split(" ").slice(2).map(Number);
         const x2 = (clientX - left) / width * Number(wide);
         const { column, row } = pointAt(breaks, x2, (clientY - top) / height * Number(high));
@@ -602,16 +584,10 @@
       });
     }
     #part(part) {
-      return (
-        /** @type {HTMLSelectElement} */
-        need(this.root, `.carts-breaks-${part}`)
-      );
+      return need(this.root, `.carts-breaks-${part}`);
     }
     get #map() {
-      return (
-        /** @type {Breaks["maps"][0]} */
-        this.breaks.maps[Number(this.#part("map").value)]
-      );
+      return this.breaks.maps[Number(this.#part("map").value)];
     }
     get #chosen() {
       const point = {
@@ -668,10 +644,7 @@
       const request = () => ({ kind: "cost", scene, ...what });
       const { header } = await client2.ask(need(root, ".carts-cost-go"), request);
       if (going() && !header.ok) throw refusal(header.problems ?? []);
-      return (
-        /** @type {any} */
-        header
-      );
+      return header;
     };
     await client2.need(PACKAGES);
     const found3 = [];
@@ -683,10 +656,7 @@
       found3.push(...answer.rows);
       rows(found3);
       if (answer.not_run) refused(answer.not_run.method, answer.not_run.reason);
-      const progress = (
-        /** @type {HTMLProgressElement} */
-        need(root, ".carts-cost-progress")
-      );
+      const progress = need(root, ".carts-cost-progress");
       progress.value = (row + 1) / of;
       say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
     }
@@ -701,10 +671,7 @@
       this.root = root;
     }
     of(part) {
-      return (
-        /** @type {HTMLSelectElement} */
-        need(this.root, `.carts-cost-${part}`)
-      );
+      return need(this.root, `.carts-cost-${part}`);
     }
     get scene() {
       return this.of("scene").value;
@@ -861,18 +828,9 @@
   // src/cost/guess.js
   function guessFirst(root, rows) {
     const [form2, known2] = [need(root, ".carts-cost-guess"), need(root, ".carts-cost-known")];
-    const error = (
-      /** @type {HTMLSelectElement} */
-      need(root, ".carts-cost-error")
-    );
-    const bet = (
-      /** @type {HTMLSelectElement} */
-      need(root, ".carts-cost-bet")
-    );
-    const times2 = (
-      /** @type {HTMLInputElement} */
-      need(root, ".carts-cost-times")
-    );
+    const error = need(root, ".carts-cost-error");
+    const bet = need(root, ".carts-cost-bet");
+    const times2 = need(root, ".carts-cost-times");
     const skip = need(root, ".carts-cost-skip");
     form2.hidden = false;
     known2.hidden = true;
@@ -960,10 +918,7 @@
       this.at(0);
     }
     #lay() {
-      const { bodies, track } = (
-        /** @type {CostHeader} */
-        this.header
-      );
+      const { bodies, track } = this.header;
       const paths = this.exact ?? [];
       const ends = bodies.flatMap(({ length }, k) => {
         const all = paths[k] ?? [0];
@@ -975,10 +930,7 @@
       this.left = left;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
       const shape = (k, name) => {
-        const { mass, length } = (
-          /** @type {CostHeader["bodies"][0]} */
-          bodies[k]
-        );
+        const { mass, length } = bodies[k];
         const height = LOWEST + (TALLEST - LOWEST) * mass / heaviest;
         const width = length * Number(this.scale);
         const box2 = {
@@ -1013,10 +965,7 @@
       return SIDE + (x2 - Number(this.left)) * Number(this.scale);
     }
     #plot(stepped, exact) {
-      const { until } = (
-        /** @type {CostHeader} */
-        this.header
-      );
+      const { until } = this.header;
       const start = exact[0] || 1;
       const { left, top, right, bottom } = ENERGY;
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
@@ -1091,10 +1040,7 @@
     const focused = document.activeElement === (on ? go : stop);
     go.hidden = on;
     stop.hidden = !on;
-    const progress = (
-      /** @type {HTMLProgressElement} */
-      need(root, ".carts-cost-progress")
-    );
+    const progress = need(root, ".carts-cost-progress");
     progress.hidden = !on;
     progress.value = 0;
     if (focused) (on ? stop : go).focus();
@@ -1142,10 +1088,7 @@
           () => void this.compute()
         );
         need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
-        const scrub = (
-          /** @type {HTMLInputElement} */
-          need(this, ".carts-cost-scrub")
-        );
+        const scrub = need(this, ".carts-cost-scrub");
         scrub.addEventListener("input", () => {
           this.#player?.pause();
           this.#player?.seek(scrub.valueAsNumber);
@@ -1185,17 +1128,11 @@
           this.#note(
             point ? `From the map below: ${point.told} Change anything here to go back.` : ""
           );
-          this.#show({ header: (
-            /** @type {any} */
-            header
-          ), numbers });
+          this.#show({ header, numbers });
           if (!point) this.#mark();
           this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
         } catch (error) {
-          if (generation === this.#generation) this.#fail(
-            /** @type {Error} */
-            error
-          );
+          if (generation === this.#generation) this.#fail(error);
         }
       }
       measure() {
@@ -1233,10 +1170,7 @@
           say(need(this, ".carts-cost-say"), just + left.join(""));
         } catch (error) {
           this.#measuring = 0;
-          this.#fail(
-            /** @type {Error} */
-            error
-          );
+          this.#fail(error);
           say(need(this, ".carts-cost-say"), "");
         } finally {
           if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, false);
@@ -1274,10 +1208,7 @@
         this.#player.seek(this.#player.playing ? this.#player.time : run.header.until);
       }
       #frame() {
-        const player = (
-          /** @type {Player} */
-          this.#player
-        );
+        const player = this.#player;
         this.#stage?.at(player.time);
         this.classList.toggle("carts-is-playing", player.playing);
         say(need(this, ".carts-cost-play"), player.playing ? "Pause" : "Play");
@@ -1366,10 +1297,7 @@
       connectedCallback() {
         if (this.#cases) return;
         this.#cases = JSON.parse(need(this, ".carts-hard-baked").textContent ?? "");
-        const go = (
-          /** @type {HTMLButtonElement} */
-          need(this, ".carts-hard-go")
-        );
+        const go = need(this, ".carts-hard-go");
         go.disabled = false;
         go.addEventListener("click", () => {
           this.complete = this.#run();
@@ -1406,27 +1334,18 @@
             if (this.#turn !== turn) return;
             if (!header.ok) throw refusal(header.problems ?? []);
             this.#live();
-            const answer = (
-              /** @type {any} */
-              header
-            );
+            const answer = header;
             this.answers[name] = answer;
             this.#show(name, one, answer);
             seconds += answer.exact.seconds;
             good += isGood(one, answer.exact.got) ? 1 : 0;
-            const bar2 = (
-              /** @type {HTMLProgressElement} */
-              need(this, ".carts-hard-progress")
-            );
+            const bar2 = need(this, ".carts-hard-progress");
             bar2.value = k + 1;
             this.#say(progressWords(k + 1, all.length));
           }
           this.#say(doneWords(good, all.length, seconds));
         } catch (error) {
-          this.#fail(
-            /** @type {Error & {reason?: string}} */
-            error
-          );
+          this.#fail(error);
         } finally {
           if (this.#turn === turn) this.#working(false);
           if (this.#turn === turn) this.#turn = 0;
@@ -1540,10 +1459,7 @@
   }
   function hasTwoWalls(track) {
     return ["left", "right"].every(
-      (side) => track[
-        /** @type {"left" | "right"} */
-        side
-      ] === "wall" && whatIs(side, track) === "wall"
+      (side) => track[side] === "wall" && whatIs(side, track) === "wall"
     );
   }
   function kind(name, track) {
@@ -1665,10 +1581,7 @@
         text: whose + tiltText(angle),
         x: px(x2 + length + 10),
         y: px(y2),
-        anchor: (
-          /** @type {const} */
-          "start"
-        )
+        anchor: "start"
       };
       return [
         { key, cls: "carts-wedge", behind: true, d: d2 },
@@ -1772,14 +1685,8 @@
     return layout.track - above - LANE * (layout.lanes - 1 - i2 % layout.lanes);
   }
   function spring(start, end2) {
-    const low = (
-      /** @type {number} */
-      SPRING[0]
-    );
-    const high = (
-      /** @type {number} */
-      SPRING[1]
-    );
+    const low = SPRING[0];
+    const high = SPRING[1];
     const step = (end2 - start) / 4;
     let d2 = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
@@ -1861,10 +1768,7 @@
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts2[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
+        parts2[quantity][key] = Float64Array.from(column);
       }
     }
     return parts2;
@@ -1877,10 +1781,7 @@
     let high = times2.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t3
-      ) low = middle + 1;
+      if (times2[middle] <= t3) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -1892,10 +1793,7 @@
     return hermite(times2, values, slopes, k, t3);
   }
   function hermite(times2, values, slopes, k, t3) {
-    const at3 = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c2, i2) => c2[i2])
-    );
+    const at3 = ((c2, i2) => c2[i2]);
     const h2 = at3(times2, k + 1) - at3(times2, k);
     const s3 = (t3 - at3(times2, k)) / h2;
     if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
@@ -2135,10 +2033,7 @@
     #header = null;
     constructor(root, switches, change2) {
       for (const { set } of switches) {
-        const box2 = (
-          /** @type {HTMLInputElement | null} */
-          root.querySelector(`[data-switch="${CSS.escape(set)}"]`)
-        );
+        const box2 = root.querySelector(`[data-switch="${CSS.escape(set)}"]`);
         if (!box2) continue;
         this.#boxes.set(set, box2);
         box2.addEventListener("change", (event) => change2(set, box2.checked, event.timeStamp));
@@ -2153,22 +2048,14 @@
         if (pending.has(set)) continue;
         const effect = effectOf(set, header);
         if (effect) box2.checked = effect.active;
-        need(
-          /** @type {Element} */
-          box2.closest(".carts-switch"),
-          ".carts-error"
-        ).hidden = true;
+        need(box2.closest(".carts-switch"), ".carts-error").hidden = true;
       }
     }
     complain(target, message) {
       const box2 = this.#boxes.get(target);
       if (!box2) return false;
       if (this.#header) this.show(this.#header);
-      const error = need(
-        /** @type {Element} */
-        box2.closest(".carts-switch"),
-        ".carts-error"
-      );
+      const error = need(box2.closest(".carts-switch"), ".carts-error");
       say(error, message);
       error.hidden = false;
       return true;
@@ -2195,10 +2082,7 @@
     constructor(root, controls, { change: change2, stops = () => void 0 }, switches = []) {
       this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
-        const element = (
-          /** @type {HTMLElement | null} */
-          root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
-        );
+        const element = root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`);
         if (element) this.#views.set(control.set, new ControlView(element, control, change2, stops));
       }
     }
@@ -2231,10 +2115,8 @@
     constructor(root, control, change2, stops) {
       this.root = root;
       this.control = control;
-      this.slider = /** @type {HTMLInputElement} */
-      need(root, ".carts-slider");
-      this.box = /** @type {HTMLInputElement} */
-      need(root, ".carts-number-box");
+      this.slider = need(root, ".carts-slider");
+      this.box = need(root, ".carts-number-box");
       this.error = need(root, ".carts-error");
       this.decimals = Math.max(
         ...[control.step, control.low, control.value].map((v2) => decimalsOf(v2))
@@ -2246,10 +2128,7 @@
         this.take(values?.[nearest(values, to)] ?? to, event.timeStamp);
       });
       this.slider.addEventListener("keydown", (event) => {
-        const by = KEYS[
-          /** @type {keyof typeof KEYS} */
-          event.key
-        ];
+        const by = KEYS[event.key];
         const values = stops(control.set);
         if (!by || !values) return;
         event.preventDefault();
@@ -2339,10 +2218,7 @@
   function valueIn(header, target) {
     const [owner, key] = target.split(".");
     const body2 = header.bodies.find(({ name }) => name === owner);
-    if (body2) return Number(
-      /** @type {any} */
-      body2[String(key)]
-    );
+    if (body2) return Number(body2[String(key)]);
     if (target === "until" || target === "gravity") return header[target];
     if (target === "track.length") return header.track.length;
     if (owner === "contact" && (key === "restitution" || key === "stiffness")) {
@@ -2359,10 +2235,8 @@
       this.axis = axis2;
       this.values = axis2.values;
       this.decimals = axisDecimals2(axis2);
-      this.slider = /** @type {HTMLInputElement} */
-      need(root, ".carts-slider");
-      this.box = /** @type {HTMLInputElement} */
-      need(root, ".carts-number-box");
+      this.slider = need(root, ".carts-slider");
+      this.box = need(root, ".carts-number-box");
       this.error = need(root, ".carts-error");
       this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
       const typed = () => this.#typed(chosen);
@@ -2624,10 +2498,7 @@
       put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
     }
     #laid() {
-      const canvas = (
-        /** @type {HTMLCanvasElement} */
-        html("canvas", "carts-map-canvas")
-      );
+      const canvas = html("canvas", "carts-map-canvas");
       canvas.setAttribute("aria-hidden", "true");
       canvas.style.left = `${100 * LEFT3 / WIDTH2}%`;
       canvas.style.top = `${100 * TOP3 / this.height}%`;
@@ -2637,10 +2508,7 @@
       return canvas;
     }
     #along(k, place4, draw) {
-      const along = (
-        /** @type {import("../../../view/map/types.js").Axis} */
-        this.facts.axes[k]
-      );
+      const along = this.facts.axes[k];
       const value = shown(Number(this.axes[k]?.[place4]), along);
       return draw(value, span(along.low, along.high, 1));
     }
@@ -2658,10 +2526,7 @@
 
   // src/map/run-point.js
   async function runPoint(id, values, tell2) {
-    const scene = (
-      /** @type {any} */
-      document.getElementById(id)
-    );
+    const scene = document.getElementById(id);
     if (typeof scene?.set !== "function") return;
     try {
       tell2("");
@@ -2670,10 +2535,7 @@
       scene.scrollIntoView({ block: "start" });
       scene.querySelector(".carts-play")?.focus({ preventScroll: true });
     } catch (error) {
-      tell2(
-        /** @type {Error} */
-        error.message
-      );
+      tell2(error.message);
     }
   }
 
@@ -2684,10 +2546,7 @@
       const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
       if (typeof value !== "number" || !root) continue;
       const shown3 = Number((value / per).toPrecision(12));
-      const box2 = (
-        /** @type {HTMLInputElement} */
-        need(root, ".carts-number-box")
-      );
+      const box2 = need(root, ".carts-number-box");
       need(root, ".carts-slider").valueAsNumber = shown3;
       if (box2 !== document.activeElement) {
         const decimals = Math.max(decimalsOf(shown3), decimalsOf(step));
@@ -2696,10 +2555,7 @@
     }
   }
   function showProgress(map, done, runs) {
-    const bar2 = (
-      /** @type {HTMLProgressElement} */
-      need(map, ".carts-map-progress")
-    );
+    const bar2 = need(map, ".carts-map-progress");
     bar2.value = done / runs;
     bar2.style.visibility = done < runs ? "visible" : "hidden";
   }
@@ -2771,15 +2627,9 @@
         this.#facts = facts;
         this.#places = facts.here;
         this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
-        const roots = (
-          /** @type {NodeListOf<HTMLElement>} */
-          this.querySelectorAll(".carts-map-axis")
-        );
+        const roots = this.querySelectorAll(".carts-map-axis");
         this.#axes = [...roots].map((root, k) => {
-          const axis2 = (
-            /** @type {import("../../../view/map/types.js").Axis} */
-            facts.axes[k]
-          );
+          const axis2 = facts.axes[k];
           return new AxisControl(
             root,
             axis2,
@@ -2829,10 +2679,7 @@
       }
       async #open() {
         this.dataset.state = "starting";
-        const button = (
-          /** @type {HTMLButtonElement} */
-          need(this, ".carts-map-open")
-        );
+        const button = need(this, ".carts-map-open");
         button.disabled = true;
         say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
         try {
@@ -2849,10 +2696,7 @@
           if (run instanceof HTMLButtonElement) run.disabled = false;
           if (focused) this.#axes[0]?.slider.focus();
         } catch (error) {
-          this.#fail(
-            /** @type {Error & {reason?: string}} */
-            error
-          );
+          this.#fail(error);
         }
       }
       #fail(error) {
@@ -2921,10 +2765,7 @@
         if (!this.#grid) return;
         this.#places = places;
         const value = this.#valueAt(places);
-        const facts = (
-          /** @type {MapFacts} */
-          this.#facts
-        );
+        const facts = this.#facts;
         const told4 = valueText2(value, facts);
         const text = Number.isNaN(value) ? told4 : `${told4} ${facts.unit}`;
         for (const [k, control] of this.#axes.entries()) {
@@ -3087,8 +2928,7 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
-  var isFetching = () => isOnWeb() && !/** @type {any} */
-  globalThis.__cartsInside;
+  var isFetching = () => isOnWeb() && !globalThis.__cartsInside;
   async function areKept(addresses) {
     if (!globalThis.navigator?.serviceWorker?.controller) return false;
     const asked4 = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
@@ -3471,10 +3311,7 @@
           this.progress(name);
           return bytes;
         } catch (error) {
-          reject(
-            /** @type {RuntimeFailure} */
-            error
-          );
+          reject(error);
           return new Promise(() => {
           });
         }
@@ -3664,10 +3501,7 @@
     return client2;
   }
   function besideScript(folder) {
-    const script = (
-      /** @type {HTMLScriptElement | null} */
-      document.currentScript
-    );
+    const script = document.currentScript;
     const own = new URL(script?.src || document.baseURI);
     return new URL(`${folder}${own.search}`, own).href;
   }
@@ -4115,10 +3949,7 @@
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page2 = (
-      /** @type {any} */
-      globalThis
-    );
+    const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
@@ -4401,12 +4232,9 @@
       this.id = `${id}-forces`;
       this.kept = new Kept(this.id);
       this.found = found3;
-      this.which = /** @type {HTMLSelectElement} */
-      need(root, ".carts-find-which");
-      this.box = /** @type {HTMLInputElement} */
-      need(root, ".carts-find-value input");
-      this.button = /** @type {HTMLButtonElement} */
-      need(root, ".carts-find-form button");
+      this.which = need(root, ".carts-find-which");
+      this.box = need(root, ".carts-find-value input");
+      this.button = need(root, ".carts-find-form button");
       this.note = need(root, ".carts-find-note");
       need(root, ".carts-find-form").addEventListener("submit", (event) => {
         event.preventDefault();
@@ -4441,10 +4269,7 @@
       return new Map([...found3].filter(([key, said]) => now.get(key) === said));
     }
     #said({ cart, other, value }) {
-      const track = (
-        /** @type {Run} */
-        this.#run.header.track
-      );
+      const track = this.#run.header.track;
       const told4 = { cart, other: body(other, track), force: short(value) };
       return tr("mean force on {cart} by {other}: {force} N", told4);
     }
@@ -4479,16 +4304,8 @@
       if (Math.abs(ratio + 1) <= NEAR) {
         return tr("The size is right. Which way does the force point? + is to the right.");
       }
-      const mass = massOf(
-        /** @type {Run} */
-        this.#run,
-        mean.cart
-      );
-      const others = isWall(mean.other) ? [] : [massOf(
-        /** @type {Run} */
-        this.#run,
-        mean.other
-      )];
+      const mass = massOf(this.#run, mean.cart);
+      const others = isWall(mean.other) ? [] : [massOf(this.#run, mean.other)];
       if (others.some((other) => Math.abs(Math.abs(ratio * mass / other) - 1) <= NEAR)) {
         return tr(
           "That would fit the mass of {other}. The velocity of {cart} goes with the mass of {cart}.",
@@ -4500,12 +4317,7 @@
         { cart: mean.cart }
       );
       if (this.#tries < MANY2) return steps2;
-      const v2 = (t3) => short(velocity(
-        /** @type {Run} */
-        this.#run,
-        mean.cart,
-        t3
-      ));
+      const v2 = (t3) => short(velocity(this.#run, mean.cart, t3));
       const here = tr(
         "Here: m = {mass} kg, v before {before} m/s, v after {after} m/s, Δt = {time} s.",
         {
@@ -4554,10 +4366,7 @@
     void new Kept(`${id}-forces`).forget();
   }
   function showForces(element, said) {
-    const template = (
-      /** @type {HTMLTemplateElement} */
-      need(element, "template.carts-shown")
-    );
+    const template = need(element, "template.carts-shown");
     const script = need(element, "script.carts-baked");
     const baked = JSON.parse(script.textContent ?? "");
     const differs = JSON.parse(template.dataset.baked ?? "");
@@ -4585,10 +4394,7 @@
     return bakedOf(JSON.parse(need(element, "script.carts-baked").textContent ?? ""));
   }
   function bakedOf({ fence, view, numbers, ...header }) {
-    const known2 = (
-      /** @type {import("../../../view/types.js").Header} */
-      header
-    );
+    const known2 = header;
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
@@ -4659,10 +4465,7 @@
   var [BUMPERS, WARMED] = ["bumpers", "warmed"];
   var AROUND = tr("surroundings");
   function needsParts({ fence }) {
-    return (
-      /** @type {unknown[]} */
-      (fence.scene.effects ?? []).length > 0
-    );
+    return (fence.scene.effects ?? []).length > 0;
   }
   function askParts(root) {
     return new Promise((resolve) => {
@@ -4738,10 +4541,7 @@
   function asked3(element, { contacts, track }) {
     const { pair = "", on = "" } = element.dataset;
     const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-    const side = (
-      /** @type {"left" | "right"} */
-      bodies[0] === on ? "left" : "right"
-    );
+    const side = bodies[0] === on ? "left" : "right";
     const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
     return {
       pair,
@@ -4749,10 +4549,7 @@
       name: forceOn(body(on, track), body(by, track)),
       side,
       style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
-      slider: (
-        /** @type {HTMLInputElement} */
-        need(element, 'input[type="range"]')
-      )
+      slider: need(element, 'input[type="range"]')
     };
   }
   function greatest(run, pair) {
@@ -4786,20 +4583,14 @@
       this.decimals = baked.view.decimals.F ?? 2;
       this.draw = draw;
       const { header } = baked.run;
-      const elements = (
-        /** @type {NodeListOf<HTMLElement>} */
-        root.querySelectorAll(".carts-guess")
-      );
+      const elements = root.querySelectorAll(".carts-guess");
       this.#rows = [...elements].map((element) => {
         const row = {
           ...asked3(element, header),
           size: null,
           good: null,
           // the last size that was not taken back: half-typed numbers do not count
-          box: (
-            /** @type {HTMLInputElement} */
-            need(element, 'input[type="text"]')
-          ),
+          box: need(element, 'input[type="text"]'),
           error: need(element, ".carts-error")
         };
         row.slider.addEventListener(
@@ -4868,14 +4659,10 @@
           html("span"),
           ...rows.map((row) => html("b", `${row.style} ${row.side}`, row.name))
         );
-        for (
-          const [who, style] of
-          /** @type {const} */
-          [
-            [tr("you"), "carts-guessed"],
-            [tr("the run"), "carts-block-arrow"]
-          ]
-        ) {
+        for (const [who, style] of [
+          [tr("you"), "carts-guessed"],
+          [tr("the run"), "carts-block-arrow"]
+        ]) {
           grid.append(html("span", "", who));
           for (const row of rows) {
             const size = style === "carts-guessed" ? row.size ?? 0 : actual;
@@ -5001,10 +4788,7 @@
       [
         tr("changes evenly in the first half"),
         (h2) => {
-          const [first, second] = (
-            /** @type {[number, number]} */
-            steps(h2)
-          );
+          const [first, second] = steps(h2);
           const least = Math.min(Math.abs(first), Math.abs(second));
           return least > little(h2) && even([first, second], little(h2));
         }
@@ -5087,8 +4871,7 @@
       const free = places.find(
         ({ gap: gap2, row: [low, high] }) => curves.every((heights) => !crosses(heights, gap2, low, high))
       );
-      const { gap, row } = free ?? /** @type {typeof places[0]} */
-      places[0];
+      const { gap, row } = free ?? places[0];
       text.setAttribute("x", px(LEFT4 + STEP2 * gap + (middle ? STEP2 / 2 : INSET)));
       text.setAttribute("y", String(row[2]));
     }
@@ -5110,11 +4893,8 @@
       this.quantity = spec.quantity;
       this.place = pad(spec.quantity);
       this.changed = changed;
-      this.pad = /** @type {SVGSVGElement} */
-      /** @type {unknown} */
-      need(root, ".carts-pad");
-      this.boxes = /** @type {HTMLInputElement[]} */
-      [...root.querySelectorAll(".carts-height")];
+      this.pad = need(root, ".carts-pad");
+      this.boxes = [...root.querySelectorAll(".carts-height")];
       this.boxes.forEach((box2, k) => {
         box2.addEventListener("input", () => {
           if (Number.isFinite(box2.valueAsNumber)) this.#take(k, box2.valueAsNumber);
@@ -5277,10 +5057,7 @@
       this.draw = draw;
       this.relation = need(root, ".carts-relation");
       const { header } = baked.run;
-      const elements = (
-        /** @type {NodeListOf<HTMLElement>} */
-        root.querySelectorAll(".carts-guess")
-      );
+      const elements = root.querySelectorAll(".carts-guess");
       this.#rows = [...elements].map((element) => {
         const row = { ...asked3(element, header), share: null };
         row.slider.addEventListener("input", () => {
@@ -5393,8 +5170,7 @@
     #asked = false;
     constructor(root, chosen) {
       const radios = root.querySelectorAll(".carts-certainty input");
-      this.radios = /** @type {HTMLInputElement[]} */
-      [...radios];
+      this.radios = [...radios];
       for (const radio of this.radios) radio.addEventListener("change", () => chosen(radio.value));
     }
     passedOver() {
@@ -5429,8 +5205,7 @@
   var Why = class {
     constructor(root, changed) {
       this.line = need(root, ".carts-why");
-      this.box = /** @type {HTMLTextAreaElement} */
-      need(this.line, "textarea");
+      this.box = need(this.line, "textarea");
       this.box.addEventListener("input", () => changed(this.box.value));
     }
     show(text) {
@@ -5470,8 +5245,7 @@
   // src/predict/words.js
   var ChoiceForm = class {
     constructor(root, changed) {
-      this.radios = /** @type {HTMLInputElement[]} */
-      [
+      this.radios = [
         ...root.querySelectorAll('.carts-options input[type="radio"]')
         // not those of how sure one is
       ];
@@ -5500,8 +5274,7 @@
   };
   var WordsForm = class {
     constructor(root, changed) {
-      this.box = /** @type {HTMLTextAreaElement} */
-      need(root, ".carts-words");
+      this.box = need(root, ".carts-words");
       this.box.addEventListener("input", changed);
     }
     get value() {
@@ -5529,10 +5302,7 @@
     #entry;
     #keeping;
     constructor(root, baked, draw, locked, forgotten) {
-      const spec = (
-        /** @type {import("../../../view/types.js").PredictSpec} */
-        baked.fence.predict
-      );
+      const spec = baked.fence.predict;
       this.root = root;
       this.spec = spec;
       this.forgotten = forgotten;
@@ -5543,8 +5313,7 @@
       };
       this.#keeping = new Keeping(root, baked.fence.id);
       this.error = need(root, ".carts-predict-error");
-      this.button = /** @type {HTMLButtonElement} */
-      need(root, ".carts-lock");
+      this.button = need(root, ".carts-lock");
       this.#entry = {
         id: baked.fence.id,
         type: spec.kind,
@@ -5716,10 +5485,7 @@
 
   // src/shared/bring.js
   function bring(name, address) {
-    const known2 = () => (
-      /** @type {any} */
-      globalThis[name] ?? null
-    );
+    const known2 = () => globalThis[name] ?? null;
     if (known2()) return Promise.resolve(known2());
     return new Promise((resolve) => {
       const script = document.createElement("script");
@@ -5748,8 +5514,7 @@
       this.acts = acts;
       this.first = baked.fence.watch === "first";
       this.asked = baked.fence.predict !== null;
-      this.button = /** @type {HTMLButtonElement | null} */
-      element.querySelector(".carts-end");
+      this.button = element.querySelector(".carts-end");
       this.button?.addEventListener("click", () => {
         if (this.whole) return compared(element).focus();
         player.pause();
@@ -6110,8 +5875,7 @@
       this.view = view;
       this.client = client2;
       this.message = message;
-      this.details = /** @type {HTMLDetailsElement} */
-      need(root, ".carts-how");
+      this.details = need(root, ".carts-how");
       this.details.addEventListener("toggle", () => this.#opened());
       root.addEventListener(WATCHED, () => this.details.isConnected && this.#opened());
     }
@@ -6162,14 +5926,8 @@
       try {
         const { header } = await this.client.ask(this.#measuring, () => this.message({}));
         if (turn !== this.#turn || !this.#panel) return;
-        const answer = (
-          /** @type {any} */
-          header
-        );
-        const used = (
-          /** @type {any} */
-          this.#exact?.header?.evaluations?.solvers ?? {}
-        );
+        const answer = header;
+        const used = this.#exact?.header?.evaluations?.solvers ?? {};
         const formulas = formulasWords(used);
         if (header.ok) say(this.#panel.cost, `${formulas} ${costWords(answer)}`.trim());
       } catch {
@@ -6200,10 +5958,7 @@
         );
         if (turn !== this.#turn) return;
         if (!header.ok) throw refusal(header.problems ?? []);
-        const how = (
-          /** @type {any} */
-          header.how
-        );
+        const how = header.how;
         this.view.show({ header, trajectory: fromWire(header, numbers) }, exact);
         panel.tell(comparedWords(how));
         say(panel.note, "");
@@ -6212,8 +5967,7 @@
         if (turn !== this.#turn) return;
         this.#showExact();
         panel.tell([]);
-        say(panel.note, `${/** @type {Error} */
-        error.message} ${FAILED}`);
+        say(panel.note, `${error.message} ${FAILED}`);
       }
     }
     #tellBeside(text) {
@@ -6243,8 +5997,7 @@
     constructor(root, client2, message) {
       this.client = client2;
       this.message = message;
-      this.details = /** @type {HTMLDetailsElement} */
-      need(root, ".carts-model");
+      this.details = need(root, ".carts-model");
       this.details.addEventListener("toggle", () => this.#opened(0));
     }
     follow(run) {
@@ -6265,10 +6018,7 @@
       try {
         const { header } = await this.client.ask(this.#owner, this.message);
         if (turn !== this.#turn) return;
-        const { ok, rungs, reads } = (
-          /** @type {any} */
-          header
-        );
+        const { ok, rungs, reads } = header;
         if (!ok) throw new Error("refused");
         need(place4, ".carts-ladder").replaceChildren(...lines2(rungs, reads));
         say(note2, "");
@@ -6371,10 +6121,7 @@
   var MOST_HANDS = 999;
   var listening = /* @__PURE__ */ new WeakSet();
   function offerProjector(scene) {
-    const button = (
-      /** @type {HTMLButtonElement} */
-      need(scene, ".carts-project")
-    );
+    const button = need(scene, ".carts-project");
     button.disabled = false;
     const bar2 = html("p", "carts-project-bar");
     const [reveal, next] = [
@@ -6386,10 +6133,7 @@
     button.addEventListener("click", () => void project(scene, !isOn(scene)));
     reveal.addEventListener("click", () => void scene.reveal?.());
     next.addEventListener("click", () => {
-      const all = (
-        /** @type {Scene[]} */
-        [...document.querySelectorAll("carts-scene")]
-      );
+      const all = [...document.querySelectorAll("carts-scene")];
       const following = all[(all.indexOf(scene) + 1) % all.length];
       if (following) void project(following, true);
     });
@@ -6398,11 +6142,8 @@
     if (listening.has(scene)) return;
     listening.add(scene);
     scene.addEventListener("keydown", (event) => {
-      const typing = (
-        /** @type {Element} */
-        event.target.matches(
-          "input:not([type=range]), textarea, select"
-        )
+      const typing = event.target.matches(
+        "input:not([type=range]), textarea, select"
       );
       if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
       if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
@@ -6414,10 +6155,7 @@
   document.addEventListener("fullscreenchange", () => {
     if (!document.fullscreenElement) for (const scene of shown2()) mark(scene, false);
   });
-  var shown2 = () => (
-    /** @type {NodeListOf<Scene>} */
-    document.querySelectorAll(`.${PROJECTED}`)
-  );
+  var shown2 = () => document.querySelectorAll(`.${PROJECTED}`);
   var isOn = (scene) => scene.classList.contains(PROJECTED);
   async function project(scene, on) {
     for (const other of shown2()) if (other !== scene) mark(other, false);
@@ -6453,21 +6191,14 @@
     line3.append(box2, bar2, part);
     option2.after(line3);
     box2.addEventListener("input", () => {
-      const boxes = (
-        /** @type {NodeListOf<HTMLInputElement>} */
-        scene.querySelectorAll(".carts-hands input")
-      );
+      const boxes = scene.querySelectorAll(".carts-hands input");
       const hands = (one) => Math.min(MOST_HANDS, Math.max(0, Math.round(one.valueAsNumber || 0)));
       const all = [...boxes].reduce((sum, one) => sum + hands(one), 0);
       for (const one of boxes) {
         const share = all ? hands(one) / all : 0;
-        const meter = (
-          /** @type {HTMLMeterElement} */
-          one.nextElementSibling
-        );
+        const meter = one.nextElementSibling;
         meter.value = share;
         say(
-          /** @type {Element} */
           meter.nextElementSibling,
           tr("{part} of {all}", { part: hands(one), all })
         );
@@ -6612,20 +6343,14 @@
     return new XMLSerializer().serializeToString(whole);
   }
   function alone2(original) {
-    const copy = (
-      /** @type {Element} */
-      original.cloneNode(true)
-    );
+    const copy = original.cloneNode(true);
     const [from, to] = [
       [original, ...original.querySelectorAll("*")],
       [copy, ...copy.querySelectorAll("*")]
     ];
     from.forEach((part, i2) => {
       const style = getComputedStyle(part);
-      const made3 = (
-        /** @type {Element} */
-        to[i2]
-      );
+      const made3 = to[i2];
       if (style.display === "none" && part.closest("defs") === null)
         made3.setAttribute("display", "none");
       for (const property of PROPERTIES) {
@@ -6717,10 +6442,7 @@
   }
   function outside(header) {
     const { effects, track } = header;
-    const sides = (
-      /** @type {const} */
-      ["left", "right"]
-    );
+    const sides = ["left", "right"];
     const walls = sides.filter((side) => track[side] === "wall").map((side) => kind(side, track));
     const kinds = kindsOnOne(header).map(viewOf);
     const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
@@ -7206,10 +6928,7 @@
       scene.time = asked4.t;
       scene.scrollIntoView();
     } catch (error) {
-      const { message } = (
-        /** @type {Error} */
-        error
-      );
+      const { message } = error;
       say2(tr("This link does not fit this scene: {why}", { why: message }));
     }
   }
@@ -7227,10 +6946,7 @@
     for (const [key, value] of Object.entries(scene)) {
       if (key === "carts") {
         lines4.push("carts:");
-        for (const [name, cart] of Object.entries(
-          /** @type {object} */
-          value
-        )) {
+        for (const [name, cart] of Object.entries(value)) {
           lines4.push(`  ${name}: ${flow(cart)}`);
         }
       } else lines4.push(`${key}: ${flow(value)}`);
@@ -7337,10 +7053,7 @@ ${lines4.join("\n")}
         block: () => offer(sceneBlock(fence, state().settings))
       };
       place4.addEventListener("click", async (event) => {
-        const button = (
-          /** @type {Element} */
-          event.target.closest("button")
-        );
+        const button = event.target.closest("button");
         const act = acts[button?.dataset.take ?? ""];
         if (!act) return;
         try {
@@ -7348,10 +7061,7 @@ ${lines4.join("\n")}
           code.replaceChildren();
           await act();
         } catch (error) {
-          const { message } = (
-            /** @type {Error} */
-            error
-          );
+          const { message } = error;
           say(note2, tr("This browser could not do it: {why}", { why: message }));
         }
       });
@@ -7376,18 +7086,12 @@ ${lines4.join("\n")}
       const set = { ...acts.settings() };
       const { header } = await client2.ask(writing, () => ({ kind: "model", scene, set }));
       if (!header.ok) throw refusal(header.problems ?? []);
-      return String(
-        /** @type {any} */
-        header.text
-      );
+      return String(header.text);
     };
     new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }), program);
     offerProjector(element);
     need(element, ".carts-frame").addEventListener(WANTED, (event) => {
-      const { detail } = (
-        /** @type {CustomEvent} */
-        event
-      );
+      const { detail } = event;
       detail.heard = true;
       const set = { ...acts.settings() };
       client2.ask(counting, () => ({ kind: "energy", scene, set })).then(
@@ -7448,11 +7152,7 @@ ${lines4.join("\n")}
     }
     listen(signal) {
       this.client.addEventListener("state", () => this.follow(), { signal });
-      for (
-        const what of
-        /** @type {const} */
-        ["slow", "slow-line"]
-      ) {
+      for (const what of ["slow", "slow-line"]) {
         this.client.addEventListener(what, () => this.#slow(what), { once: true, signal });
       }
       addEventListener("hashchange", () => this.#link(), { signal });
@@ -7500,12 +7200,8 @@ ${lines4.join("\n")}
         this.#link();
       } catch (error) {
         if (this.client.state === "failed") return;
-        if (again && /** @type {any} */
-        error.refused) return this.#begin(false);
-        this.#fail(
-          /** @type {Error} */
-          error
-        );
+        if (again && error.refused) return this.#begin(false);
+        this.#fail(error);
       }
     }
     #mark() {
@@ -7863,17 +7559,8 @@ ${lines4.join("\n")}
         name: forceOn(body(name, run.header.track), body(by, run.header.track)),
         on: name,
         by,
-        way: (
-          /** @type {const} */
-          "along"
-        ),
-        side: isLeft ? (
-          /** @type {const} */
-          "right"
-        ) : (
-          /** @type {const} */
-          "left"
-        ),
+        way: "along",
+        side: isLeft ? "right" : "left",
         value: isLeft ? -size : size
       };
     }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
@@ -7982,14 +7669,10 @@ ${lines4.join("\n")}
     constructor(stage, layout, baked, acts) {
       const { controls } = baked.fence;
       for (const { name } of baked.run.header.bodies) {
-        for (
-          const [key, part, metres] of
-          /** @type {const} */
-          [
-            ["position", "carts-cart", 1 / layout.scale],
-            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
-          ]
-        ) {
+        for (const [key, part, metres] of [
+          ["position", "carts-cart", 1 / layout.scale],
+          ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
+        ]) {
           const control = controls.find(({ set }) => set === `${name}.${key}`);
           const group2 = stage.querySelector(`.${part}[data-body="${name}"]`);
           if (!control || !group2) continue;
@@ -7997,10 +7680,7 @@ ${lines4.join("\n")}
           group2.addEventListener("pointerdown", (event) => {
             const value = acts.value(control.set);
             if (!acts.ready() || value === null) return;
-            const down = (
-              /** @type {PointerEvent} */
-              event
-            );
+            const down = event;
             const unit = layout.width / stage.getBoundingClientRect().width;
             const from = value / control.per;
             const perUnit = metres * unit / control.per;
@@ -8011,10 +7691,7 @@ ${lines4.join("\n")}
           group2.addEventListener("pointermove", (event) => {
             const held = this.#held;
             if (held?.control !== control) return;
-            const move = (
-              /** @type {PointerEvent} */
-              event
-            );
+            const move = event;
             const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
             if (value === held.sent) return;
             held.sent = value;
@@ -8047,8 +7724,7 @@ ${lines4.join("\n")}
       this.root = root;
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals.p ?? 2;
-      this.rows = /** @type {NodeListOf<HTMLElement>} */
-      root.querySelectorAll("tbody tr");
+      this.rows = root.querySelectorAll("tbody tr");
       this.since = need(root, ".carts-touch-note");
     }
     show(run, windows) {
@@ -8110,10 +7786,7 @@ ${lines4.join("\n")}
       this.per = speedUnit(baked.view.velocity)[0];
       this.zero = NOISE * (baked.view.force || 1);
       this.note = need(root, ".carts-touch-note");
-      const vertical = (
-        /** @type {HTMLInputElement} */
-        need(root, ".carts-vertical")
-      );
+      const vertical = need(root, ".carts-vertical");
       vertical.addEventListener("change", () => {
         this.#vertical = vertical.checked;
         this.root.classList.toggle("carts-with-vertical", vertical.checked);
@@ -8167,19 +7840,12 @@ ${lines4.join("\n")}
       forces2.forEach((force2, k) => {
         const length = arrowLength(force2.value, this.view.force, FULL);
         const cut = isCut(force2.value, this.view.force);
-        const path3 = (
-          /** @type {Element} */
-          group2.children[k]
-        );
+        const path3 = group2.children[k];
         const [x2, y2] = tail(force2);
         put(path3, "class", "carts-block-arrow");
         put(path3, "d", (cut ? cutArrow : blockArrow)(x2, y2, length));
         put(path3, "transform", force2.way === "up" ? `rotate(-90 ${px(x2)} ${px(y2)})` : "");
-        say(
-          /** @type {Element} */
-          list.children[k],
-          this.#sentence(force2, cut)
-        );
+        say(list.children[k], this.#sentence(force2, cut));
       });
       const picture2 = need(card, "svg");
       put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
@@ -8289,10 +7955,7 @@ ${lines4.join("\n")}
   }
   function thingPaths(what, wall, layout, dent, height) {
     const place4 = pressed(what, wall, layout, dent, height);
-    const { own, lines: lines4 } = (
-      /** @type {(place: Place) => Made} */
-      MADE2[what](place4)
-    );
+    const { own, lines: lines4 } = MADE2[what](place4);
     const inner = mounting(what, wall, layout, place4.back);
     const far = wall.edge + wall.way * THICK;
     const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
@@ -8351,10 +8014,7 @@ ${lines4.join("\n")}
   var TOP5 = 22;
   var FOOT = 88;
   var ARM2 = 12;
-  var THICK2 = (
-    /** @type {Record<string, number>} */
-    { spring: 12, board: 24 }
-  );
+  var THICK2 = { spring: 12, board: 24 };
   var SOLID2 = 12;
   var FAR = 720;
   var PITCH2 = 16;
@@ -8376,24 +8036,9 @@ ${lines4.join("\n")}
     put(rect, "width", px(thick));
     const behind = end2 + out * thick;
     const from = what === "board" ? `M${px(back)} ${TOP5 + ARM2}H${px(behind)}V${TOP5}` : `M${px(back)} ${TOP5}`;
-    put(
-      /** @type {Element} */
-      mounting2,
-      "d",
-      `${from}h${out * FAR}V${FOOT}H${px(back)}Z`
-    );
-    put(
-      /** @type {Element} */
-      lines4,
-      "class",
-      what === "spring" ? "carts-coil" : "carts-fine"
-    );
-    put(
-      /** @type {Element} */
-      lines4,
-      "d",
-      inside(what, { ...thing, back, behind })
-    );
+    put(mounting2, "d", `${from}h${out * FAR}V${FOOT}H${px(back)}Z`);
+    put(lines4, "class", what === "spring" ? "carts-coil" : "carts-fine");
+    put(lines4, "d", inside(what, { ...thing, back, behind }));
   }
   function inside(what, { end: end2, depth, back, behind }) {
     if (what === "board") return `M${px((end2 + behind) / 2)} ${TOP5}V${FOOT}`;
@@ -8431,8 +8076,7 @@ ${lines4.join("\n")}
       this.root = root;
       this.view = baked.view;
       [this.layout] = baked.view.layouts;
-      this.scene = /** @type {HTMLElement} */
-      root.closest("carts-scene");
+      this.scene = root.closest("carts-scene");
       this.plot = need(root, "svg");
       this.note = need(root, ".carts-lens-note");
       onResize(root, () => {
@@ -8584,10 +8228,7 @@ ${lines4.join("\n")}
     constructor(root, baked) {
       this.frames = root.querySelectorAll(".carts-views");
       for (const section of root.querySelectorAll(".carts-view")) {
-        const element = (
-          /** @type {HTMLElement} */
-          section
-        );
+        const element = section;
         const kind2 = KINDS2[element.dataset.view ?? ""];
         if (kind2) this.#views.push(new kind2[1](element, baked, () => this.#again()));
       }
@@ -8800,10 +8441,7 @@ ${lines4.join("\n")}
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
     marks2(need(root, '[data-part="times"]'), times2.length, (line3, text, i2) => {
-      const { at: at3, textX, label } = (
-        /** @type {(typeof times)[number]} */
-        times2[i2]
-      );
+      const { at: at3, textX, label } = times2[i2];
       put(line3, "class", "carts-grid");
       put(line3, "d", `M${at3} ${TOP6}V${BOTTOM5}`);
       put(text, "class", "carts-tick-x");
@@ -8812,10 +8450,7 @@ ${lines4.join("\n")}
       say(text, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line3, text, i2) => {
-      const { at: at3, textY, label, zero } = (
-        /** @type {(typeof rows)[number]} */
-        rows[i2]
-      );
+      const { at: at3, textY, label, zero } = rows[i2];
       put(line3, "class", zero ? "carts-zero" : "carts-grid");
       put(line3, "d", `M${LEFT5} ${at3}H${RIGHT4}`);
       put(text, "class", "carts-tick-y");
@@ -8837,9 +8472,7 @@ ${lines4.join("\n")}
     while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
     for (let i2 = 0; i2 < count2; i2 += 1) {
       draw(
-        /** @type {Element} */
         group2.children[2 * i2],
-        /** @type {Element} */
         group2.children[2 * i2 + 1],
         i2
       );
@@ -8904,18 +8537,8 @@ ${lines4.join("\n")}
       }
       const end2 = Math.min(t3, touch.end);
       const outline2 = (sign) => under(run, touch, plane, end2, sign);
-      put(
-        /** @type {Element} */
-        paths[0],
-        "d",
-        outline2(1)
-      );
-      if (signed) put(
-        /** @type {Element} */
-        paths[1],
-        "d",
-        outline2(-1)
-      );
+      put(paths[0], "d", outline2(1));
+      if (signed) put(paths[1], "d", outline2(-1));
       const impulse = area2(run, touch.pair, touch.start, end2);
       const names = dashed(touch.bodies, run.header.track);
       const amount3 = fixed(impulse, this.decimals);
@@ -9068,10 +8691,7 @@ ${lines4.join("\n")}
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
       this.tops.forEach((top, i2) => {
-        const path3 = (
-          /** @type {Element} */
-          this.areas.children[i2]
-        );
+        const path3 = this.areas.children[i2];
         put(path3, "class", `carts-band carts-${top.style}`);
         put(path3, "d", band2(this.times, plane, top.values, this.tops[i2 - 1]?.values));
       });
@@ -9126,8 +8746,7 @@ ${lines4.join("\n")}
     #shown = null;
     #rows = 0;
     constructor(details, quantity, view) {
-      this.details = /** @type {HTMLDetailsElement} */
-      details;
+      this.details = details;
       this.quantity = quantity;
       this.view = view;
       details.addEventListener("toggle", () => {
@@ -9232,13 +8851,10 @@ ${lines4.join("\n")}
       this.name = sizeName(baked.run.header);
       this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
-      this.plot = /** @type {SVGSVGElement} */
-      /** @type {unknown} */
-      need(root, ".carts-plot");
+      this.plot = need(root, ".carts-plot");
       this.key = new Key(need(root, ".carts-key"));
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
-      this.button = /** @type {HTMLButtonElement | null} */
-      root.querySelector(".carts-sign");
+      this.button = root.querySelector(".carts-sign");
       this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
       this.ledger = this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
       if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
@@ -9311,17 +8927,11 @@ ${lines4.join("\n")}
       need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
     }
     #draw(t3) {
-      const run = (
-        /** @type {Run} */
-        this.#run
-      );
+      const run = this.#run;
       const { header } = run;
       this.#curves = this.#curvesOf(run);
       const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
-      const first = this.#first ? extent(this.#curvesOf(this.#first), this.#times(this.#first)) : (
-        /** @type {[number, number]} */
-        [0, 0]
-      );
+      const first = this.#first ? extent(this.#curvesOf(this.#first), this.#times(this.#first)) : [0, 0];
       const all = [
         extent(this.#curves, this.#times(run)),
         extent(behind, this.behind?.trajectory.t ?? []),
@@ -9334,10 +8944,7 @@ ${lines4.join("\n")}
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve2, i2) => {
-        const line3 = (
-          /** @type {Element} */
-          group2.children[i2]
-        );
+        const line3 = group2.children[i2];
         put(line3, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
       });
       this.#lines(run);
@@ -9359,10 +8966,7 @@ ${lines4.join("\n")}
     #lines(run) {
       const group2 = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve2, i2) => {
-        const line3 = (
-          /** @type {Element} */
-          group2.children[i2]
-        );
+        const line3 = group2.children[i2];
         put(line3, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
@@ -9395,10 +8999,7 @@ ${lines4.join("\n")}
       this.zero = NOISE * (baked.view.force || 1);
       this.cards = baked.run.header.bodies.map(({ name }) => {
         const card = need(root, `.carts-card[data-body="${name}"]`);
-        const outputs = (
-          /** @type {NodeListOf<HTMLElement>} */
-          card.querySelectorAll(".carts-value")
-        );
+        const outputs = card.querySelectorAll(".carts-value");
         return { name, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
       });
     }
@@ -9514,13 +9115,10 @@ ${lines4.join("\n")}
         [0.5, 0.2]
       ],
       ...[-0.4, -0.27, 0.27, 0.4].map(
-        (x2) => (
-          /** @type {Point[]} */
-          [
-            [x2, 0.2],
-            [x2, 1]
-          ]
-        )
+        (x2) => [
+          [x2, 0.2],
+          [x2, 1]
+        ]
       )
     ]);
   }
@@ -9571,13 +9169,10 @@ ${lines4.join("\n")}
         [0.5, top]
       ],
       ...[-0.42, -0.28, 0.28, 0.42].map(
-        (x2) => (
-          /** @type {Point[]} */
-          [
-            [x2, 0],
-            [x2, top]
-          ]
-        )
+        (x2) => [
+          [x2, 0],
+          [x2, top]
+        ]
       )
     ]);
   }
@@ -9608,10 +9203,7 @@ ${lines4.join("\n")}
   function pullable(stage, slider, full, width) {
     const group2 = svg("g", {});
     group2.addEventListener("pointerdown", (event) => {
-      const down = (
-        /** @type {PointerEvent} */
-        event
-      );
+      const down = event;
       if (slider.disabled) return;
       event.preventDefault();
       const start = slider.valueAsNumber || 0;
@@ -9659,7 +9251,6 @@ ${lines4.join("\n")}
         for (const element of group2.querySelectorAll("[data-key]")) {
           this.#drawn.set(
             element.getAttribute("data-key") ?? "",
-            /** @type {SVGElement} */
             element
           );
         }
@@ -9882,10 +9473,7 @@ ${lines4.join("\n")}
     }
     #named({ push, sizes, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
-      const { track } = (
-        /** @type {Run} */
-        this.#run.header
-      );
+      const { track } = this.#run.header;
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
@@ -10023,10 +9611,7 @@ ${lines4.join("\n")}
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i2) => {
         const group2 = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
-        const box2 = (
-          /** @type {shapes.Box} */
-          boxes[i2]
-        );
+        const box2 = boxes[i2];
         drawBox(group2, body2.name, box2);
         const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i2]) < 0 ? -1 : 1;
@@ -10078,13 +9663,10 @@ ${lines4.join("\n")}
       );
       this.#carts.forEach((cart, i2) => {
         const centre = Number(centres[i2]);
-        const faces = (
-          /** @type {const} */
-          [
-            -cart.half + Number(left[i2]),
-            cart.half - Number(right[i2])
-          ]
-        );
+        const faces = [
+          -cart.half + Number(left[i2]),
+          cart.half - Number(right[i2])
+        ];
         const foot = this.layout.track - cart.lift;
         put(cart.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(cart.mass, "x", px(centre));
@@ -10276,8 +9858,7 @@ ${lines4.join("\n")}
       this.root = root;
       this.view = view;
       this.header = null;
-      this.layout = /** @type {import("../../../view/types.js").Layout} */
-      view.layouts[0];
+      this.layout = view.layouts[0];
       this.telling = {
         decimals: view.decimals,
         scale: view.velocity,
@@ -10287,10 +9868,7 @@ ${lines4.join("\n")}
       this.list = need(root, ".carts-events");
       this.model = need(root, ".carts-model ul");
       this.list.addEventListener("click", (event) => {
-        const button = (
-          /** @type {Element} */
-          event.target.closest("button")
-        );
+        const button = event.target.closest("button");
         if (button?.dataset.time) seek(Number(button.dataset.time));
       });
     }
@@ -10367,8 +9945,7 @@ ${lines4.join("\n")}
     #touches = [];
     #events = [];
     constructor(root, seek) {
-      this.scrub = /** @type {HTMLInputElement} */
-      need(root, ".carts-scrub");
+      this.scrub = need(root, ".carts-scrub");
       this.bands = need(root, '.carts-ticks [data-part="contacts"]');
       this.marks = need(root, '.carts-ticks [data-part="events"]');
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
@@ -10395,19 +9972,13 @@ ${lines4.join("\n")}
       const events = this.#events.filter(({ t: t3 }) => t3 <= this.#seen);
       fit(this.bands, touches2.length, () => svg("rect", BAND));
       touches2.forEach(({ start, end: end2 }, k) => {
-        const band3 = (
-          /** @type {Element} */
-          this.bands.children[k]
-        );
+        const band3 = this.bands.children[k];
         put(band3, "x", at3(start));
         put(band3, "width", at3(Math.min(end2, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t: t3, kind: kind2 }, k) => {
-        const mark2 = (
-          /** @type {Element} */
-          this.marks.children[k]
-        );
+        const mark2 = this.marks.children[k];
         put(mark2, "class", `carts-event carts-event-${kind2}`);
         put(mark2, "x1", at3(t3));
         put(mark2, "x2", at3(t3));
@@ -10443,15 +10014,9 @@ ${lines4.join("\n")}
       this.root = root;
       this.baked = baked;
       this.run = baked.run;
-      const stages = (
-        /** @type {NodeListOf<SVGElement>} */
-        root.querySelectorAll(".carts-stage")
-      );
+      const stages = root.querySelectorAll(".carts-stage");
       this.stages = [...stages].map((stage) => new Stage(stage, baked));
-      const graphs = (
-        /** @type {NodeListOf<HTMLElement>} */
-        root.querySelectorAll(".carts-graph")
-      );
+      const graphs = root.querySelectorAll(".carts-graph");
       this.graphs = [...graphs].map((graph2) => new GraphView(graph2, baked, seek));
       this.views = new Views(root, baked);
       this.readouts = new Readouts(root, baked);
@@ -10460,8 +10025,7 @@ ${lines4.join("\n")}
       this.torn = root.querySelectorAll(".carts-torn");
       this.acting = root.querySelector(".carts-acting");
       this.warnings = need(root, ".carts-warnings");
-      this.zoom = /** @type {HTMLSelectElement} */
-      need(root, ".carts-window");
+      this.zoom = need(root, ".carts-window");
     }
     show(run, t3) {
       this.run = run;
@@ -10694,19 +10258,13 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       click(".carts-back", () => player.step(-1));
       click(".carts-play", () => player.toggle());
       click(".carts-forward", () => player.step(1));
-      const speed = (
-        /** @type {HTMLSelectElement} */
-        need(root, ".carts-speed")
-      );
+      const speed = need(root, ".carts-speed");
       player.speed = Number(speed.value);
       speed.addEventListener("change", () => {
         player.speed = Number(speed.value);
         player.changed(player.time, false);
       });
-      const slow2 = (
-        /** @type {HTMLInputElement | null} */
-        root.querySelector(".carts-slow")
-      );
+      const slow2 = root.querySelector(".carts-slow");
       player.slow = slow2?.checked ?? false;
       slow2?.addEventListener("change", () => {
         player.slow = slow2.checked;
@@ -10745,8 +10303,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         Home: () => this.player.seek(0),
         End: () => this.player.seek(this.player.until)
       }[event.key];
-      if (!act || /** @type {HTMLInputElement} */
-      this.scrub.disabled) return;
+      if (!act || this.scrub.disabled) return;
       event.preventDefault();
       act();
     }
@@ -11073,10 +10630,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           else if (!this.#watch?.first) this.#watched();
           else if (now || !own) this.#view?.player.play();
         } catch (error) {
-          const { message } = (
-            /** @type {Error} */
-            error
-          );
+          const { message } = error;
           this.#predict?.complain(`${message} ${PREDICTION_KEPT}`);
         }
       }

@@ -1,10 +1,7 @@
 "use strict";
 (() => {
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
@@ -62,10 +59,7 @@
   function need(root, selector) {
     const found2 = root.querySelector(selector);
     if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found2
-    );
+    return found2;
   }
 
   // src/shared/settings.js
@@ -359,10 +353,7 @@
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page = (
-      /** @type {any} */
-      globalThis
-    );
+    const page = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page[name] ??= /* @__PURE__ */ new Map();
     return page[name];
@@ -552,10 +543,7 @@
     let high = times.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times[middle] <= t
-      ) low = middle + 1;
+      if (times[middle] <= t) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -567,10 +555,7 @@
     return hermite(times, values, slopes, k, t);
   }
   function hermite(times, values, slopes, k, t) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
+    const at = ((c, i) => c[i]);
     const h = at(times, k + 1) - at(times, k);
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
@@ -703,20 +688,14 @@
   var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };
   var changes = /* @__PURE__ */ new WeakMap();
   document.addEventListener("carts-update", (event) => {
-    const { target, detail } = (
-      /** @type {CustomEvent} */
-      event
-    );
+    const { target, detail } = event;
     if (target instanceof Element) changes.set(target, detail);
   });
   document.addEventListener(RESET, ({ target }) => {
     if (target instanceof Element) changes.delete(target);
   });
   function setBy(scene) {
-    return changes.get(
-      /** @type {Element} */
-      scene
-    ) ?? {};
+    return changes.get(scene) ?? {};
   }
   function masses(scene) {
     const found2 = {};
@@ -827,10 +806,7 @@
       }, SETTLED2);
     }
     #count(scene) {
-      const run = (
-        /** @type {any} */
-        scene.trajectory
-      );
+      const run = scene.trajectory;
       const first = scene.querySelector(".carts-end") !== null;
       if (!run || first && !("watched" in scene.dataset)) return;
       const set = setBy(scene);

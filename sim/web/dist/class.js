@@ -1,10 +1,7 @@
 "use strict";
 (() => {
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -77,10 +74,7 @@
   // src/class/classroom.js
   var WHOLE = "class";
   var [NAME, STUDENT, CREATED] = [0, 4, 6];
-  var broughtAlong = () => (
-    /** @type {any} */
-    globalThis.__cartsKeys ?? []
-  );
+  var broughtAlong = () => globalThis.__cartsKeys ?? [];
   var Classroom = class {
     files = [];
     nameless = new Names();
@@ -181,10 +175,7 @@
 
   // src/answers/parts.js
   function button(text, act, name = "") {
-    const made = (
-      /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text)
-    );
+    const made = html("button", `carts-button ${name}`.trim(), text);
     made.type = "button";
     made.addEventListener("click", act);
     return made;
@@ -211,10 +202,7 @@
 
   // src/class/list.js
   function fileList(classroom, changed) {
-    const root = (
-      /** @type {HTMLDetailsElement} */
-      html("details", "carts-class-list")
-    );
+    const root = html("details", "carts-class-list");
     const title = html("summary", "", tr("Files"));
     const rows = html("ul");
     root.append(title, rows);
@@ -224,10 +212,7 @@
         ...classroom.files.map((file) => {
           const line = html("li");
           const label = html("label");
-          const box = (
-            /** @type {HTMLInputElement} */
-            html("input")
-          );
+          const box = html("input");
           Object.assign(box, { type: "checkbox", checked: !file.out });
           box.addEventListener("change", () => {
             file.out = !box.checked;
@@ -264,10 +249,7 @@
     return counted("key for 1 form", "key for {n} forms", count);
   }
   function codeFor(classroom, file, changed) {
-    const box = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-class-whose")
-    );
+    const box = html("input", "carts-class-whose");
     Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
     box.placeholder = tr("code word");
     box.setAttribute("aria-label", tr("code word for {file}", { file: file.row[0] }));
@@ -303,10 +285,7 @@
   function codesOf(classroom, group, changed) {
     const root = html("label");
     const whose = html("bdi");
-    const box = (
-      /** @type {HTMLTextAreaElement} */
-      html("textarea")
-    );
+    const box = html("textarea");
     Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
     const take = (text) => {
       classroom.codes[group] = text;
@@ -324,10 +303,7 @@
   // src/class/drops.js
   function drops(classroom, take, changed) {
     const root = html("div", "carts-class-drops");
-    const two = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-class-two")
-    );
+    const two = html("input", "carts-class-two");
     two.type = "checkbox";
     const label = html("label", "carts-class-choice");
     label.append(two, " ", tr("two groups, one beside the other"));
@@ -358,18 +334,11 @@
     );
     root.append(says);
     const row2 = html("p", "carts-class-row");
-    for (
-      const [text, folder] of
-      /** @type {[string, boolean][]} */
-      [
-        [tr("Choose files"), false],
-        [tr("Choose a folder"), true]
-      ]
-    ) {
-      const box = (
-        /** @type {HTMLInputElement} */
-        html("input", "carts-class-files")
-      );
+    for (const [text, folder] of [
+      [tr("Choose files"), false],
+      [tr("Choose a folder"), true]
+    ]) {
+      const box = html("input", "carts-class-files");
       Object.assign(box, { type: "file", multiple: true, hidden: true, tabIndex: -1 });
       if (folder) box.setAttribute("webkitdirectory", "");
       else box.accept = ".json,.zip,.csv,.tsv,application/json,application/zip,text/csv";
@@ -410,10 +379,7 @@
   }
   function nameBox(classroom, group, changed) {
     const label = html("label", "carts-class-name", `${tr("Group")} `);
-    const box = (
-      /** @type {HTMLInputElement} */
-      html("input")
-    );
+    const box = html("input");
     Object.assign(box, { value: classroom.names[group], maxLength: 40 });
     const take = (text) => {
       classroom.names[group] = text;
@@ -451,14 +417,8 @@
   async function readAll(files, ask, found) {
     let done = 0;
     for (const parcel of parcels(files)) {
-      const refused = (
-        /** @type {[string, string][]} */
-        []
-      );
-      const sent = (
-        /** @type {Parcel[]} */
-        []
-      );
+      const refused = [];
+      const sent = [];
       for (const file of parcel) {
         const name = file.webkitRelativePath || file.name;
         const reason = tooLarge(file);
@@ -472,10 +432,7 @@
       }
       let from = sent.length ? 0 : null;
       while (from !== null) {
-        const answer = (
-          /** @type {any} */
-          await ask({ kind: "class", do: "read", files: sent, from })
-        );
+        const answer = await ask({ kind: "class", do: "read", files: sent, from });
         from = answer.next;
         await found(answer, done);
       }
@@ -512,10 +469,7 @@
 
   // src/class/papers.js
   var PRINTING = "carts-class-paper-only";
-  var languages = () => (
-    /** @type {any} */
-    globalThis.__cartsPapers ?? { en: { name: "English", words: {} } }
-  );
+  var languages = () => globalThis.__cartsPapers ?? { en: { name: "English", words: {} } };
   function spokenHere() {
     const spoken = languages();
     const own = document.documentElement.lang;
@@ -528,27 +482,18 @@
     const root = html("div", "carts-class-papers");
     const shown = html("div", "carts-class-paper");
     const spoken = languages();
-    const pick = (
-      /** @type {HTMLSelectElement} */
-      html("select", "carts-class-language")
-    );
+    const pick = html("select", "carts-class-language");
     pick.setAttribute("aria-label", tr("Language of the slips and of the page of the class"));
     pick.append(
       ...Object.entries(spoken).map(([code, { name }]) => {
-        const option = (
-          /** @type {HTMLOptionElement} */
-          html("option", "", name)
-        );
+        const option = html("option", "", name);
         option.value = code;
         option.lang = code;
         return option;
       })
     );
     pick.value = spokenHere().language;
-    const answers = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-class-with-answers")
-    );
+    const answers = html("input", "carts-class-with-answers");
     answers.type = "checkbox";
     const label = html("label", "carts-class-choice");
     label.append(answers, " ", tr("slips with the right answers"));
@@ -563,10 +508,7 @@
         say2("");
         print();
       } catch (error) {
-        say2(
-          /** @type {Error} */
-          error.message
-        );
+        say2(error.message);
       }
     };
     const row2 = html("p", "carts-class-row");
@@ -597,10 +539,7 @@
 
   // src/class/reader.js
   function reader(classroom, marked) {
-    const root = (
-      /** @type {HTMLDetailsElement} */
-      html("details", "carts-class-reader")
-    );
+    const root = html("details", "carts-class-reader");
     const title = html("summary", "", tr("Read and mark"));
     const body = html("div");
     root.append(title, body);
@@ -628,10 +567,7 @@
       const done = one.answers.filter(({ student }) => markOf(one, student) !== void 0).length;
       const n = questions.length;
       say(title, counted("Read and mark: 1 question", "Read and mark: {n} questions", n));
-      const pick = (
-        /** @type {HTMLSelectElement} */
-        html("select", "carts-class-question")
-      );
+      const pick = html("select", "carts-class-question");
       pick.setAttribute("aria-label", tr("Question"));
       pick.append(...questions.map((q) => new Option(q.title, name(q), false, q === one)));
       pick.addEventListener("change", () => {
@@ -771,10 +707,7 @@
     "text-anchor"
   ];
   async function plotsAsPng(report) {
-    const plots = (
-      /** @type {SVGSVGElement[]} */
-      [...report.querySelectorAll(".carts-class-plot")]
-    );
+    const plots = [...report.querySelectorAll(".carts-class-plot")];
     if (!plots.length) return null;
     const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH });
     const paper = getComputedStyle(report).getPropertyValue("--carts-paper").trim() || "#fff";
@@ -782,10 +715,7 @@
     whole.append(sheet);
     let y = GAP;
     for (const plot of plots) {
-      const copy = (
-        /** @type {SVGSVGElement} */
-        plot.cloneNode(true)
-      );
+      const copy = plot.cloneNode(true);
       const [from, to] = [[...plot.querySelectorAll("*")], [...copy.querySelectorAll("*")]];
       from.forEach((part, k) => {
         const style = getComputedStyle(part);
@@ -812,10 +742,7 @@
         download(name, text, type);
         say2(tr("Saved as {name}: look in your folder “Downloads”.", { name }));
       } catch (error) {
-        say2(
-          /** @type {Error} */
-          error.message
-        );
+        say2(error.message);
       }
     };
     const marks = button(
@@ -879,15 +806,12 @@
   }
 
   // src/class/tables.js
-  var TIMES = (
-    /** @type {[string, string][]} */
-    [
-      ["", tr("as the table says")],
-      ["pre", tr("before teaching")],
-      ["post", tr("after teaching")],
-      ["later", tr("some time later")]
-    ]
-  );
+  var TIMES = [
+    ["", tr("as the table says")],
+    ["pre", tr("before teaching")],
+    ["post", tr("after teaching")],
+    ["later", tr("some time later")]
+  ];
   function tableList(classroom, changed) {
     const root = html("div", "carts-class-tables");
     const rows = html("ul");
@@ -896,10 +820,7 @@
       "",
       `${tr("Most marks of the test, if the table gives only totals")} `
     );
-    const most = (
-      /** @type {HTMLInputElement} */
-      html("input")
-    );
+    const most = html("input");
     Object.assign(most, { type: "text", size: 6, inputMode: "decimal", autocomplete: "off" });
     const take = (text) => {
       classroom.most = text;
@@ -917,10 +838,7 @@
   }
   function row(classroom, table, changed) {
     const line = html("li");
-    const when = (
-      /** @type {HTMLSelectElement} */
-      html("select")
-    );
+    const when = html("select");
     when.append(...TIMES.map(([value, text]) => new Option(text, value)));
     when.value = table.form;
     when.setAttribute("aria-label", tr("which test {table} tells of", { table: table.name }));
@@ -957,10 +875,7 @@
       #drawn = 0;
       #lifetime = 0;
       #status = html("p", "carts-class-status");
-      #bar = (
-        /** @type {HTMLProgressElement} */
-        html("progress", "carts-class-progress")
-      );
+      #bar = html("progress", "carts-class-progress");
       #report = html("div", "carts-class-report");
       #parts = [];
       #reader = null;
@@ -1050,11 +965,7 @@
           void this.#addStatistics();
         } catch (error) {
           if (lifetime !== this.#lifetime) return;
-          say(
-            this.#status,
-            /** @type {Error} */
-            error.message
-          );
+          say(this.#status, error.message);
         } finally {
           this.#bar.hidden = true;
         }
@@ -1101,11 +1012,7 @@
           this.#reader?.draw(header.words);
           this.#redraw();
         } catch (error) {
-          say(
-            this.#status,
-            /** @type {Error} */
-            error.message
-          );
+          say(this.#status, error.message);
         }
       }
       async #reported() {
@@ -1114,10 +1021,7 @@
         const none = { html: "", words: [] };
         const answers = classroom.noAnswers ? none : (await client.ask(this, () => ({ ...this.classroom.told(), ...asked }))).header;
         const tables = classroom.tables.length ? await this.#ask({ ...classroom.toldOfTables(), ...asked }) : none;
-        const { html: first, words } = (
-          /** @type {any} */
-          answers
-        );
+        const { html: first, words } = answers;
         return { html: first + tables.html, words };
       }
       clear() {
@@ -1142,10 +1046,7 @@
       }
       async #ask(message) {
         const { header } = await client.ask({}, () => message);
-        return (
-          /** @type {any} */
-          header
-        );
+        return header;
       }
     };
   }
@@ -1292,8 +1193,7 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
-  var isFetching = () => isOnWeb() && !/** @type {any} */
-  globalThis.__cartsInside;
+  var isFetching = () => isOnWeb() && !globalThis.__cartsInside;
   async function areKept(addresses) {
     if (!globalThis.navigator?.serviceWorker?.controller) return false;
     const asked = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
@@ -1676,10 +1576,7 @@
           this.progress(name);
           return bytes;
         } catch (error) {
-          reject(
-            /** @type {RuntimeFailure} */
-            error
-          );
+          reject(error);
           return new Promise(() => {
           });
         }
@@ -1869,10 +1766,7 @@
     return client;
   }
   function besideScript(folder) {
-    const script = (
-      /** @type {HTMLScriptElement | null} */
-      document.currentScript
-    );
+    const script = document.currentScript;
     const own = new URL(script?.src || document.baseURI);
     return new URL(`${folder}${own.search}`, own).href;
   }

@@ -10444,10 +10444,7 @@
   var TICKS_Y = BOTTOM2 + 16;
   var MADE = "energy was made";
   var DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8];
-  var UNITS = (
-    /** @type {Record<string, string>} */
-    { stiffness: "N/m", mass: "kg" }
-  );
+  var UNITS = { stiffness: "N/m", mass: "kg" };
   var cell = (count) => ({ wide: (RIGHT2 - LEFT2) / count, high: (BOTTOM2 - TOP2) / count });
   function squares({ parts: parts2 }, map, method) {
     const { wide, high } = cell(parts2.length);
@@ -10488,10 +10485,7 @@
     ]);
   }
   function breaksPart(breaks) {
-    const first = (
-      /** @type {BreaksMap} */
-      breaks.maps[0]
-    );
+    const first = breaks.maps[0];
     const names = Object.keys(first.letters);
     const method = "verlet";
     const steps = [1e-3, 0.01, 0.1].map(
@@ -10559,14 +10553,11 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
   function told({ v, energy, evaluations }) {
     const speeds = Object.entries(v.stepped).map(([name, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
-      return (
-        /** @type {[string, string, string]} */
-        [
-          `velocity of ${name} at the end`,
-          got,
-          `${plain(Number(v.exact[name]), 4)} m/s`
-        ]
-      );
+      return [
+        `velocity of ${name} at the end`,
+        got,
+        `${plain(Number(v.exact[name]), 4)} m/s`
+      ];
     });
     const { initial, stepped, exact, imbalance } = energy;
     return [
@@ -11147,10 +11138,7 @@ ${second && across3}
   }
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -11234,14 +11222,11 @@ ${second && across3}
 
   // ../view/measured/skeleton.js
   var MOST_ROWS = 60;
-  var UNITS3 = (
-    /** @type {const} */
-    [
-      ["length", "lengths are in"],
-      ["time", "times are in"],
-      ["force", "forces are in"]
-    ]
-  );
+  var UNITS3 = [
+    ["length", "lengths are in"],
+    ["time", "times are in"],
+    ["force", "forces are in"]
+  ];
   var HANDS = [
     ["touch", "first touch at", "s"],
     ["va", "velocity of A before", "m/s"],
@@ -11352,10 +11337,7 @@ ${table3(facts)}
   }
   function hasTwoWalls(track) {
     return ["left", "right"].every(
-      (side2) => track[
-        /** @type {"left" | "right"} */
-        side2
-      ] === "wall" && whatIs(side2, track) === "wall"
+      (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
     );
   }
   function kind(name, track) {
@@ -11477,10 +11459,7 @@ ${table3(facts)}
         text: whose + tiltText(angle),
         x: px(x + length + 10),
         y: px(y),
-        anchor: (
-          /** @type {const} */
-          "start"
-        )
+        anchor: "start"
       };
       return [
         { key: key2, cls: "carts-wedge", behind: true, d },
@@ -11584,14 +11563,8 @@ ${table3(facts)}
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
   function spring(start, end2) {
-    const low = (
-      /** @type {number} */
-      SPRING[0]
-    );
-    const high = (
-      /** @type {number} */
-      SPRING[1]
-    );
+    const low = SPRING[0];
+    const high = SPRING[1];
     const step = (end2 - start) / 4;
     let d = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
@@ -11659,10 +11632,7 @@ ${table3(facts)}
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts2[quantity] = {};
       for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key2] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
+        parts2[quantity][key2] = Float64Array.from(column);
       }
     }
     return parts2;
@@ -11675,10 +11645,7 @@ ${table3(facts)}
     let high = times2.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t
-      ) low = middle + 1;
+      if (times2[middle] <= t) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -11690,10 +11657,7 @@ ${table3(facts)}
     return hermite(times2, values, slopes, k, t);
   }
   function hermite(times2, values, slopes, k, t) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
+    const at = ((c, i) => c[i]);
     const h = at(times2, k + 1) - at(times2, k);
     const s = (t - at(times2, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
@@ -12115,10 +12079,7 @@ ${table3(facts)}
   }
   function outside(header) {
     const { effects, track } = header;
-    const sides = (
-      /** @type {const} */
-      ["left", "right"]
-    );
+    const sides = ["left", "right"];
     const walls = sides.filter((side2) => track[side2] === "wall").map((side2) => kind(side2, track));
     const kinds = kindsOnOne(header).map(viewOf);
     const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
@@ -12162,17 +12123,8 @@ ${table3(facts)}
         name: forceOn(body(name, run.header.track), body(by, run.header.track)),
         on: name,
         by,
-        way: (
-          /** @type {const} */
-          "along"
-        ),
-        side: isLeft ? (
-          /** @type {const} */
-          "right"
-        ) : (
-          /** @type {const} */
-          "left"
-        ),
+        way: "along",
+        side: isLeft ? "right" : "left",
         value: isLeft ? -size : size
       };
     }).sort((a, b) => a.side < b.side ? -1 : 1);
@@ -12561,13 +12513,10 @@ ${own.map((one) => control(one, fence.id))}
     const rest = fence.controls.filter(
       ({ set }) => ![...owners, "contact", "effects"].includes(ownerOf(set)) && !effectOf(set, header)
     );
-    const cards = (
-      /** @type {[string, Control[]][]} */
-      [
-        [tr("Contact"), contact],
-        [tr("Scene"), rest]
-      ]
-    );
+    const cards = [
+      [tr("Contact"), contact],
+      [tr("Scene"), rest]
+    ];
     return cards.filter(([, own]) => own.length).map(
       ([title, own]) => html`<div class="carts-card" role="group" aria-label=${title}>
 <p class="carts-heading">${title}</p>
@@ -12627,14 +12576,11 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   // ../view/skeleton/predict.js
   var FULL = 10;
   var STEP2 = 0.05;
-  var CERTAINTY = (
-    /** @type {[string, string][]} */
-    [
-      ["guess", tr("a guess")],
-      ["think", tr("I think so")],
-      ["sure", tr("I am sure")]
-    ]
-  );
+  var CERTAINTY = [
+    ["guess", tr("a guess")],
+    ["think", tr("I think so")],
+    ["sure", tr("I am sure")]
+  ];
   var TIMES2 = {
     contact: [
       tr("at first touch"),
@@ -12794,13 +12740,10 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
         [0.5, 0.2]
       ],
       ...[-0.4, -0.27, 0.27, 0.4].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0.2],
-            [x, 1]
-          ]
-        )
+        (x) => [
+          [x, 0.2],
+          [x, 1]
+        ]
       )
     ]);
   }
@@ -12851,13 +12794,10 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
         [0.5, top]
       ],
       ...[-0.42, -0.28, 0.28, 0.42].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0],
-            [x, top]
-          ]
-        )
+        (x) => [
+          [x, 0],
+          [x, top]
+        ]
       )
     ]);
   }
@@ -12946,10 +12886,7 @@ ${legend(baked, layout)}
 `;
   }
   function cart(name, i, skin) {
-    const { corner, wheels: wheels2 } = (
-      /** @type {import("../skins.js").Skin} */
-      SKINS[skin]
-    );
+    const { corner, wheels: wheels2 } = SKINS[skin];
     const face2 = (side2) => html`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
     return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face2("left")}${face2("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
@@ -13229,10 +13166,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   function need(root, selector) {
     const found = root.querySelector(selector);
     if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found
-    );
+    return found;
   }
   function onResize(element, act) {
     if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
@@ -13264,10 +13198,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.at(0);
     }
     #lay() {
-      const { bodies, track } = (
-        /** @type {CostHeader} */
-        this.header
-      );
+      const { bodies, track } = this.header;
       const paths = this.exact ?? [];
       const ends2 = bodies.flatMap(({ length }, k) => {
         const all = paths[k] ?? [0];
@@ -13279,10 +13210,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.left = left;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
       const shape = (k, name) => {
-        const { mass, length } = (
-          /** @type {CostHeader["bodies"][0]} */
-          bodies[k]
-        );
+        const { mass, length } = bodies[k];
         const height = LOWEST + (TALLEST2 - LOWEST) * mass / heaviest;
         const width = length * Number(this.scale);
         const box2 = {
@@ -13317,10 +13245,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       return SIDE + (x - Number(this.left)) * Number(this.scale);
     }
     #plot(stepped, exact) {
-      const { until } = (
-        /** @type {CostHeader} */
-        this.header
-      );
+      const { until } = this.header;
       const start = exact[0] || 1;
       const { left, top, right, bottom } = ENERGY;
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
@@ -13513,10 +13438,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
 
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
-    const known2 = (
-      /** @type {import("../../../view/types.js").Header} */
-      header
-    );
+    const known2 = header;
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
@@ -13661,8 +13583,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.root = root;
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals.p ?? 2;
-      this.rows = /** @type {NodeListOf<HTMLElement>} */
-      root.querySelectorAll("tbody tr");
+      this.rows = root.querySelectorAll("tbody tr");
       this.since = need(root, ".carts-touch-note");
     }
     show(run, windows) {
@@ -13724,10 +13645,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.per = speedUnit(baked.view.velocity)[0];
       this.zero = NOISE * (baked.view.force || 1);
       this.note = need(root, ".carts-touch-note");
-      const vertical = (
-        /** @type {HTMLInputElement} */
-        need(root, ".carts-vertical")
-      );
+      const vertical = need(root, ".carts-vertical");
       vertical.addEventListener("change", () => {
         this.#vertical = vertical.checked;
         this.root.classList.toggle("carts-with-vertical", vertical.checked);
@@ -13781,19 +13699,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       forces2.forEach((force, k) => {
         const length = arrowLength(force.value, this.view.force, FULL2);
         const cut = isCut(force.value, this.view.force);
-        const path3 = (
-          /** @type {Element} */
-          group.children[k]
-        );
+        const path3 = group.children[k];
         const [x, y] = tail2(force);
         put(path3, "class", "carts-block-arrow");
         put(path3, "d", (cut ? cutArrow : blockArrow)(x, y, length));
         put(path3, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
-        say(
-          /** @type {Element} */
-          list.children[k],
-          this.#sentence(force, cut)
-        );
+        say(list.children[k], this.#sentence(force, cut));
       });
       const picture2 = need(card, "svg");
       put(picture2, "viewBox", `0 ${-room} ${WIDTH6} ${HEIGHT5 + 2 * room}`);
@@ -13903,10 +13814,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
   function thingPaths(what, wall, layout, dent, height) {
     const place2 = pressed(what, wall, layout, dent, height);
-    const { own, lines: lines3 } = (
-      /** @type {(place: Place) => Made} */
-      MADE2[what](place2)
-    );
+    const { own, lines: lines3 } = MADE2[what](place2);
     const inner = mounting(what, wall, layout, place2.back);
     const far = wall.edge + wall.way * THICK;
     const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
@@ -13965,10 +13873,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var TOP7 = 22;
   var FOOT = 88;
   var ARM2 = 12;
-  var THICK2 = (
-    /** @type {Record<string, number>} */
-    { spring: 12, board: 24 }
-  );
+  var THICK2 = { spring: 12, board: 24 };
   var SOLID2 = 12;
   var FAR = 720;
   var PITCH2 = 16;
@@ -13990,24 +13895,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     put(rect, "width", px(thick));
     const behind = end2 + out * thick;
     const from = what === "board" ? `M${px(back)} ${TOP7 + ARM2}H${px(behind)}V${TOP7}` : `M${px(back)} ${TOP7}`;
-    put(
-      /** @type {Element} */
-      mounting2,
-      "d",
-      `${from}h${out * FAR}V${FOOT}H${px(back)}Z`
-    );
-    put(
-      /** @type {Element} */
-      lines3,
-      "class",
-      what === "spring" ? "carts-coil" : "carts-fine"
-    );
-    put(
-      /** @type {Element} */
-      lines3,
-      "d",
-      inside6(what, { ...thing, back, behind })
-    );
+    put(mounting2, "d", `${from}h${out * FAR}V${FOOT}H${px(back)}Z`);
+    put(lines3, "class", what === "spring" ? "carts-coil" : "carts-fine");
+    put(lines3, "d", inside6(what, { ...thing, back, behind }));
   }
   function inside6(what, { end: end2, depth, back, behind }) {
     if (what === "board") return `M${px((end2 + behind) / 2)} ${TOP7}V${FOOT}`;
@@ -14045,8 +13935,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.root = root;
       this.view = baked.view;
       [this.layout] = baked.view.layouts;
-      this.scene = /** @type {HTMLElement} */
-      root.closest("carts-scene");
+      this.scene = root.closest("carts-scene");
       this.plot = need(root, "svg");
       this.note = need(root, ".carts-lens-note");
       onResize(root, () => {
@@ -14198,10 +14087,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     constructor(root, baked) {
       this.frames = root.querySelectorAll(".carts-views");
       for (const section of root.querySelectorAll(".carts-view")) {
-        const element = (
-          /** @type {HTMLElement} */
-          section
-        );
+        const element = section;
         const kind2 = KINDS[element.dataset.view ?? ""];
         if (kind2) this.#views.push(new kind2[1](element, baked, () => this.#again()));
       }
@@ -14250,10 +14136,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
     marks2(need(root, '[data-part="times"]'), times2.length, (line2, text3, i) => {
-      const { at, textX, label } = (
-        /** @type {(typeof times)[number]} */
-        times2[i]
-      );
+      const { at, textX, label } = times2[i];
       put(line2, "class", "carts-grid");
       put(line2, "d", `M${at} ${TOP4}V${BOTTOM4}`);
       put(text3, "class", "carts-tick-x");
@@ -14262,10 +14145,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       say(text3, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line2, text3, i) => {
-      const { at, textY, label, zero } = (
-        /** @type {(typeof rows)[number]} */
-        rows[i]
-      );
+      const { at, textY, label, zero } = rows[i];
       put(line2, "class", zero ? "carts-zero" : "carts-grid");
       put(line2, "d", `M${LEFT4} ${at}H${RIGHT4}`);
       put(text3, "class", "carts-tick-y");
@@ -14287,9 +14167,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
     for (let i = 0; i < count; i += 1) {
       draw(
-        /** @type {Element} */
         group.children[2 * i],
-        /** @type {Element} */
         group.children[2 * i + 1],
         i
       );
@@ -14354,18 +14232,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       }
       const end2 = Math.min(t, touch.end);
       const outline = (sign) => under2(run, touch, plane, end2, sign);
-      put(
-        /** @type {Element} */
-        paths[0],
-        "d",
-        outline(1)
-      );
-      if (signed) put(
-        /** @type {Element} */
-        paths[1],
-        "d",
-        outline(-1)
-      );
+      put(paths[0], "d", outline(1));
+      if (signed) put(paths[1], "d", outline(-1));
       const impulse = area2(run, touch.pair, touch.start, end2);
       const names = dashed(touch.bodies, run.header.track);
       const amount2 = fixed(impulse, this.decimals);
@@ -14475,10 +14343,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var [BUMPERS, WARMED] = ["bumpers", "warmed"];
   var AROUND = tr("surroundings");
   function needsParts({ fence }) {
-    return (
-      /** @type {unknown[]} */
-      (fence.scene.effects ?? []).length > 0
-    );
+    return (fence.scene.effects ?? []).length > 0;
   }
   function askParts(root) {
     return new Promise((resolve) => {
@@ -14570,10 +14435,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
       this.tops.forEach((top, i) => {
-        const path3 = (
-          /** @type {Element} */
-          this.areas.children[i]
-        );
+        const path3 = this.areas.children[i];
         put(path3, "class", `carts-band carts-${top.style}`);
         put(path3, "d", band3(this.times, plane, top.values, this.tops[i - 1]?.values));
       });
@@ -14628,8 +14490,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #shown = null;
     #rows = 0;
     constructor(details, quantity, view) {
-      this.details = /** @type {HTMLDetailsElement} */
-      details;
+      this.details = details;
       this.quantity = quantity;
       this.view = view;
       details.addEventListener("toggle", () => {
@@ -14734,13 +14595,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.name = sizeName(baked.run.header);
       this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
-      this.plot = /** @type {SVGSVGElement} */
-      /** @type {unknown} */
-      need(root, ".carts-plot");
+      this.plot = need(root, ".carts-plot");
       this.key = new Key(need(root, ".carts-key"));
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
-      this.button = /** @type {HTMLButtonElement | null} */
-      root.querySelector(".carts-sign");
+      this.button = root.querySelector(".carts-sign");
       this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
       this.ledger = this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
       if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
@@ -14813,17 +14671,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
     }
     #draw(t) {
-      const run = (
-        /** @type {Run} */
-        this.#run
-      );
+      const run = this.#run;
       const { header } = run;
       this.#curves = this.#curvesOf(run);
       const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
-      const first = this.#first ? extent(this.#curvesOf(this.#first), this.#times(this.#first)) : (
-        /** @type {[number, number]} */
-        [0, 0]
-      );
+      const first = this.#first ? extent(this.#curvesOf(this.#first), this.#times(this.#first)) : [0, 0];
       const all = [
         extent(this.#curves, this.#times(run)),
         extent(behind, this.behind?.trajectory.t ?? []),
@@ -14836,10 +14688,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const group = need(this.root, '[data-part="curves"]');
       fit(group, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve3, i) => {
-        const line2 = (
-          /** @type {Element} */
-          group.children[i]
-        );
+        const line2 = group.children[i];
         put(line2, "class", `carts-curve carts-${curve3.style}${curve3.over ? " carts-over" : ""}`);
       });
       this.#lines(run);
@@ -14861,10 +14710,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #lines(run) {
       const group = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve3, i) => {
-        const line2 = (
-          /** @type {Element} */
-          group.children[i]
-        );
+        const line2 = group.children[i];
         put(line2, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
@@ -14897,10 +14743,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.zero = NOISE * (baked.view.force || 1);
       this.cards = baked.run.header.bodies.map(({ name }) => {
         const card = need(root, `.carts-card[data-body="${name}"]`);
-        const outputs = (
-          /** @type {NodeListOf<HTMLElement>} */
-          card.querySelectorAll(".carts-value")
-        );
+        const outputs = card.querySelectorAll(".carts-value");
         return { name, outputs: new Map([...outputs].map((o) => [o.dataset.quantity ?? "", o])) };
       });
     }
@@ -14976,10 +14819,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   function pullable(stage2, slider2, full, width) {
     const group = svg("g", {});
     group.addEventListener("pointerdown", (event) => {
-      const down = (
-        /** @type {PointerEvent} */
-        event
-      );
+      const down = event;
       if (slider2.disabled) return;
       event.preventDefault();
       const start = slider2.valueAsNumber || 0;
@@ -15027,7 +14867,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         for (const element of group.querySelectorAll("[data-key]")) {
           this.#drawn.set(
             element.getAttribute("data-key") ?? "",
-            /** @type {SVGElement} */
             element
           );
         }
@@ -15250,10 +15089,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     #named({ push: push2, sizes, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));
-      const { track } = (
-        /** @type {Run} */
-        this.#run.header
-      );
+      const { track } = this.#run.header;
       const labels2 = push2.bodies.map((on, side2) => {
         const by = push2.bodies[1 - side2] ?? "";
         return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side2]))}`;
@@ -15391,10 +15227,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i) => {
         const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
-        const box2 = (
-          /** @type {shapes.Box} */
-          boxes[i]
-        );
+        const box2 = boxes[i];
         drawBox(group, body2.name, box2);
         const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i]) < 0 ? -1 : 1;
@@ -15446,13 +15279,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       );
       this.#carts.forEach((cart2, i) => {
         const centre = Number(centres[i]);
-        const faces = (
-          /** @type {const} */
-          [
-            -cart2.half + Number(left[i]),
-            cart2.half - Number(right[i])
-          ]
-        );
+        const faces = [
+          -cart2.half + Number(left[i]),
+          cart2.half - Number(right[i])
+        ];
         const foot = this.layout.track - cart2.lift;
         put(cart2.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(cart2.mass, "x", px(centre));
@@ -15644,8 +15474,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.root = root;
       this.view = view;
       this.header = null;
-      this.layout = /** @type {import("../../../view/types.js").Layout} */
-      view.layouts[0];
+      this.layout = view.layouts[0];
       this.telling = {
         decimals: view.decimals,
         scale: view.velocity,
@@ -15655,10 +15484,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.list = need(root, ".carts-events");
       this.model = need(root, ".carts-model ul");
       this.list.addEventListener("click", (event) => {
-        const button2 = (
-          /** @type {Element} */
-          event.target.closest("button")
-        );
+        const button2 = event.target.closest("button");
         if (button2?.dataset.time) seek(Number(button2.dataset.time));
       });
     }
@@ -15735,8 +15561,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     #touches = [];
     #events = [];
     constructor(root, seek) {
-      this.scrub = /** @type {HTMLInputElement} */
-      need(root, ".carts-scrub");
+      this.scrub = need(root, ".carts-scrub");
       this.bands = need(root, '.carts-ticks [data-part="contacts"]');
       this.marks = need(root, '.carts-ticks [data-part="events"]');
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
@@ -15763,19 +15588,13 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const events = this.#events.filter(({ t }) => t <= this.#seen);
       fit(this.bands, touches2.length, () => svg("rect", BAND));
       touches2.forEach(({ start, end: end2 }, k) => {
-        const band4 = (
-          /** @type {Element} */
-          this.bands.children[k]
-        );
+        const band4 = this.bands.children[k];
         put(band4, "x", at(start));
         put(band4, "width", at(Math.min(end2, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t, kind: kind2 }, k) => {
-        const mark = (
-          /** @type {Element} */
-          this.marks.children[k]
-        );
+        const mark = this.marks.children[k];
         put(mark, "class", `carts-event carts-event-${kind2}`);
         put(mark, "x1", at(t));
         put(mark, "x2", at(t));
@@ -15811,15 +15630,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.root = root;
       this.baked = baked;
       this.run = baked.run;
-      const stages = (
-        /** @type {NodeListOf<SVGElement>} */
-        root.querySelectorAll(".carts-stage")
-      );
+      const stages = root.querySelectorAll(".carts-stage");
       this.stages = [...stages].map((stage2) => new Stage(stage2, baked));
-      const graphs = (
-        /** @type {NodeListOf<HTMLElement>} */
-        root.querySelectorAll(".carts-graph")
-      );
+      const graphs = root.querySelectorAll(".carts-graph");
       this.graphs = [...graphs].map((graph2) => new GraphView(graph2, baked, seek));
       this.views = new Views(root, baked);
       this.readouts = new Readouts(root, baked);
@@ -15828,8 +15641,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.torn = root.querySelectorAll(".carts-torn");
       this.acting = root.querySelector(".carts-acting");
       this.warnings = need(root, ".carts-warnings");
-      this.zoom = /** @type {HTMLSelectElement} */
-      need(root, ".carts-window");
+      this.zoom = need(root, ".carts-window");
     }
     show(run, t) {
       this.run = run;

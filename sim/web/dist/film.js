@@ -17,25 +17,16 @@
   function need(root, selector) {
     const found = root.querySelector(selector);
     if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found
-    );
+    return found;
   }
   function parsed(markup) {
     const holder = document.createElement("template");
     holder.innerHTML = markup;
-    return (
-      /** @type {HTMLElement} */
-      holder.content.firstElementChild
-    );
+    return holder.content.firstElementChild;
   }
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
@@ -104,10 +95,7 @@
       };
     }
     const place = html("div", "carts-film");
-    const video = (
-      /** @type {HTMLVideoElement} */
-      html("video", "carts-film-view")
-    );
+    const video = html("video", "carts-film-view");
     Object.assign(video, { srcObject: stream, muted: true, playsInline: true });
     video.setAttribute("aria-label", cameraPicture());
     const button = html("button", "carts-button carts-film-stop", startFilming());
@@ -324,21 +312,12 @@
   var NAMES = ["A", "B"];
   function marked(points, row) {
     const ends = [points.one, points.other].flatMap(
-      (at) => at ? [{ ...at, shape: (
-        /** @type {const} */
-        "end"
-      ), label: "" }] : []
+      (at) => at ? [{ ...at, shape: "end", label: "" }] : []
     );
     const rings = NAMES.flatMap((label, k) => {
-      const clicked = points[
-        /** @type {"A"} */
-        label
-      ];
+      const clicked = points[label];
       const at = row ? row.marks[k] : clicked;
-      const shape = (
-        /** @type {const} */
-        "ring"
-      );
+      const shape = "ring";
       return at ? [{ ...at, radius: clicked?.radius ?? 0, shape, label }] : [];
     });
     return [...ends, ...rings];
@@ -348,10 +327,7 @@
     return NAMES.flatMap((name, k) => {
       const [x, base] = [model[name], rows.find(({ marks }) => marks[k])?.marks[k]];
       if (x === void 0 || !base) return [];
-      return [{ ...along.place(x, base), shape: (
-        /** @type {const} */
-        "cross"
-      ), label: "" }];
+      return [{ ...along.place(x, base), shape: "cross", label: "" }];
     });
   }
 
@@ -373,12 +349,8 @@
     #go(place) {
       const t = this.mending.rows[place.row]?.t ?? 0;
       const { setup, frames, view, say: say2 } = this.film;
-      setup.aim = /** @type {"A"} */
-      NAMES[place.mark];
-      setup.show(
-        /** @type {("A" | "B")[]} */
-        NAMES
-      );
+      setup.aim = NAMES[place.mark];
+      setup.show(NAMES);
       say2(clickLost(setup.aim, fixed(t, 3)));
       const expected = this.mending.expected(place);
       void frames.want(t + 1e-6).then(() => expected && view.aim(expected));
@@ -405,35 +377,21 @@
   };
 
   // src/film/setup.js
-  var AIMS = (
-    /** @type {Aim[]} */
-    ["A", "B", "one", "other"]
-  );
-  var METRES = (
-    /** @type {Record<string, number>} */
-    { m: 1, cm: 0.01 }
-  );
+  var AIMS = ["A", "B", "one", "other"];
+  var METRES = { m: 1, cm: 0.01 };
   var Setup = class {
     points = {};
     aim = "A";
     constructor(root, changed) {
-      const find = (name) => (
-        /** @type {HTMLInputElement} */
-        need(root, `.carts-film-${name}`)
-      );
+      const find = (name) => need(root, `.carts-film-${name}`);
       this.boxes = { length: find("length"), slower: find("slower") };
-      this.unit = /** @type {HTMLSelectElement} */
-      need(root, ".carts-film-unit");
+      this.unit = need(root, ".carts-film-unit");
       this.buttons = [...root.querySelectorAll("[data-aim]")].map(
-        (button) => (
-          /** @type {HTMLButtonElement} */
-          button
-        )
+        (button) => button
       );
       for (const button of this.buttons) {
         button.addEventListener("click", () => {
-          this.aim = /** @type {Aim} */
-          button.dataset.aim;
+          this.aim = button.dataset.aim;
           changed();
         });
       }
@@ -474,10 +432,7 @@
     }
     show(offered) {
       for (const button of this.buttons) {
-        const aim = (
-          /** @type {Aim} */
-          button.dataset.aim
-        );
+        const aim = button.dataset.aim;
         button.disabled = !offered.includes(aim);
         button.setAttribute("aria-pressed", String(!button.disabled && aim === this.aim));
         button.classList.toggle("carts-film-set", Boolean(this.points[aim]));
@@ -491,15 +446,12 @@
   var LENS = 0.36;
   var ZOOM = 3;
   var COLOURS = { ring: "#ffe14d", cross: "#ff5cf4", end: "#5ce1ff" };
-  var KEYS = (
-    /** @type {Record<string, [number, number]>} */
-    {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, -1],
-      ArrowDown: [0, 1]
-    }
-  );
+  var KEYS = {
+    ArrowLeft: [-1, 0],
+    ArrowRight: [1, 0],
+    ArrowUp: [0, -1],
+    ArrowDown: [0, 1]
+  };
   var View = class {
     #picture = null;
     #shown = [];
@@ -598,14 +550,10 @@
       this.pen.fillText(label, x, y - reach - 4 * fine);
     }
     #line(path, colour, fine) {
-      for (
-        const [width, ink] of
-        /** @type {[number, string][]} */
-        [
-          [4.5, "#000"],
-          [2, colour]
-        ]
-      ) {
+      for (const [width, ink] of [
+        [4.5, "#000"],
+        [2, colour]
+      ]) {
         this.pen.lineWidth = width * fine;
         this.pen.strokeStyle = ink;
         this.pen.stroke(path);
@@ -657,15 +605,9 @@
 
   // src/film/session.js
   var ENDS = ["one", "other"];
-  var ALL = (
-    /** @type {import("./words.js").Aim[]} */
-    ["A", "B", "one", "other"]
-  );
+  var ALL = ["A", "B", "one", "other"];
   var TYPED = 600;
-  var CARTS = (
-    /** @type {import("./words.js").Aim[]} */
-    ["A", "B"]
-  );
+  var CARTS = ["A", "B"];
   var Session = class {
     #mending = null;
     #typing = 0;
@@ -685,8 +627,7 @@
         (picture, time) => this.#shown(picture, time),
         (refused) => this.#fail(refused)
       );
-      this.slider = /** @type {HTMLInputElement} */
-      need(root, ".carts-film-time");
+      this.slider = need(root, ".carts-film-time");
       this.slider.addEventListener("input", () => this.#seek());
       for (const input of this.setup.inputs) {
         input.addEventListener("input", () => {
@@ -730,10 +671,7 @@
         if (this.phase === "opening") this.#become("marking");
         this.#changed();
       } catch (refused) {
-        this.#fail(
-          /** @type {Refusal} */
-          refused
-        );
+        this.#fail(refused);
       }
     }
     #fail({ code, detail }) {
@@ -763,10 +701,7 @@
       if (this.phase === "followed") this.setup.show(CARTS);
       if (this.phase !== "marking") return;
       this.setup.show(ALL);
-      const follow = (
-        /** @type {HTMLButtonElement} */
-        need(this.root, ".carts-film-follow")
-      );
+      const follow = need(this.root, ".carts-film-follow");
       follow.disabled = !this.setup.placed || !this.setup.ruler;
       const open2 = this.setup.points[this.setup.aim] === void 0 || !this.setup.placed;
       this.#say(open2 ? asked(this.setup.aim) : askLength());
@@ -789,10 +724,7 @@
     }
     async follow() {
       if (this.phase !== "marking" || !this.setup.ruler) return;
-      const bar = (
-        /** @type {HTMLProgressElement} */
-        need(this.root, ".carts-film-part")
-      );
+      const bar = need(this.root, ".carts-film-part");
       bar.value = 0;
       this.#become("following");
       this.#say(following(0));
@@ -810,10 +742,7 @@
           this.#say(cancelled());
         }
       } catch (refused) {
-        this.#fail(
-          /** @type {Refusal} */
-          refused
-        );
+        this.#fail(refused);
       }
     }
     #followed(rows) {

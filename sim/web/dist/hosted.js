@@ -1,10 +1,7 @@
 "use strict";
 (() => {
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
@@ -106,10 +103,7 @@
       "beforeinstallprompt",
       (event) => {
         event.preventDefault();
-        put(button(
-          /** @type {Offer} */
-          event
-        ));
+        put(button(event));
       },
       { once: true }
     );
@@ -140,14 +134,8 @@
   }
 
   // src/hosted-main.js
-  var { src } = (
-    /** @type {HTMLScriptElement} */
-    document.currentScript
-  );
-  var place = (
-    /** @type {HTMLElement | null} */
-    document.querySelector(".carts-hosted")
-  );
+  var { src } = document.currentScript;
+  var place = document.querySelector(".carts-hosted");
   if (place) {
     const { shell } = place.dataset;
     if (shell) place.append(downloadLine(shell, new URL(".", src).href));

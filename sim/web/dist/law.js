@@ -37,10 +37,7 @@
   );
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -89,10 +86,7 @@
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
+        parts[quantity][key] = Float64Array.from(column);
       }
     }
     return parts;
@@ -105,10 +99,7 @@
     let high = times2.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t
-      ) low = middle + 1;
+      if (times2[middle] <= t) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -120,10 +111,7 @@
     return hermite(times2, values, slopes, k, t);
   }
   function hermite(times2, values, slopes, k, t) {
-    const at2 = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
+    const at2 = ((c, i) => c[i]);
     const h = at2(times2, k + 1) - at2(times2, k);
     const s = (t - at2(times2, k)) / h;
     if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s;
@@ -158,18 +146,12 @@
   function need(root, selector) {
     const found2 = root.querySelector(selector);
     if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found2
-    );
+    return found2;
   }
 
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
-    const known2 = (
-      /** @type {import("../../../view/types.js").Header} */
-      header
-    );
+    const known2 = header;
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
@@ -274,10 +256,7 @@
   }
   function hasTwoWalls(track) {
     return ["left", "right"].every(
-      (side) => track[
-        /** @type {"left" | "right"} */
-        side
-      ] === "wall" && whatIs(side, track) === "wall"
+      (side) => track[side] === "wall" && whatIs(side, track) === "wall"
     );
   }
   function thingAt(name, track, form2) {
@@ -346,14 +325,8 @@
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
   function spring(start, end2) {
-    const low = (
-      /** @type {number} */
-      SPRING[0]
-    );
-    const high = (
-      /** @type {number} */
-      SPRING[1]
-    );
+    const low = SPRING[0];
+    const high = SPRING[1];
     const step = (end2 - start) / 4;
     let d = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
@@ -427,10 +400,7 @@
 
   // src/worlds/ends.js
   function ends(columns, decimals) {
-    const real = (
-      /** @type {{run: Run}} */
-      columns[0].run
-    );
+    const real = columns[0].run;
     const table = html("table", "carts-worlds-ends");
     const head = html("tr");
     head.append(
@@ -582,10 +552,7 @@
         text: whose + tiltText(angle),
         x: px(x + length + 10),
         y: px(y),
-        anchor: (
-          /** @type {const} */
-          "start"
-        )
+        anchor: "start"
       };
       return [
         { key, cls: "carts-wedge", behind: true, d },
@@ -965,13 +932,10 @@
         [0.5, 0.2]
       ],
       ...[-0.4, -0.27, 0.27, 0.4].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0.2],
-            [x, 1]
-          ]
-        )
+        (x) => [
+          [x, 0.2],
+          [x, 1]
+        ]
       )
     ]);
   }
@@ -1022,13 +986,10 @@
         [0.5, top]
       ],
       ...[-0.42, -0.28, 0.28, 0.42].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0],
-            [x, top]
-          ]
-        )
+        (x) => [
+          [x, 0],
+          [x, top]
+        ]
       )
     ]);
   }
@@ -1096,10 +1057,7 @@ ${legend(baked, layout)}
 `;
   }
   function cart(name, i, skin) {
-    const { corner, wheels: wheels2 } = (
-      /** @type {import("../skins.js").Skin} */
-      SKINS[skin]
-    );
+    const { corner, wheels: wheels2 } = SKINS[skin];
     const face2 = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face2("left")}${face2("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
@@ -1281,10 +1239,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   function pullable(stage2, slider, full, width) {
     const group = svg("g", {});
     group.addEventListener("pointerdown", (event) => {
-      const down = (
-        /** @type {PointerEvent} */
-        event
-      );
+      const down = event;
       if (slider.disabled) return;
       event.preventDefault();
       const start = slider.valueAsNumber || 0;
@@ -1374,7 +1329,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         for (const element of group.querySelectorAll("[data-key]")) {
           this.#drawn.set(
             element.getAttribute("data-key") ?? "",
-            /** @type {SVGElement} */
             element
           );
         }
@@ -1597,10 +1551,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     #named({ push, sizes, x }, through) {
       const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
-      const { track } = (
-        /** @type {Run} */
-        this.#run.header
-      );
+      const { track } = this.#run.header;
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
@@ -1739,10 +1690,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
   function thingPaths(what, wall, layout, dent, height) {
     const place3 = pressed(what, wall, layout, dent, height);
-    const { own, lines: lines2 } = (
-      /** @type {(place: Place) => Made} */
-      MADE[what](place3)
-    );
+    const { own, lines: lines2 } = MADE[what](place3);
     const inner = mounting(what, wall, layout, place3.back);
     const far = wall.edge + wall.way * THICK;
     const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
@@ -1881,10 +1829,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i) => {
         const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
-        const box2 = (
-          /** @type {shapes.Box} */
-          boxes[i]
-        );
+        const box2 = boxes[i];
         drawBox(group, body2.name, box2);
         const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i]) < 0 ? -1 : 1;
@@ -1936,13 +1881,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       );
       this.#carts.forEach((cart2, i) => {
         const centre = Number(centres[i]);
-        const faces = (
-          /** @type {const} */
-          [
-            -cart2.half + Number(left[i]),
-            cart2.half - Number(right[i])
-          ]
-        );
+        const faces = [
+          -cart2.half + Number(left[i]),
+          cart2.half - Number(right[i])
+        ];
         const foot = this.layout.track - cart2.lift;
         put(cart2.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(cart2.mass, "x", px(centre));
@@ -2297,10 +2239,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/answers/parts.js
   function button(text, act, name = "") {
-    const made = (
-      /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text)
-    );
+    const made = html("button", `carts-button ${name}`.trim(), text);
     made.type = "button";
     made.addEventListener("click", act);
     return made;
@@ -2328,10 +2267,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/law/bar.js
   function lawBar(acts) {
     const button2 = (text, act) => {
-      const made = (
-        /** @type {HTMLButtonElement} */
-        html("button", "carts-button", text)
-      );
+      const made = html("button", "carts-button", text);
       made.type = "button";
       made.addEventListener("click", act);
       return made;
@@ -2718,10 +2654,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page2 = (
-      /** @type {any} */
-      globalThis
-    );
+    const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
@@ -2934,8 +2867,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
-  var isFetching = () => isOnWeb() && !/** @type {any} */
-  globalThis.__cartsInside;
+  var isFetching = () => isOnWeb() && !globalThis.__cartsInside;
   async function areKept(addresses) {
     if (!globalThis.navigator?.serviceWorker?.controller) return false;
     const asked2 = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
@@ -3318,10 +3250,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
           this.progress(name);
           return bytes;
         } catch (error) {
-          reject(
-            /** @type {RuntimeFailure} */
-            error
-          );
+          reject(error);
           return new Promise(() => {
           });
         }
@@ -3553,10 +3482,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         const answer = runtime.request({ kind: "law", ...message });
         answer.catch(() => {
         });
-        const { header, numbers } = (
-          /** @type {any} */
-          await Promise.race([answer, late])
-        );
+        const { header, numbers } = await Promise.race([answer, late]);
         if (!header.ok) throw refusal(header.problems ?? []);
         return { header, numbers };
       } catch (error) {
@@ -3682,11 +3608,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       #changed() {
         this.found?.replaceChildren();
-        say(
-          /** @type {HTMLElement} */
-          this.note,
-          tr("Your law has changed: judge it again.")
-        );
+        say(this.note, tr("Your law has changed: judge it again."));
       }
       #keep(text, tried = false) {
         return this.unsaved?.hear(this.keeper?.put(text, tried));
@@ -3726,48 +3648,22 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       async #run() {
         void this.#keep(this.editor?.text ?? "", true);
-        say(
-          /** @type {HTMLElement} */
-          this.note,
-          tr("Computing …")
-        );
+        say(this.note, tr("Computing …"));
         const scene = this.#scene();
         const { header, numbers } = await this.#python.ask({ do: "run", scene });
         const run = { header, trajectory: fromWire(header, numbers) };
-        this.#show(
-          run,
-          /** @type {Baked} */
-          this.#baked,
-          YOURS
-        );
-        this.#drawn = scene.laws[
-          /** @type {Facts} */
-          this.#facts.file
-        ];
+        this.#show(run, this.#baked, YOURS);
+        this.#drawn = scene.laws[this.#facts.file];
         this.#paper();
-        const unequal = (
-          /** @type {any} */
-          header.unequal
-        );
+        const unequal = header.unequal;
         const note = unequal ? tr("The two carts do not push each other equally hard.") : "";
-        say(
-          /** @type {HTMLElement} */
-          this.note,
-          note
-        );
+        say(this.note, note);
       }
       async #judge() {
         void this.#keep(this.editor?.text ?? "", true);
-        const note = (
-          /** @type {HTMLElement} */
-          this.note
-        );
+        const note = this.note;
         this.found?.replaceChildren();
-        const [scene, { file }] = [
-          this.#scene(),
-          /** @type {Facts} */
-          this.#facts
-        ];
+        const [scene, { file }] = [this.#scene(), this.#facts];
         let before = null;
         for (let part = 0, parts = 6; part !== null; ) {
           say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
@@ -3784,23 +3680,12 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       async #example(verdict) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });
         const run = { header, trajectory: fromWire(header, numbers) };
-        this.#show(run, alongWith(
-          /** @type {Baked} */
-          this.#baked,
-          run
-        ), tr("A counterexample"));
+        this.#show(run, alongWith(this.#baked, run), tr("A counterexample"));
         this.shown?.scrollIntoView({ block: "nearest" });
       }
       #scene() {
-        const { file } = (
-          /** @type {Facts} */
-          this.#facts
-        );
-        const scene = (
-          /** @type {any} */
-          /** @type {Baked} */
-          this.#baked.fence.scene
-        );
+        const { file } = this.#facts;
+        const scene = this.#baked.fence.scene;
         return { ...scene, laws: { ...scene.laws, [file]: this.editor?.text || "\n" } };
       }
       #show(run, baked, caption) {
@@ -3814,23 +3699,12 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.shown?.replaceChildren(this.#pictures.root);
       }
       #first() {
-        const baked = (
-          /** @type {Baked} */
-          this.#baked
-        );
+        const baked = this.#baked;
         this.#picture(baked.run, baked, tr("The law that you begin with"));
       }
       #tell(message, line2 = 0) {
-        say(
-          /** @type {HTMLElement} */
-          this.fault,
-          message
-        );
-        if (message) say(
-          /** @type {HTMLElement} */
-          this.note,
-          ""
-        );
+        say(this.fault, message);
+        if (message) say(this.note, "");
         if (line2) this.editor?.go(line2);
       }
       #working(on) {
@@ -3843,10 +3717,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/runtime/page-python.js
   function besideScript(folder) {
-    const script = (
-      /** @type {HTMLScriptElement | null} */
-      document.currentScript
-    );
+    const script = document.currentScript;
     const own = new URL(script?.src || document.baseURI);
     return new URL(`${folder}${own.search}`, own).href;
   }

@@ -62,10 +62,7 @@
   function need(root, selector) {
     const found = root.querySelector(selector);
     if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found
-    );
+    return found;
   }
 
   // src/measured/asking.js
@@ -179,22 +176,12 @@
     constructor(root, changed) {
       this.rows = /* @__PURE__ */ new Map();
       for (const row of root.querySelectorAll(".carts-measured-hand")) {
-        const slide = (
-          /** @type {HTMLInputElement} */
-          need(row, "input[type=range]")
-        );
-        const box = (
-          /** @type {HTMLInputElement} */
-          need(row, "input[type=number]")
-        );
-        this.rows.set(
-          /** @type {HTMLElement} */
-          row.dataset.hand ?? "",
-          {
-            slide,
-            box
-          }
-        );
+        const slide = need(row, "input[type=range]");
+        const box = need(row, "input[type=number]");
+        this.rows.set(row.dataset.hand ?? "", {
+          slide,
+          box
+        });
         slide.addEventListener("input", () => {
           box.value = shown(slide.valueAsNumber);
           changed();
@@ -234,10 +221,7 @@
     set value(hand) {
       const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
       for (const [key, { slide, box }] of this.rows) {
-        const value = Number(values[
-          /** @type {keyof typeof values} */
-          key
-        ]);
+        const value = Number(values[key]);
         slide.value = String(value);
         box.value = shown(value);
       }
@@ -530,10 +514,7 @@
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page2 = (
-      /** @type {any} */
-      globalThis
-    );
+    const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
@@ -1107,10 +1088,7 @@
   }
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
@@ -1121,10 +1099,7 @@
 
   // src/shared/bring.js
   function bring(name, address) {
-    const known = () => (
-      /** @type {any} */
-      globalThis[name] ?? null
-    );
+    const known = () => globalThis[name] ?? null;
     if (known()) return Promise.resolve(known());
     return new Promise((resolve) => {
       const script2 = document.createElement("script");
@@ -1152,10 +1127,7 @@
       this.base = base;
       this.take = take;
       this.tell = tell2;
-      const input = (
-        /** @type {HTMLInputElement} */
-        need(bench, ".carts-measured-film-file")
-      );
+      const input = need(bench, ".carts-measured-film-file");
       need(bench, ".carts-measured-film").addEventListener("click", () => input.click());
       input.addEventListener("change", () => {
         const [file] = input.files ?? [];
@@ -1219,10 +1191,7 @@
         const row = html("tr");
         for (const column of COLUMNS) {
           const cell = html("td");
-          const box = (
-            /** @type {HTMLInputElement} */
-            html("input")
-          );
+          const box = html("input");
           Object.assign(box, {
             type: "text",
             inputMode: "decimal",
@@ -1259,10 +1228,7 @@
       event.preventDefault();
       const block = text2.replace(/\r\n?/g, "\n").trimEnd().split("\n").slice(0, MOST).map((line) => line.split("	"));
       const row = event.target.closest("tr");
-      const top = [...this.body.children].indexOf(
-        /** @type {Element} */
-        row
-      );
+      const top = [...this.body.children].indexOf(row);
       const left = [...row?.querySelectorAll("input") ?? []].indexOf(event.target);
       const all = this.cells;
       for (const [k, cells] of block.entries()) {
@@ -1286,10 +1252,7 @@
     constructor(root, take, changed, tell2, unzip, base) {
       this.root = root;
       this.unzip = unzip;
-      const area = (
-        /** @type {HTMLElement} */
-        root.closest("carts-measured") ?? root
-      );
+      const area = root.closest("carts-measured") ?? root;
       this.films = new Films(area, base, take, tell2);
       this.take = (name, texts) => {
         this.films.end();
@@ -1297,13 +1260,9 @@
       };
       this.tell = tell2;
       this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
-      this.paste = /** @type {HTMLTextAreaElement} */
-      need(root, ".carts-measured-paste textarea");
+      this.paste = need(root, ".carts-measured-paste textarea");
       this.paste.addEventListener("input", changed);
-      const file = (
-        /** @type {HTMLInputElement} */
-        need(root, ".carts-measured-file")
-      );
+      const file = need(root, ".carts-measured-file");
       for (const input of root.querySelectorAll("button, textarea, select, input")) {
         input.disabled = false;
       }
@@ -1318,10 +1277,7 @@
       area.addEventListener("dragover", (event) => event.preventDefault());
       area.addEventListener("drop", (event) => {
         event.preventDefault();
-        const { dataTransfer } = (
-          /** @type {DragEvent} */
-          event
-        );
+        const { dataTransfer } = event;
         void this.files([...dataTransfer?.files ?? []]);
       });
     }
@@ -1504,8 +1460,7 @@
       this.player = new Player(() => this.#frame());
       this.player.speed = QUARTER;
       this.player.slow = false;
-      this.scrub = /** @type {HTMLInputElement} */
-      this.#part("scrub");
+      this.scrub = this.#part("scrub");
       this.scrub.addEventListener("input", () => {
         this.player.pause();
         this.player.seek(this.scrub.valueAsNumber);
@@ -1580,10 +1535,7 @@
     told(report) {
       showResult(this.#part("result"), report);
       this.#part("back").hidden = false;
-      const fence = (
-        /** @type {HTMLTextAreaElement} */
-        this.#part("fence")
-      );
+      const fence = this.#part("fence");
       fence.value = report.fence;
     }
     refuse(name, faults, what) {
@@ -1630,24 +1582,17 @@
     #wanted = "";
     // the run that was chosen at an earlier visit
     constructor(root, changed) {
-      const find = (name) => (
-        /** @type {HTMLInputElement} */
-        need(root, `.carts-measured-${name}`)
-      );
+      const find = (name) => need(root, `.carts-measured-${name}`);
       this.from = find("from");
       this.until = find("until");
       this.law = find("law");
       this.effect = find("effect");
       this.distance = find("distance");
       this.together = find("together");
-      this.run = /** @type {HTMLSelectElement} */
-      need(root, ".carts-measured-run");
+      this.run = need(root, ".carts-measured-run");
       this.place = need(root, ".carts-measured-masses");
       this.units = [...root.querySelectorAll(".carts-measured-unit")].map(
-        (select) => (
-          /** @type {HTMLSelectElement} */
-          select
-        )
+        (select) => select
       );
       this.changed = changed;
       for (const input of [...this.units, this.run, this.from, this.until]) {
@@ -1662,10 +1607,7 @@
       const before = this.#masses.map((box) => box.value);
       this.#names = names;
       this.#masses = names.map((_, k) => {
-        const box = (
-          /** @type {HTMLInputElement} */
-          html("input")
-        );
+        const box = html("input");
         Object.assign(box, {
           type: "number",
           step: "any",
@@ -1679,11 +1621,7 @@
         html("span", "", "weighed: "),
         ...names.flatMap((name, k) => {
           const label = html("label", "", `${name} `);
-          label.append(
-            /** @type {HTMLInputElement} */
-            this.#masses[k],
-            " kg"
-          );
+          label.append(this.#masses[k], " kg");
           return [label, " "];
         }),
         html("span", "carts-quiet", "if you have a balance")
@@ -1711,10 +1649,7 @@
     }
     fill(kept) {
       for (const select of this.units) {
-        const kind = (
-          /** @type {"time"} */
-          select.dataset.kind
-        );
+        const kind = select.dataset.kind;
         if (kept.units[kind]) select.value = kept.units[kind];
       }
       this.#wanted = kept.run ?? "";
@@ -1730,10 +1665,7 @@
     get chosen() {
       const units = { time: "", length: "", force: "" };
       for (const select of this.units) {
-        units[
-          /** @type {"time"} */
-          select.dataset.kind
-        ] = select.value;
+        units[select.dataset.kind] = select.value;
       }
       return units;
     }
@@ -1861,10 +1793,7 @@
     }
     show(found, times = []) {
       clearTimeout(this.#timer);
-      const held = (
-        /** @type {HTMLElement | null} */
-        this.place.querySelector(":focus")
-      );
+      const held = this.place.querySelector(":focus");
       const at = Number(held?.getAttribute("aria-valuenow"));
       this.#segments = structuredClone(found?.segments ?? []);
       this.place.hidden = !this.#segments.length;
@@ -1937,10 +1866,7 @@
         PageDown: -10,
         PageUp: 10
       };
-      const by = steps[
-        /** @type {keyof typeof steps} */
-        event.key
-      ];
+      const by = steps[event.key];
       const to = event.key === "Home" ? low : event.key === "End" ? high : now + by * this.#step;
       if (!Number.isFinite(to)) return;
       event.preventDefault();
@@ -1971,13 +1897,7 @@
     }
     #row(cart) {
       const rows = [...this.place.querySelectorAll(".carts-measured-strip-row")];
-      return (
-        /** @type {HTMLElement} */
-        rows.find((row) => (
-          /** @type {HTMLElement} */
-          row.dataset.cart === cart
-        ))
-      );
+      return rows.find((row) => row.dataset.cart === cart);
     }
     #put() {
       for (const cart of new Set(this.#segments.map((one) => one.cart))) {
@@ -1986,16 +1906,10 @@
         const spans = own.map(
           ({ kind, from, until }) => `${word(kind)} ${seconds(from)} – ${seconds(until)} s`
         );
-        const bar = (
-          /** @type {HTMLElement} */
-          row.firstElementChild
-        );
+        const bar = row.firstElementChild;
         put(bar, "aria-label", `${cart}: ${spans.join(", ")}`);
         for (const [k, { kind, from, until }] of own.entries()) {
-          const part = (
-            /** @type {HTMLElement} */
-            bar.children[k]
-          );
+          const part = bar.children[k];
           const named = kind === "contact" || NAMED2 * (until - from) > this.#length;
           part.textContent = named ? word(kind) : "";
           part.title = spans[k] ?? "";
@@ -2003,12 +1917,7 @@
           part.style.width = `${100 * (until - from) / this.#length}%`;
         }
         for (const [k, edge] of [...row.querySelectorAll(".carts-measured-edge")].entries())
-          this.#value(
-            /** @type {HTMLElement} */
-            edge,
-            cart,
-            k
-          );
+          this.#value(edge, cart, k);
       }
     }
     #value(edge, cart, k) {
@@ -2030,12 +1939,9 @@
     #stack() {
       for (const row of this.place.querySelectorAll(".carts-measured-strip-row")) {
         const width = row.getBoundingClientRect().width || USUAL2;
-        const edges = (
-          /** @type {HTMLElement[]} */
-          [
-            ...row.querySelectorAll(".carts-measured-edge")
-          ]
-        );
+        const edges = [
+          ...row.querySelectorAll(".carts-measured-edge")
+        ];
         const rows = lanes(
           edges.map((edge) => Number.parseFloat(edge.style.left) / 100 * width),
           WIDE
@@ -2060,15 +1966,9 @@
   function measuredElement(client, base) {
     return class CartsMeasured extends HTMLElement {
       #facts = null;
-      #kept = (
-        /** @type {Kept} */
-        {}
-      );
+      #kept = {};
       #read = null;
-      report = (
-        /** @type {import("../../../view/measured/types.js").Report | null} */
-        null
-      );
+      report = null;
       // of the last fit
       complete = Promise.resolve();
       #asking = new Asking(
@@ -2119,10 +2019,7 @@
         this.source?.films.end();
       }
       async #restore() {
-        const facts = (
-          /** @type {Facts} */
-          this.#facts
-        );
+        const facts = this.#facts;
         this.#kept = { ...empty(facts), ...await this.keeper?.get() };
         this.settings?.fill(this.#kept);
         if (this.strip) this.strip.given = this.#kept.segments ?? [];
@@ -2138,22 +2035,14 @@
         }
       }
       get #given() {
-        return readings(
-          this.#kept,
-          /** @type {Facts} */
-          this.#facts
-        );
+        return readings(this.#kept, this.#facts);
       }
       get #name() {
         return this.#kept.name || this.#facts?.name || "";
       }
       #take(name, texts) {
         this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
-        this.settings?.clear(usual(
-          texts,
-          /** @type {Facts} */
-          this.#facts
-        ));
+        this.settings?.clear(usual(texts, this.#facts));
         this.strip?.clear();
         this.complete = this.#reading();
       }
@@ -2188,10 +2077,7 @@
           show(found);
           return true;
         } catch (error) {
-          this.#note(
-            /** @type {Error} */
-            error.message
-          );
+          this.#note(error.message);
           return false;
         }
       }
@@ -2202,10 +2088,7 @@
         this.dispatchEvent(new CustomEvent("carts-measured"));
       }
       async #early() {
-        const read = (
-          /** @type {Read} */
-          this.#read
-        );
+        const read = this.#read;
         this.#keep();
         const found = await happened(client, this.#asking);
         const still = this.#read === read && !this.#tried;
@@ -2236,11 +2119,7 @@
         this.#keep();
         await this.#newest("model", { hand: this.hands.value }, (drawn) => {
           this.picture?.forget();
-          this.picture?.draw(
-            /** @type {Read} */
-            this.#read,
-            drawn
-          );
+          this.picture?.draw(this.#read, drawn);
         });
       }
       fit(compare = false) {
@@ -2261,10 +2140,7 @@
           this.#keep();
           this.dispatchEvent(new CustomEvent("carts-fitted"));
         } catch (error) {
-          this.#note(
-            /** @type {Error} */
-            error.message
-          );
+          this.#note(error.message);
         } finally {
           this.picture?.busy("");
         }
@@ -2273,11 +2149,7 @@
         this.report = found.report;
         if (this.hands) this.hands.value = found.parameters;
         this.#kept.hand = found.parameters;
-        this.picture?.draw(
-          /** @type {Read} */
-          this.#read,
-          found
-        );
+        this.picture?.draw(this.#read, found);
         this.picture?.told(found.report);
       }
       #refuse(faults, what = "") {
@@ -2432,8 +2304,7 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
-  var isFetching = () => isOnWeb() && !/** @type {any} */
-  globalThis.__cartsInside;
+  var isFetching = () => isOnWeb() && !globalThis.__cartsInside;
   async function areKept(addresses) {
     if (!globalThis.navigator?.serviceWorker?.controller) return false;
     const asked = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
@@ -2816,10 +2687,7 @@
           this.progress(name);
           return bytes;
         } catch (error) {
-          reject(
-            /** @type {RuntimeFailure} */
-            error
-          );
+          reject(error);
           return new Promise(() => {
           });
         }
@@ -3009,10 +2877,7 @@
     return client;
   }
   function besideScript(folder) {
-    const script2 = (
-      /** @type {HTMLScriptElement | null} */
-      document.currentScript
-    );
+    const script2 = document.currentScript;
     const own = new URL(script2?.src || document.baseURI);
     return new URL(`${folder}${own.search}`, own).href;
   }
@@ -3038,10 +2903,7 @@
 
   // src/measured-main.js
   var MEASURED = "newtons-carts-measured";
-  var script = (
-    /** @type {HTMLScriptElement | null} */
-    document.currentScript
-  );
+  var script = document.currentScript;
   var missing2 = missingFeatures();
   if (missing2.length) {
     for (const note of document.querySelectorAll("carts-measured .carts-note")) {

@@ -1,10 +1,7 @@
 "use strict";
 (() => {
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -160,10 +157,7 @@
   }
   function hasTwoWalls(track) {
     return ["left", "right"].every(
-      (side) => track[
-        /** @type {"left" | "right"} */
-        side
-      ] === "wall" && whatIs(side, track) === "wall"
+      (side) => track[side] === "wall" && whatIs(side, track) === "wall"
     );
   }
   function thingAt(name, track, form2) {
@@ -182,18 +176,8 @@
       ({ t, kind, bodies }) => row(tr("t: {event}", { event: named(kind, bodies, track) }), t, "s")
     );
     const ends = Object.keys(final.x).flatMap((cart) => [
-      row(
-        tr("x of {cart} at the end", { cart }),
-        /** @type {Bounds} */
-        final.x[cart],
-        "m"
-      ),
-      row(
-        tr("v of {cart} at the end", { cart }),
-        /** @type {Bounds} */
-        final.v[cart],
-        "m/s"
-      )
+      row(tr("x of {cart} at the end", { cart }), final.x[cart], "m"),
+      row(tr("v of {cart} at the end", { cart }), final.v[cart], "m/s")
     ]);
     return [...times, ...ends];
   }
@@ -326,16 +310,9 @@
         );
         if (turn !== this.#turn) return;
         if (!header.ok) throw refusal(header.problems ?? []);
-        this.#tell(
-          /** @type {any} */
-          header
-        );
+        this.#tell(header);
       } catch (error) {
-        if (turn === this.#turn) say(
-          this.note,
-          /** @type {Error} */
-          error.message
-        );
+        if (turn === this.#turn) say(this.note, error.message);
       }
     }
     #tell({ certificate, seconds, band }) {

@@ -139,10 +139,7 @@
   };
 
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -175,8 +172,7 @@
   var PAUSES = [1e3, 2e3, 4e3];
   var AT_ONCE = 2;
   var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
-  var isFetching = () => isOnWeb() && !/** @type {any} */
-  globalThis.__cartsInside;
+  var isFetching = () => isOnWeb() && !globalThis.__cartsInside;
   async function areKept(addresses) {
     if (!globalThis.navigator?.serviceWorker?.controller) return false;
     const asked = addresses.map((one) => caches.match(one, { ignoreSearch: true }));
@@ -559,10 +555,7 @@
           this.progress(name);
           return bytes;
         } catch (error) {
-          reject(
-            /** @type {RuntimeFailure} */
-            error
-          );
+          reject(error);
           return new Promise(() => {
           });
         }
@@ -750,14 +743,11 @@
   }
 
   // src/question/opening.js
-  var NAMES = (
-    /** @type {Record<string, string>} */
-    {
-      pre: tr("the test before the lesson"),
-      post: tr("the test after the lesson"),
-      delayed: tr("the last test")
-    }
-  );
+  var NAMES = {
+    pre: tr("the test before the lesson"),
+    post: tr("the test after the lesson"),
+    delayed: tr("the last test")
+  };
 
   // src/shared/dom.js
   function html(tag, className = "", text2 = "") {
@@ -776,10 +766,7 @@
   function need(root, selector) {
     const found = root.querySelector(selector);
     if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found
-    );
+    return found;
   }
 
   // src/shared/tab.js
@@ -1047,10 +1034,7 @@
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page2 = (
-      /** @type {any} */
-      globalThis
-    );
+    const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page2[name] ??= /* @__PURE__ */ new Map();
     return page2[name];
@@ -1154,10 +1138,7 @@
     }
     async earlier() {
       const all = await (await this.store).entries().catch(() => []);
-      return all.filter(([key, value]) => key.startsWith(this.before) && isDraft(value)).map(([, value]) => (
-        /** @type {Draft} */
-        value
-      )).filter((draft) => draft.hash !== this.hash).sort((a, b) => a.last < b.last ? 1 : -1);
+      return all.filter(([key, value]) => key.startsWith(this.before) && isDraft(value)).map(([, value]) => value).filter((draft) => draft.hash !== this.hash).sort((a, b) => a.last < b.last ? 1 : -1);
     }
     async ofFile(own, hash) {
       const published = hash !== "" && hash === this.hash;
@@ -1198,10 +1179,7 @@
 
   // src/answers/parts.js
   function button(text2, act, name = "") {
-    const made2 = (
-      /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text2)
-    );
+    const made2 = html("button", `carts-button ${name}`.trim(), text2);
     made2.type = "button";
     made2.addEventListener("click", act);
     return made2;
@@ -1242,11 +1220,7 @@
       text: text2,
       published
     }));
-    return (
-      /** @type {string} */
-      /** @type {any} */
-      header.base64
-    );
+    return header.base64;
   }
   function restored(client, text2, own) {
     return ofText(client, {}, text2, { do: "restore", own });
@@ -1261,10 +1235,7 @@
         ...asked,
         text: text2()
       }));
-      if (
-        /** @type {any} */
-        header.refused || sent.text === text2()
-      ) return header;
+      if (header.refused || sent.text === text2()) return header;
     }
   }
 
@@ -1322,10 +1293,7 @@
         ...{ kind: "teach", do: "look", lesson: told4.lesson, files: told4.files },
         ...{ text: text2(), have: page2.have }
       }));
-      return (
-        /** @type {any} */
-        header
-      );
+      return header;
     }
     async got(look) {
       if (!look.needs.length || this.#asked) return false;
@@ -1770,14 +1738,11 @@ ${second && across2}
 
   // ../view/measured/skeleton.js
   var MOST_ROWS = 60;
-  var UNITS = (
-    /** @type {const} */
-    [
-      ["length", "lengths are in"],
-      ["time", "times are in"],
-      ["force", "forces are in"]
-    ]
-  );
+  var UNITS = [
+    ["length", "lengths are in"],
+    ["time", "times are in"],
+    ["force", "forces are in"]
+  ];
   var HANDS = [
     ["touch", "first touch at", "s"],
     ["va", "velocity of A before", "m/s"],
@@ -1881,10 +1846,7 @@ ${table2(facts)}
   }
   function hasTwoWalls(track) {
     return ["left", "right"].every(
-      (side2) => track[
-        /** @type {"left" | "right"} */
-        side2
-      ] === "wall" && whatIs(side2, track) === "wall"
+      (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
     );
   }
   function kind(name, track) {
@@ -1997,10 +1959,7 @@ ${table2(facts)}
         text: whose + tiltText(angle),
         x: px(x + length + 10),
         y: px(y),
-        anchor: (
-          /** @type {const} */
-          "start"
-        )
+        anchor: "start"
       };
       return [
         { key, cls: "carts-wedge", behind: true, d },
@@ -2097,10 +2056,7 @@ ${table2(facts)}
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
+        parts[quantity][key] = Float64Array.from(column);
       }
     }
     return parts;
@@ -2110,10 +2066,7 @@ ${table2(facts)}
     let high = times2.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t
-      ) low = middle + 1;
+      if (times2[middle] <= t) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -2125,10 +2078,7 @@ ${table2(facts)}
     return hermite(times2, values, slopes, k, t);
   }
   function hermite(times2, values, slopes, k, t) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
+    const at = ((c, i) => c[i]);
     const h = at(times2, k + 1) - at(times2, k);
     const s = (t - at(times2, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
@@ -2373,10 +2323,7 @@ ${table2(facts)}
   // ../view/effects-forces.js
   function outside(header) {
     const { effects, track } = header;
-    const sides = (
-      /** @type {const} */
-      ["left", "right"]
-    );
+    const sides = ["left", "right"];
     const walls = sides.filter((side2) => track[side2] === "wall").map((side2) => kind(side2, track));
     const kinds = kindsOnOne(header).map(viewOf);
     const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
@@ -2604,13 +2551,10 @@ ${own.map((one) => control(one, fence.id))}
     const rest = fence.controls.filter(
       ({ set }) => ![...owners, "contact", "effects"].includes(ownerOf(set)) && !effectOf(set, header)
     );
-    const cards = (
-      /** @type {[string, Control[]][]} */
-      [
-        [tr("Contact"), contact],
-        [tr("Scene"), rest]
-      ]
-    );
+    const cards = [
+      [tr("Contact"), contact],
+      [tr("Scene"), rest]
+    ];
     return cards.filter(([, own]) => own.length).map(
       ([title, own]) => html2`<div class="carts-card" role="group" aria-label=${title}>
 <p class="carts-heading">${title}</p>
@@ -2670,14 +2614,11 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   // ../view/skeleton/predict.js
   var FULL = 10;
   var STEP2 = 0.05;
-  var CERTAINTY = (
-    /** @type {[string, string][]} */
-    [
-      ["guess", tr("a guess")],
-      ["think", tr("I think so")],
-      ["sure", tr("I am sure")]
-    ]
-  );
+  var CERTAINTY = [
+    ["guess", tr("a guess")],
+    ["think", tr("I think so")],
+    ["sure", tr("I am sure")]
+  ];
   var TIMES = {
     contact: [
       tr("at first touch"),
@@ -2837,13 +2778,10 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
         [0.5, 0.2]
       ],
       ...[-0.4, -0.27, 0.27, 0.4].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0.2],
-            [x, 1]
-          ]
-        )
+        (x) => [
+          [x, 0.2],
+          [x, 1]
+        ]
       )
     ]);
   }
@@ -2894,13 +2832,10 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
         [0.5, top]
       ],
       ...[-0.42, -0.28, 0.28, 0.42].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0],
-            [x, top]
-          ]
-        )
+        (x) => [
+          [x, 0],
+          [x, top]
+        ]
       )
     ]);
   }
@@ -2989,10 +2924,7 @@ ${legend(baked, layout)}
 `;
   }
   function cart(name, i, skin) {
-    const { corner, wheels } = (
-      /** @type {import("../skins.js").Skin} */
-      SKINS[skin]
-    );
+    const { corner, wheels } = SKINS[skin];
     const face = (side2) => html2`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
@@ -3249,10 +3181,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
 
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
-    const known = (
-      /** @type {import("../../../view/types.js").Header} */
-      header
-    );
+    const known = header;
     return { fence, view, run: { header: known, trajectory: fromBaked(numbers, known.events) } };
   }
 
@@ -3263,10 +3192,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
   function drawScene(element) {
     const raw = JSON.parse(need(element, "script.carts-baked").textContent ?? "");
-    const shown2 = (
-      /** @type {HTMLTemplateElement | null} */
-      element.querySelector("template.carts-shown")
-    );
+    const shown2 = element.querySelector("template.carts-shown");
     if (shown2) {
       const open3 = { ...raw, ...JSON.parse(shown2.dataset.baked ?? "{}") };
       shown2.innerHTML = inside3(bakedOf(open3), true).text;
@@ -3298,10 +3224,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       (element) => !element.querySelector(".katex")
     );
     if (!waiting2.length) return;
-    const page2 = (
-      /** @type {any} */
-      globalThis
-    );
+    const page2 = globalThis;
     if (!page2.katex) await loadKatex(assets);
     const { setAttribute } = Element.prototype;
     Element.prototype.setAttribute = function(name, value) {
@@ -3394,11 +3317,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         blocks[k] ??= html("p", MISSING);
         const missing = isMissing(blocks[k]);
         blocks[k]?.classList.toggle("carts-teach-old", wrong && !missing);
-        if (missing) say(
-          /** @type {HTMLElement} */
-          blocks[k],
-          notYet(block.state)
-        );
+        if (missing) say(blocks[k], notYet(block.state));
       });
       const same = look.frame === null || look.frame === this.#frame;
       if (same && as) {
@@ -3422,10 +3341,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (block.key && block.html) {
         const made2 = document.createElement("template");
         made2.innerHTML = block.html;
-        const element = (
-          /** @type {HTMLElement} */
-          made2.content.firstElementChild
-        );
+        const element = made2.content.firstElementChild;
         drawBlock(element);
         this.#made.set(block.key, element);
         return element;
@@ -3463,10 +3379,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       for (const old of this.article.querySelectorAll(".carts-teach-change")) old.remove();
       this.#blocks.forEach((element, k) => {
         if (!element?.isConnected || isMissing(element)) return;
-        const name = (
-          /** @type {Record<string, string>} */
-          NAMES2[element.localName] ?? "block"
-        );
+        const name = NAMES2[element.localName] ?? "block";
         const button3 = html("button", "carts-button", `Change this ${name}`);
         button3.setAttribute("type", "button");
         button3.addEventListener("click", () => this.change(k));
@@ -3496,10 +3409,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
   function fill(root, blocks) {
     for (const place4 of root.querySelectorAll("carts-place")) {
-      const element = blocks[Number(
-        /** @type {HTMLElement} */
-        place4.dataset.block
-      )];
+      const element = blocks[Number(place4.dataset.block)];
       if (element) place4.replaceWith(element);
     }
   }
@@ -3575,10 +3485,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
 
   // src/shared/bring.js
   function bring(name, address) {
-    const known = () => (
-      /** @type {any} */
-      globalThis[name] ?? null
-    );
+    const known = () => globalThis[name] ?? null;
     if (known()) return Promise.resolve(known());
     return new Promise((resolve) => {
       const script = document.createElement("script");
@@ -3597,8 +3504,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   async function loadLesson(address) {
     const packed2 = await bring("__cartsLesson", address);
     if (packed2 === null) throw new Error("the lesson's text is missing in this site");
-    delete /** @type {any} */
-    globalThis.__cartsLesson;
+    delete globalThis.__cartsLesson;
     const bytes = Uint8Array.from(atob(packed2), (letter) => letter.charCodeAt(0));
     const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
     return JSON.parse(decoder.decode(await gunzip([bytes])));
@@ -3652,10 +3558,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         const { missing, same } = await putBack(this.session, own);
         this.tell(taken(missing, same));
       } catch (error) {
-        const { message } = (
-          /** @type {Error} */
-          error
-        );
+        const { message } = error;
         this.tell(`Notes and marking guides could not be put back: ${message}`);
         const open3 = () => {
           this.#offer.remove();
@@ -3771,11 +3674,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.#say(row, why);
       } catch (error) {
         row.refused = true;
-        this.#say(
-          row,
-          /** @type {Error} */
-          error.message
-        );
+        this.#say(row, error.message);
       }
     }
     #say({ control: control2, note }, text2) {
@@ -3911,8 +3810,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.asText.className = "carts-teach-text";
       this.asText.append(html("summary", "", "As text"), this.text.root);
       this.mistakes = html("ul", "carts-teach-mistakes");
-      this.piece = /** @type {Piece} */
-      { kind: "text", text: "", line: 1 };
+      this.piece = { kind: "text", text: "", line: 1 };
       this.findings = [];
       this.root.addEventListener("toggle", () => {
         if (!this.root.open) return;
@@ -4019,10 +3917,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
           downloadBlob(name, new Blob([bytes], { type: "application/zip" }));
           saved(name, `Saved as ${name}, with a list of what was changed.`, lacking);
         } catch (error) {
-          tell(
-            /** @type {Error} */
-            error.message
-          );
+          tell(error.message);
         }
       },
       "carts-teach-zip"
@@ -4243,8 +4138,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     add(name, done) {
       const told4 = done.then(
         (why) => why && `${name}: ${why}`,
-        (error) => `${name}: ${/** @type {Error} */
-        error.message}`
+        (error) => `${name}: ${error.message}`
       );
       this.#values.set(told4, name);
       void told4.then(() => this.#values.delete(told4));
@@ -4278,10 +4172,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.link = link;
       this.base = told4.text ?? "";
       this.history = new History(this.base);
-      const article = (
-        /** @type {HTMLElement} */
-        link.closest("article") ?? document.body
-      );
+      const article = link.closest("article") ?? document.body;
       this.page = new LessonPage(article, assets, (k) => this.panel.openBlock(k));
       this.panel = new Panel(this);
       this.looks = new Looks(this);
@@ -4323,10 +4214,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.panel.status(back ? `Your draft of ${clock(back.last)} is back.` : "");
         if (this.text !== built) await this.#follow();
       } catch (error) {
-        const { message, detail } = (
-          /** @type {Error & {detail?: string}} */
-          error
-        );
+        const { message, detail } = error;
         console.warn(message, detail ?? "");
         this.panel.offerEarlier(earlier);
         return this.panel.withoutPython(message);
@@ -4398,10 +4286,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       try {
         await this.#follow();
       } catch (error) {
-        this.panel.status(
-          /** @type {Error} */
-          error.message
-        );
+        this.panel.status(error.message);
       } finally {
         this.#working = false;
       }
@@ -4455,10 +4340,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var PACKAGE = "newtons-carts-teacher";
   var session = null;
   async function begin() {
-    const link = (
-      /** @type {HTMLElement} */
-      document.querySelector(".carts-teach-door a")
-    );
+    const link = document.querySelector(".carts-teach-door a");
     const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
     const assets = new URL("../", address).href;
     const told4 = await loadLesson(address);

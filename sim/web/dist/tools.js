@@ -25,10 +25,7 @@
   function need(root, selector) {
     const found = root.querySelector(selector);
     if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found
-    );
+    return found;
   }
 
   // src/shared/follow.js
@@ -51,26 +48,17 @@
   // src/tools/ruler.js
   function workRuler(scene) {
     scene.addEventListener("input", ({ target }) => {
-      if (
-        /** @type {Element} */
-        target.closest('[data-tool="ruler"]')
-      ) lay(scene);
+      if (target.closest('[data-tool="ruler"]')) lay(scene);
     });
     scene.addEventListener("pointerdown", (event) => {
-      const end = (
-        /** @type {Element} */
-        event.target.closest(".carts-tape-end")
-      );
+      const end = event.target.closest(".carts-tape-end");
       if (end) pull(scene, end, event);
     });
   }
   function lay(scene) {
     const tool = need(scene, '[data-tool="ruler"]');
     const decimals = Number(tool.dataset.decimals);
-    const slider = (key) => (
-      /** @type {HTMLInputElement} */
-      need(tool, `[data-end="${key}"]`)
-    );
+    const slider = (key) => need(tool, `[data-end="${key}"]`);
     const [from, to] = [slider("from"), slider("to")];
     for (const one of [from, to]) {
       put(one, "aria-valuetext", `${fixed(one.valueAsNumber, decimals)} m`);
@@ -78,10 +66,7 @@
     const length = fixed(Math.abs(to.valueAsNumber - from.valueAsNumber), decimals);
     say(need(tool, "output"), length);
     for (const tape of scene.querySelectorAll(".carts-tape")) {
-      const { origin, scale, y } = (
-        /** @type {SVGElement} */
-        tape.dataset
-      );
+      const { origin, scale, y } = tape.dataset;
       const at = (one) => Number(origin) + one.valueAsNumber * Number(scale);
       for (const one of [from, to]) {
         const end = need(tape, `[data-end="${one.dataset.end}"]`);
@@ -94,20 +79,11 @@
     }
   }
   function pull(scene, end, down) {
-    const tape = (
-      /** @type {SVGElement} */
-      end.closest(".carts-tape")
-    );
-    const stage = (
-      /** @type {SVGSVGElement} */
-      tape.ownerSVGElement
-    );
+    const tape = end.closest(".carts-tape");
+    const stage = tape.ownerSVGElement;
     const key = end.getAttribute("data-end");
     const slider = need(scene, `[data-tool="ruler"] [data-end="${key}"]`);
-    const { valueAsNumber: start } = (
-      /** @type {HTMLInputElement} */
-      slider
-    );
+    const { valueAsNumber: start } = slider;
     const units = stage.viewBox.baseVal.width / stage.getBoundingClientRect().width;
     const metres = units / Number(tape.dataset.scale);
     down.preventDefault();
@@ -142,10 +118,7 @@
       requestAnimationFrame(follow);
     };
     scene.addEventListener("click", ({ target }) => {
-      const button = (
-        /** @type {Element} */
-        target.closest('[data-tool="stopwatch"] [data-act]')
-      );
+      const button = target.closest('[data-tool="stopwatch"] [data-act]');
       if (!button) return;
       tool();
       if (button.getAttribute("data-act") === "zero") {
@@ -164,10 +137,7 @@
 
   // src/tools-main.js
   for (const scene of document.querySelectorAll("carts-scene")) {
-    const timed = (
-      /** @type {import("./tools/stopwatch.js").Scene} */
-      scene
-    );
+    const timed = scene;
     if (scene.querySelector('[data-tool="stopwatch"]')) workStopwatch(timed);
     if (scene.querySelector('[data-tool="ruler"]')) workRuler(timed);
   }

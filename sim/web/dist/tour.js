@@ -1,10 +1,7 @@
 "use strict";
 (() => {
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
@@ -183,9 +180,6 @@
   }
 
   // src/tour-main.js
-  var first = (
-    /** @type {import("./tour/hints.js").Scene | null} */
-    document.querySelector("carts-scene")
-  );
+  var first = document.querySelector("carts-scene");
   if (first) showTour(first);
 })();

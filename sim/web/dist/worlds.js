@@ -1,10 +1,7 @@
 "use strict";
 (() => {
   // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
+  var catalogue = globalThis.cartsWords ?? {};
   var FORMS = "\0";
   var RULE = catalogue["\0"] ?? "";
   function tr(sentence, values = {}) {
@@ -53,10 +50,7 @@
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
+        parts[quantity][key] = Float64Array.from(column);
       }
     }
     return parts;
@@ -69,10 +63,7 @@
     let high = times2.length;
     while (low < high) {
       const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t
-      ) low = middle + 1;
+      if (times2[middle] <= t) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -84,10 +75,7 @@
     return hermite(times2, values, slopes, k, t);
   }
   function hermite(times2, values, slopes, k, t) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
+    const at = ((c, i) => c[i]);
     const h = at(times2, k + 1) - at(times2, k);
     const s = (t - at(times2, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
@@ -122,10 +110,7 @@
   function need(root, selector) {
     const found2 = root.querySelector(selector);
     if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found2
-    );
+    return found2;
   }
 
   // src/scene/baked.js
@@ -133,10 +118,7 @@
     return bakedOf(JSON.parse(need(element, "script.carts-baked").textContent ?? ""));
   }
   function bakedOf({ fence, view, numbers, ...header }) {
-    const known2 = (
-      /** @type {import("../../../view/types.js").Header} */
-      header
-    );
+    const known2 = header;
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
@@ -246,10 +228,7 @@
   }
   function hasTwoWalls(track) {
     return ["left", "right"].every(
-      (side) => track[
-        /** @type {"left" | "right"} */
-        side
-      ] === "wall" && whatIs(side, track) === "wall"
+      (side) => track[side] === "wall" && whatIs(side, track) === "wall"
     );
   }
   function thingAt(name, track, form2) {
@@ -318,14 +297,8 @@
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
   function spring(start, end2) {
-    const low = (
-      /** @type {number} */
-      SPRING[0]
-    );
-    const high = (
-      /** @type {number} */
-      SPRING[1]
-    );
+    const low = SPRING[0];
+    const high = SPRING[1];
     const step = (end2 - start) / 4;
     let d = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
@@ -400,10 +373,7 @@
 
   // src/worlds/ends.js
   function ends(columns, decimals) {
-    const real = (
-      /** @type {{run: Run}} */
-      columns[0].run
-    );
+    const real = columns[0].run;
     const table = html("table", "carts-worlds-ends");
     const head = html("tr");
     head.append(
@@ -555,10 +525,7 @@
         text: whose + tiltText(angle),
         x: px(x + length + 10),
         y: px(y),
-        anchor: (
-          /** @type {const} */
-          "start"
-        )
+        anchor: "start"
       };
       return [
         { key, cls: "carts-wedge", behind: true, d },
@@ -938,13 +905,10 @@
         [0.5, 0.2]
       ],
       ...[-0.4, -0.27, 0.27, 0.4].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0.2],
-            [x, 1]
-          ]
-        )
+        (x) => [
+          [x, 0.2],
+          [x, 1]
+        ]
       )
     ]);
   }
@@ -995,13 +959,10 @@
         [0.5, top]
       ],
       ...[-0.42, -0.28, 0.28, 0.42].map(
-        (x) => (
-          /** @type {Point[]} */
-          [
-            [x, 0],
-            [x, top]
-          ]
-        )
+        (x) => [
+          [x, 0],
+          [x, top]
+        ]
       )
     ]);
   }
@@ -1069,10 +1030,7 @@ ${legend(baked, layout)}
 `;
   }
   function cart(name, i, skin) {
-    const { corner, wheels: wheels2 } = (
-      /** @type {import("../skins.js").Skin} */
-      SKINS[skin]
-    );
+    const { corner, wheels: wheels2 } = SKINS[skin];
     const face2 = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face2("left")}${face2("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text></g>
 `;
@@ -1254,10 +1212,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   function pullable(stage2, slider, full, width) {
     const group = svg("g", {});
     group.addEventListener("pointerdown", (event) => {
-      const down = (
-        /** @type {PointerEvent} */
-        event
-      );
+      const down = event;
       if (slider.disabled) return;
       event.preventDefault();
       const start = slider.valueAsNumber || 0;
@@ -1347,7 +1302,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         for (const element of group.querySelectorAll("[data-key]")) {
           this.#drawn.set(
             element.getAttribute("data-key") ?? "",
-            /** @type {SVGElement} */
             element
           );
         }
@@ -1570,10 +1524,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     #named({ push, sizes, x }, through) {
       const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
-      const { track } = (
-        /** @type {Run} */
-        this.#run.header
-      );
+      const { track } = this.#run.header;
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
@@ -1712,10 +1663,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   }
   function thingPaths(what, wall, layout, dent, height) {
     const place3 = pressed(what, wall, layout, dent, height);
-    const { own, lines: lines2 } = (
-      /** @type {(place: Place) => Made} */
-      MADE[what](place3)
-    );
+    const { own, lines: lines2 } = MADE[what](place3);
     const inner = mounting(what, wall, layout, place3.back);
     const far = wall.edge + wall.way * THICK;
     const behind = area([...inner, [far, wall.top], [far, layout.track + layout.beam]]);
@@ -1854,10 +1802,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i) => {
         const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
-        const box2 = (
-          /** @type {shapes.Box} */
-          boxes[i]
-        );
+        const box2 = boxes[i];
         drawBox(group, body2.name, box2);
         const skin = SKINS[this.skins[body2.name] ?? ""];
         const front = Number(this.starts[i]) < 0 ? -1 : 1;
@@ -1909,13 +1854,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       );
       this.#carts.forEach((cart2, i) => {
         const centre = Number(centres[i]);
-        const faces = (
-          /** @type {const} */
-          [
-            -cart2.half + Number(left[i]),
-            cart2.half - Number(right[i])
-          ]
-        );
+        const faces = [
+          -cart2.half + Number(left[i]),
+          cart2.half - Number(right[i])
+        ];
         const foot = this.layout.track - cart2.lift;
         put(cart2.group, "transform", `translate(${px(centre)} ${px(foot)})`);
         put(cart2.mass, "x", px(centre));
@@ -2532,10 +2474,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/shared/shelter.js
   function shelter(site) {
-    const page = (
-      /** @type {any} */
-      globalThis
-    );
+    const page = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
     page[name] ??= /* @__PURE__ */ new Map();
     return page[name];
@@ -2746,10 +2685,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       for (const part of [...this.children]) if (part.localName !== "script") part.remove();
     }
     #heard(event) {
-      const { detail } = (
-        /** @type {CustomEvent} */
-        event
-      );
+      const { detail } = event;
       const values = asText(detail ?? {});
       if (values === this.#values) return;
       this.#values = values;
@@ -2798,11 +2734,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         say(note, "");
         this.#pictures.player.play();
       } catch (error) {
-        if (turn === this.#turn) say(
-          note,
-          /** @type {Error} */
-          error.message
-        );
+        if (turn === this.#turn) say(note, error.message);
       }
     }
     async #ask(message) {
@@ -2815,10 +2747,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return html("p", "carts-worlds-yours", tr("This is the world of your arrows."));
   }
   function broken({ header }) {
-    const { broken: sentences } = (
-      /** @type {any} */
-      header
-    );
+    const { broken: sentences } = header;
     const box2 = html("div", "carts-worlds-broken");
     box2.append(html("p", "carts-heading", tr("What breaks there")));
     const list = html("ul");
