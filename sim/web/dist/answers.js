@@ -447,14 +447,7 @@
   }
   async function indexed(name) {
     const begin = await reopening(name);
-    const read = async (ask2) => {
-      const work = await begin("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask2(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
-    };
+    const read = async (ask2) => answered(ask2((await begin("readonly")).objectStore(STORE)));
     const put2 = newestFirst(
       (key, value, alone2) => write(begin, (answers) => {
         if (value === GONE) answers.delete(key);
@@ -474,13 +467,20 @@
       put: put2,
       remove: (key) => put2(key, GONE),
       entries: async () => {
+        const answers = (await begin("readonly")).objectStore(STORE);
         const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
+          answered(answers.getAllKeys()),
+          answered(answers.getAll())
         ]);
         return keys.map((key, k) => [String(key), values[k]]);
       }
     };
+  }
+  function answered(request) {
+    return new Promise((resolve, reject) => {
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
   }
   var settling;
   async function write(begin, act) {
@@ -1692,7 +1692,7 @@
 
   // src/question/gate.js
   var OPEN_ALL = "carts-open-questions";
-  function wait(element, answered, signal) {
+  function wait(element, answered2, signal) {
     const id = element.dataset.after;
     if (!id || element.dataset.opened !== void 0) return;
     const open2 = () => element.dataset.opened = "";
@@ -1701,7 +1701,7 @@
       const scene = document.getElementById(id);
       if (!scene || [seen, "reason"].some((name) => name in scene.dataset)) open2();
     };
-    if (answered) return open2();
+    if (answered2) return open2();
     queueMicrotask(() => signal.aborted || look());
     for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
       document.addEventListener(kind, look, { signal });

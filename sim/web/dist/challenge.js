@@ -296,14 +296,7 @@
   }
   async function indexed(name) {
     const begin = await reopening(name);
-    const read = async (ask) => {
-      const work = await begin("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
-    };
+    const read = async (ask) => answered(ask((await begin("readonly")).objectStore(STORE)));
     const put = newestFirst(
       (key, value2, alone2) => write(begin, (answers) => {
         if (value2 === GONE) answers.delete(key);
@@ -323,13 +316,20 @@
       put,
       remove: (key) => put(key, GONE),
       entries: async () => {
+        const answers = (await begin("readonly")).objectStore(STORE);
         const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
+          answered(answers.getAllKeys()),
+          answered(answers.getAll())
         ]);
         return keys.map((key, k) => [String(key), values[k]]);
       }
     };
+  }
+  function answered(request) {
+    return new Promise((resolve, reject) => {
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
   }
   var settling;
   async function write(begin, act) {

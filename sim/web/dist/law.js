@@ -2597,14 +2597,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   }
   async function indexed(name) {
     const begin = await reopening(name);
-    const read = async (ask) => {
-      const work = await begin("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
-    };
+    const read = async (ask) => answered(ask((await begin("readonly")).objectStore(STORE)));
     const put2 = newestFirst(
       (key, value, alone2) => write2(begin, (answers) => {
         if (value === GONE) answers.delete(key);
@@ -2624,13 +2617,20 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       put: put2,
       remove: (key) => put2(key, GONE),
       entries: async () => {
+        const answers = (await begin("readonly")).objectStore(STORE);
         const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
+          answered(answers.getAllKeys()),
+          answered(answers.getAll())
         ]);
         return keys.map((key, k) => [String(key), values[k]]);
       }
     };
+  }
+  function answered(request) {
+    return new Promise((resolve, reject) => {
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
   }
   var settling;
   async function write2(begin, act) {

@@ -69,10 +69,10 @@
   var Asking = class {
     #owners = { read: {}, model: {}, ready: {}, segments: {}, fit: {}, tracker: {} };
     #generation = 0;
-    constructor(client, common, answered) {
+    constructor(client, common, answered2) {
       this.client = client;
       this.common = common;
-      this.answered = answered;
+      this.answered = answered2;
     }
     async ask(what, more = {}) {
       const { header } = await this.client.ask(this.#owners[what] ?? {}, () => ({
@@ -457,14 +457,7 @@
   }
   async function indexed(name) {
     const begin = await reopening(name);
-    const read = async (ask) => {
-      const work = await begin("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
-    };
+    const read = async (ask) => answered(ask((await begin("readonly")).objectStore(STORE)));
     const put2 = newestFirst(
       (key, value, alone2) => write(begin, (answers) => {
         if (value === GONE) answers.delete(key);
@@ -484,13 +477,20 @@
       put: put2,
       remove: (key) => put2(key, GONE),
       entries: async () => {
+        const answers = (await begin("readonly")).objectStore(STORE);
         const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
+          answered(answers.getAllKeys()),
+          answered(answers.getAll())
         ]);
         return keys.map((key, k) => [String(key), values[k]]);
       }
     };
+  }
+  function answered(request) {
+    return new Promise((resolve, reject) => {
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
   }
   var settling;
   async function write(begin, act) {

@@ -977,14 +977,7 @@
   }
   async function indexed(name) {
     const begin2 = await reopening(name);
-    const read = async (ask) => {
-      const work = await begin2("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
-    };
+    const read = async (ask) => answered(ask((await begin2("readonly")).objectStore(STORE)));
     const put = newestFirst(
       (key, value, alone2) => write2(begin2, (answers) => {
         if (value === GONE) answers.delete(key);
@@ -1004,13 +997,20 @@
       put,
       remove: (key) => put(key, GONE),
       entries: async () => {
+        const answers = (await begin2("readonly")).objectStore(STORE);
         const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
+          answered(answers.getAllKeys()),
+          answered(answers.getAll())
         ]);
         return keys.map((key, k) => [String(key), values[k]]);
       }
     };
+  }
+  function answered(request) {
+    return new Promise((resolve, reject) => {
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
   }
   var settling;
   async function write2(begin2, act) {

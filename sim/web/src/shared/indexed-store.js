@@ -49,14 +49,7 @@ async function reopening(name) {
 export async function indexed(name) {
   const begin = await reopening(name);
   /** @template T @param {(answers: IDBObjectStore) => IDBRequest<T>} ask @returns {Promise<T>} */
-  const read = async (ask) => {
-    const work = await begin("readonly");
-    return new Promise((resolve, reject) => {
-      const request = ask(work.objectStore(STORE));
-      request.onsuccess = () => resolve(request.result);
-      request.onerror = () => reject(request.error);
-    });
-  };
+  const read = async (ask) => answered(ask((await begin("readonly")).objectStore(STORE)));
   const put = newestFirst((key, value, alone) =>
     write(begin, (answers) => {
       if (value === GONE) answers.delete(key);
@@ -76,13 +69,23 @@ export async function indexed(name) {
     put,
     remove: (key) => put(key, GONE),
     entries: async () => {
+      // In one transaction: what another tab writes between two would move the values by a key.
+      const answers = (await begin("readonly")).objectStore(STORE);
       const [keys, values] = await Promise.all([
-        read((answers) => answers.getAllKeys()),
-        read((answers) => answers.getAll()),
+        answered(answers.getAllKeys()),
+        answered(answers.getAll()),
       ]);
       return keys.map((key, k) => [String(key), values[k]]);
     },
   };
+}
+
+/** @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
+function answered(request) {
+  return new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
 }
 
 /** @type {ReturnType<typeof setTimeout> | undefined} */
