@@ -411,8 +411,10 @@
   var MOST_TABLE = 1e7;
   var isTable = ({ name }) => /\.(csv|tsv|xlsx?|ods)$/i.test(name);
   async function asTable(file, group) {
-    const base64 = file.size > MOST_TABLE ? null : await asBase64(file);
-    return base64 === null ? null : { name: file.name, base64, form: "", group };
+    if (file.size > MOST_TABLE) return tr("this table is too large for a page");
+    const base64 = await asBase64(file);
+    if (base64 === null) return tr("this file cannot be read");
+    return { name: file.name, base64, form: "", group };
   }
   async function readAll(files, ask, found) {
     let done = 0;
@@ -626,6 +628,7 @@
       const one = question();
       const inBox = event.target instanceof HTMLSelectElement;
       if (!one || inBox || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.repeat) return;
       if (/^\d$/.test(event.key) && Number(event.key) <= one.worth) {
         event.preventDefault();
         give(one, Number(event.key));
@@ -933,8 +936,8 @@
         for (const file of files.filter(isTable)) {
           const table = await asTable(file, group);
           if (lifetime !== this.#lifetime) return;
-          if (table) this.classroom.tables.push(table);
-          else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
+          if (typeof table === "string") this.classroom.refused.push([file.name, table]);
+          else this.classroom.tables.push(table);
         }
         if (lifetime !== this.#lifetime) return;
         const answers = files.filter((file) => !isTable(file));

@@ -10,6 +10,39 @@
     return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
+  // src/runtime/line.js
+  var PAUSES = [1e3, 2e3, 4e3];
+  var AT_ONCE = 2;
+  var isOnWeb = () => /^https?:$/.test(globalThis.location?.protocol ?? "");
+  var isFetching = () => isOnWeb() && !globalThis.__cartsInside;
+  async function persistently(ask, pauses = isOnWeb() ? PAUSES : []) {
+    for (const pause of pauses) {
+      try {
+        return await ask();
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, pause));
+      }
+    }
+    return ask();
+  }
+  var Line = class {
+    constructor(atOnce = isFetching() ? AT_ONCE : Number.POSITIVE_INFINITY) {
+      this.free = atOnce;
+      this.waiting = [];
+    }
+    async take(task) {
+      if (this.free > 0) this.free -= 1;
+      else await new Promise((resolve) => this.waiting.push(() => resolve(void 0)));
+      try {
+        return await task();
+      } finally {
+        const next = this.waiting.shift();
+        if (next) next();
+        else this.free += 1;
+      }
+    }
+  };
+
   // src/shared/dom.js
   function html(tag, className = "", text = "") {
     const made = document.createElement(tag);
@@ -40,18 +73,19 @@
 
   // src/hosted/download.js
   var MARK = /<script data-from="([^"]+)"><.script>/;
-  async function textOf(address) {
+  var textOf = (address) => persistently(async () => {
     const answer = await fetch(address, { cache: "no-cache" });
     if (!answer.ok) throw new Error(String(answer.status));
     return answer.text();
-  }
+  });
   async function whole(shell, assets, tell) {
     const pieces = (await textOf(shell)).split(MARK);
+    const line = new Line();
     let done = 0;
     const parts = await Promise.all(
       pieces.map(async (piece, k) => {
         if (k % 2 === 0) return piece;
-        const text = await textOf(new URL(piece, assets));
+        const text = await line.take(() => textOf(new URL(piece, assets)));
         done += 1;
         tell(done, (pieces.length - 1) / 2);
         return `<script>${text}<\/script>`;

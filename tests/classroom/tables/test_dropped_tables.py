@@ -130,3 +130,20 @@ def test_a_page_tells_the_tables_of_the_first_field_first_each_with_its_group() 
     )
     assert told[:3] == [["class"] * 3, ["new", "old", "old"], ["a\nb", ""]]
     assert {"records", "tables"} <= {*told[3]}
+
+
+def test_a_table_that_cannot_be_read_is_not_called_too_large() -> None:
+    script = """
+      globalThis.document = { documentElement: { lang: "en" } };
+      globalThis.FileReader = class {
+        readAsDataURL() {
+          this.onerror();
+        }
+      };
+      const { asTable } = await import(`${source}/class/intake.js`);
+      give([await asTable({ name: "gone.csv", size: 9 }, 0), await asTable({ size: 2e7 }, 0)]);
+    """
+    assert in_node(script, None) == [
+        "this file cannot be read",
+        "this table is too large for a page",
+    ]

@@ -229,6 +229,9 @@ def test_one_question_is_read_and_marked_by_keys_and_the_marks_are_saved(page: P
     expect(asked).to_have_text(re.compile(r"^Carts · before \(pre\) · Question \d+$"))
     count = int((reader.locator(".carts-class-quiet").last.inner_text()).split()[2])
     reader.locator(".carts-class-answer").focus()
+    held = 'new KeyboardEvent("keydown", {key: "0", repeat: true, bubbles: true})'  # not let go of
+    reader.locator(".carts-class-answer").evaluate(f"(card) => card.dispatchEvent({held})")
+    expect(reader.locator(".carts-class-quiet").last).to_have_text(f"0 of {count} marked.")
     for key in "21" * (count // 2) + "0" * (count % 2):
         page.keyboard.press(key)
     expect(reader.locator(".carts-class-quiet").last).to_have_text(f"{count} of {count} marked.")

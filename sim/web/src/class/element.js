@@ -110,8 +110,8 @@ export function classElement(client) {
       for (const file of files.filter(isTable)) {
         const table = await asTable(file, group);
         if (lifetime !== this.#lifetime) return;
-        if (table) this.classroom.tables.push(table);
-        else this.classroom.refused.push([file.name, tr("this table is too large for a page")]);
+        if (typeof table === "string") this.classroom.refused.push([file.name, table]);
+        else this.classroom.tables.push(table);
       }
       if (lifetime !== this.#lifetime) return;
       const answers = files.filter((file) => !isTable(file));

@@ -17,13 +17,15 @@ const MOST_TABLE = 10_000_000; // bytes; the command line takes more
 export const isTable = ({ name }) => /\.(csv|tsv|xlsx?|ods)$/i.test(name);
 
 /**
- * A table as Python is told of it; null: it cannot be read or is too large.
+ * A table as Python is told of it; a text: why it is not.
  * @param {File} file @param {number} group on whose field it was dropped
- * @returns {Promise<import("./classroom.js").Table | null>}
+ * @returns {Promise<import("./classroom.js").Table | string>}
  */
 export async function asTable(file, group) {
-  const base64 = file.size > MOST_TABLE ? null : await asBase64(file);
-  return base64 === null ? null : { name: file.name, base64, form: "", group };
+  if (file.size > MOST_TABLE) return tr("this table is too large for a page");
+  const base64 = await asBase64(file);
+  if (base64 === null) return tr("this file cannot be read");
+  return { name: file.name, base64, form: "", group };
 }
 
 /**

@@ -110,6 +110,7 @@ export function reader(classroom, marked) {
     const one = question();
     const inBox = event.target instanceof HTMLSelectElement;
     if (!one || inBox || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.repeat) return; // a key that is held down is one mark, not a class of them
     if (/^\d$/.test(event.key) && Number(event.key) <= one.worth) {
       event.preventDefault();
       give(one, Number(event.key));

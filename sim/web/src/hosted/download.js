@@ -4,6 +4,7 @@
  */
 
 import { tr } from "../../../view/language.js";
+import { Line, persistently } from "../runtime/line.js";
 import { say } from "../shared/dom.js";
 import { downloadBlob } from "../shared/download.js";
 
@@ -13,11 +14,12 @@ const MARK = /<script data-from="([^"]+)"><.script>/;
  * As the server has it now: the shell names its scripts by their hashes, and one that a browser kept from
  * an earlier version would not run in it. @param {URL} address @returns {Promise<string>}
  */
-async function textOf(address) {
-  const answer = await fetch(address, { cache: "no-cache" });
-  if (!answer.ok) throw new Error(String(answer.status));
-  return answer.text();
-}
+const textOf = (address) =>
+  persistently(async () => {
+    const answer = await fetch(address, { cache: "no-cache" });
+    if (!answer.ok) throw new Error(String(answer.status));
+    return answer.text();
+  });
 
 /**
  * @param {URL} shell @param {string} assets address of the folder of scripts @param {(done: number, all: number) => void} tell
@@ -25,11 +27,12 @@ async function textOf(address) {
  */
 async function whole(shell, assets, tell) {
   const pieces = (await textOf(shell)).split(MARK); // every other one is a name
+  const line = new Line(); // some 15 MB: a slow network that is asked for all at once finishes nothing
   let done = 0;
   const parts = await Promise.all(
     pieces.map(async (piece, k) => {
       if (k % 2 === 0) return piece;
-      const text = await textOf(new URL(piece, assets));
+      const text = await line.take(() => textOf(new URL(piece, assets)));
       done += 1;
       tell(done, (pieces.length - 1) / 2);
       return `<script>${text}</script>`;
