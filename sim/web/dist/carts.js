@@ -2554,6 +2554,11 @@
       }
     }
   }
+  function offerOpening(map, on) {
+    const button = need(map, ".carts-map-open");
+    button.disabled = !on;
+    for (const part of [button, need(map, ".carts-map-wait")]) part.hidden = !on;
+  }
   function showProgress(map, done, runs) {
     const bar2 = need(map, ".carts-map-progress");
     bar2.value = done / runs;
@@ -2617,7 +2622,7 @@
       #opening = null;
       #filling = Promise.resolve();
       #leaving = new AbortController();
-      // ends what the element hears of the page
+      // ends what it hears of the page
       connectedCallback() {
         this.#leaving = new AbortController();
         const { signal } = this.#leaving;
@@ -2628,8 +2633,8 @@
         this.#places = facts.here;
         this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
         const roots = this.querySelectorAll(".carts-map-axis");
-        this.#axes = [...roots].map((root, k) => {
-          const axis2 = facts.axes[k];
+        this.#axes = facts.axes.map((axis2, k) => {
+          const root = roots[k];
           return new AxisControl(
             root,
             axis2,
@@ -2642,7 +2647,7 @@
           )
         });
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
-        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
+        offerOpening(this, true);
         need(this, ".carts-map-open").addEventListener("click", () => void this.open());
         this.querySelector(".carts-map-run")?.addEventListener("click", () => {
           const values = { ...this.#settings, ...this.point };
@@ -2681,14 +2686,15 @@
         this.dataset.state = "starting";
         const button = need(this, ".carts-map-open");
         button.disabled = true;
+        this.#tell("");
         say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
         try {
           await client2.need(this.#facts?.packages ?? []);
-          await this.#compute({}, performance.now());
+          await this.#compute(this.#settings, performance.now());
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
           const focused = button === document.activeElement;
-          for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+          offerOpening(this, false);
           showProgress(this, 1, 1);
           for (const control of this.#axes) control.enable(true);
           this.#controls?.enable(true);
@@ -2700,10 +2706,13 @@
         }
       }
       #fail(error) {
+        this.#opening = null;
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
-        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+        showProgress(this, 1, 1);
+        say(need(this, ".carts-map-wait"), "");
+        offerOpening(this, client2.state !== "failed");
       }
       #tell(message) {
         const note2 = need(this, ".carts-note");
@@ -2729,7 +2738,8 @@
         while (done < runs) {
           showProgress(this, done, runs);
           const { header, numbers } = await this.#ask(settings, done);
-          if (generation !== this.#generation || !header.ok || !this.#grid) return;
+          if (generation !== this.#generation || !this.#grid) return;
+          if (!header.ok) throw refusal(header.problems ?? []);
           const half = numbers.length / 2;
           for (let k = 0; k < half; k += 1) {
             this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
@@ -2741,8 +2751,7 @@
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
       }
       #ask(settings, from) {
-        const map = this.#facts?.map;
-        return client2.ask(this, () => ({ kind: "map", map, set: settings, from }));
+        return client2.ask(this, () => ({ kind: "map", map: this.#facts?.map, set: settings, from }));
       }
       #draw(grid) {
         const before = this.#grid?.axes;
@@ -2796,7 +2805,6 @@
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    #asked = [];
     #more = [];
     #growing = Promise.resolve();
     constructor(start) {
@@ -2807,23 +2815,23 @@
       if (this.state === "idle") void this.#boot();
     }
     need(names) {
-      if (names.every((name) => this.#asked.includes(name))) return this.#growing;
-      const before = this.#asked;
-      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
-      const needed = this.#growing.catch(() => {
-      }).then(() => this.#grow(this.#asked));
-      this.#growing = needed;
-      needed.catch(() => {
-        this.#asked = before;
+      if (this.#has(names)) return Promise.resolve();
+      const needed = this.#growing.then(() => this.#grow(names));
+      this.#growing = needed.catch(() => {
       });
       return needed;
     }
+    #has(names) {
+      return names.every((name) => this.#more.includes(name));
+    }
     async #grow(names) {
+      if (this.#has(names)) return;
       this.wake();
       await this.#settled();
       if (this.state === "failed") throw this.error;
-      this.#use(await this.start(names));
-      this.#more = names;
+      const more = [.../* @__PURE__ */ new Set([...this.#more, ...names])];
+      this.#use(await this.start(more));
+      this.#more = more;
       this.#become("ready");
       this.#next();
     }
@@ -3458,7 +3466,7 @@
     }
     hear(data) {
       const current = this.queue[0];
-      if (data.number !== current?.number) return;
+      if (!current || data.number !== current.number) return;
       if (data.tell === "alive") return void this.watch?.progress();
       this.watch?.stop();
       if (data.tell === "begun") {
@@ -7241,7 +7249,10 @@ ${lines4.join("\n")}
       return this.parts.length > 0 && typeof DecompressionStream === "function";
     }
     async nearest(wanted2) {
-      this.#loading ??= this.#load();
+      this.#loading ??= this.#load().catch((error) => {
+        this.#loading = null;
+        throw error;
+      });
       const table = await this.#loading;
       const place4 = presetOf(table, wanted2) ?? this.#onGrid(table, wanted2);
       return { ...runAt(table, place4.number), set: place4.set };

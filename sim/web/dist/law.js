@@ -3397,7 +3397,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
     hear(data) {
       const current = this.queue[0];
-      if (data.number !== current?.number) return;
+      if (!current || data.number !== current.number) return;
       if (data.tell === "alive") return void this.watch?.progress();
       this.watch?.stop();
       if (data.tell === "begun") {

@@ -10,7 +10,6 @@
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    #asked = [];
     #more = [];
     #growing = Promise.resolve();
     constructor(start) {
@@ -21,23 +20,23 @@
       if (this.state === "idle") void this.#boot();
     }
     need(names) {
-      if (names.every((name) => this.#asked.includes(name))) return this.#growing;
-      const before = this.#asked;
-      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
-      const needed = this.#growing.catch(() => {
-      }).then(() => this.#grow(this.#asked));
-      this.#growing = needed;
-      needed.catch(() => {
-        this.#asked = before;
+      if (this.#has(names)) return Promise.resolve();
+      const needed = this.#growing.then(() => this.#grow(names));
+      this.#growing = needed.catch(() => {
       });
       return needed;
     }
+    #has(names) {
+      return names.every((name) => this.#more.includes(name));
+    }
     async #grow(names) {
+      if (this.#has(names)) return;
       this.wake();
       await this.#settled();
       if (this.state === "failed") throw this.error;
-      this.#use(await this.start(names));
-      this.#more = names;
+      const more = [.../* @__PURE__ */ new Set([...this.#more, ...names])];
+      this.#use(await this.start(more));
+      this.#more = more;
       this.#become("ready");
       this.#next();
     }
@@ -702,7 +701,7 @@
     }
     hear(data) {
       const current = this.queue[0];
-      if (data.number !== current?.number) return;
+      if (!current || data.number !== current.number) return;
       if (data.tell === "alive") return void this.watch?.progress();
       this.watch?.stop();
       if (data.tell === "begun") {

@@ -65,6 +65,24 @@ def test_numpy_comes_when_a_map_is_opened_and_not_before(
 @pytest.mark.one_browser
 @pytest.mark.browser
 @pytest.mark.slow
+def test_a_map_whose_numpy_did_not_come_is_opened_once_more(
+    site: Path, open_page: OpenPage, site_server: Callable[[Path], str]
+) -> None:
+    page = open_page(f"{site_server(site)}/physics/map.html")
+    page.wait_for_selector('#map-scene[data-state="live"]', timeout=LIVE)
+    page.route("**/numpy*", lambda route: route.abort())
+    one = page.locator("#map-velocity")
+    one.locator(".carts-map-open").click()
+    page.wait_for_selector('#map-velocity[data-state="failed"]', timeout=60_000)
+    expect(one.locator(".carts-note")).to_contain_text("stay as they were prepared")
+    page.unroute("**/numpy*")
+    opened(page, "map-velocity")
+    expect(one.locator(".carts-note")).to_be_hidden()
+
+
+@pytest.mark.one_browser
+@pytest.mark.browser
+@pytest.mark.slow
 def test_a_map_shows_and_runs_the_values_of_its_points(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / "physics" / "map.html", folder=site)
     opened(page, "map-velocity")

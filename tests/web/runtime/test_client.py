@@ -197,3 +197,27 @@ def test_the_client_keeps_the_newest_request_and_survives_three_deaths() -> None
         None,
     )
     assert log == ["1:3", "1:9", "3,3,3,9", *[f"{k}:kill" for k in (1, 2, 3, 4)], "gone failed 4"]
+
+
+def test_a_request_that_is_refused_takes_nothing_from_the_one_that_waits_behind_it() -> None:
+    said = told(
+        """
+        const refused = client.need(["missing"]).catch((error) => said.push(error.reason));
+        await client.need(["numpy"]);
+        await refused;
+        said.push(started.at(-1).more);
+        """
+    )
+    assert said == ["not-packed", ["numpy"]]
+
+
+def test_packages_that_are_there_stay_there_after_another_was_refused() -> None:
+    said = told(
+        """
+        await client.need(["numpy"]);
+        await client.need(["missing"]).catch((error) => said.push(error.reason));
+        await client.need(["numpy"]);
+        said.push(started.length);
+        """
+    )
+    assert said == ["not-packed", 2]

@@ -7,7 +7,7 @@ import { frame, refusal, waited } from "../shared/waiting.js";
 import { AxisControl } from "./axis.js";
 import { MapFigure } from "./figure.js";
 import { runPoint } from "./run-point.js";
-import { showProgress, showSettings } from "./settings.js";
+import { offerOpening, showProgress, showSettings } from "./settings.js";
 import { fillTable } from "./table.js";
 
 /** @typedef {import("../../../view/map/types.js").MapFacts} MapFacts */
@@ -37,7 +37,7 @@ export function mapElement(client) {
     /** @type {Promise<void>} */
     #filling = Promise.resolve();
 
-    #leaving = new AbortController(); // ends what the element hears of the page
+    #leaving = new AbortController(); // ends what it hears of the page
 
     connectedCallback() {
       this.#leaving = new AbortController();
@@ -49,11 +49,9 @@ export function mapElement(client) {
       this.#facts = facts;
       this.#places = facts.here;
       this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
-      const roots = /** @type {NodeListOf<HTMLElement>} */ (
-        this.querySelectorAll(".carts-map-axis")
-      );
-      this.#axes = [...roots].map((root, k) => {
-        const axis = /** @type {import("../../../view/map/types.js").Axis} */ (facts.axes[k]);
+      const roots = this.querySelectorAll(".carts-map-axis");
+      this.#axes = facts.axes.map((axis, k) => {
+        const root = /** @type {HTMLElement} */ (roots[k]);
         return new AxisControl(root, axis, (place) =>
           this.#choose(this.#places.map((old, other) => (other === k ? place : old))),
         );
@@ -65,7 +63,7 @@ export function mapElement(client) {
           ),
       });
       this.#figure.mark(facts.here, facts.at ?? Number.NaN);
-      for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
+      offerOpening(this, true);
       need(this, ".carts-map-open").addEventListener("click", () => void this.open());
       this.querySelector(".carts-map-run")?.addEventListener("click", () => {
         const values = { ...this.#settings, ...this.point };
@@ -102,7 +100,7 @@ export function mapElement(client) {
       return this.#filling;
     }
 
-    /** Resolves when the map is live; never rejects: a failure is told in the map. */
+    /** Resolves when the map is live; never rejects: a failure is told in the map, and it may be opened again. */
     open() {
       this.#opening ??= this.#open();
       return this.#opening;
@@ -121,14 +119,15 @@ export function mapElement(client) {
       this.dataset.state = "starting";
       const button = /** @type {HTMLButtonElement} */ (need(this, ".carts-map-open"));
       button.disabled = true;
+      this.#tell("");
       say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
       try {
         await client.need(this.#facts?.packages ?? []);
-        await this.#compute({}, performance.now());
+        await this.#compute(this.#settings, performance.now());
         this.dataset.state = "live";
         need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
         const focused = button === document.activeElement;
-        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+        offerOpening(this, false);
         showProgress(this, 1, 1);
         for (const control of this.#axes) control.enable(true);
         this.#controls?.enable(true);
@@ -142,10 +141,13 @@ export function mapElement(client) {
 
     /** @param {Error & {reason?: string}} error */
     #fail(error) {
+      this.#opening = null;
       this.dataset.state = "failed";
       this.dataset.reason = error.reason ?? "failed";
       this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
-      for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+      showProgress(this, 1, 1);
+      say(need(this, ".carts-map-wait"), "");
+      offerOpening(this, client.state !== "failed");
     }
 
     /** @param {string} message */
@@ -180,7 +182,8 @@ export function mapElement(client) {
       while (done < runs) {
         showProgress(this, done, runs);
         const { header, numbers } = await this.#ask(settings, done);
-        if (generation !== this.#generation || !header.ok || !this.#grid) return;
+        if (generation !== this.#generation || !this.#grid) return;
+        if (!header.ok) throw refusal(header.problems ?? []);
         const half = numbers.length / 2;
         for (let k = 0; k < half; k += 1) {
           this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
@@ -194,8 +197,7 @@ export function mapElement(client) {
 
     /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
     #ask(settings, from) {
-      const map = this.#facts?.map;
-      return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+      return client.ask(this, () => ({ kind: "map", map: this.#facts?.map, set: settings, from }));
     }
 
     /** @param {Grid} grid */

@@ -22,6 +22,13 @@ export function showSettings(map, controls, settings) {
   }
 }
 
+/** The button by which a map is opened, and what is said beside it. @param {HTMLElement} map @param {boolean} on */
+export function offerOpening(map, on) {
+  const button = /** @type {HTMLButtonElement} */ (need(map, ".carts-map-open"));
+  button.disabled = !on;
+  for (const part of [button, need(map, ".carts-map-wait")]) part.hidden = !on;
+}
+
 /** @param {HTMLElement} map @param {number} done @param {number} runs */
 export function showProgress(map, done, runs) {
   const bar = /** @type {HTMLProgressElement} */ (need(map, ".carts-map-progress"));

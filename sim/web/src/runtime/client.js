@@ -27,11 +27,9 @@ export class Client extends EventTarget {
   #flying = null;
   #restarts = 0;
   #lastId = 0;
-  /** @type {string[]} packages that were asked for after the start */
-  #asked = [];
-  /** @type {string[]} those of them that Python has, and gets again after a restart */
+  /** @type {string[]} packages beside those of the scenes: Python has them, and gets them again after a restart */
   #more = [];
-  /** @type {Promise<void>} when they are there */
+  /** @type {Promise<void>} when all that was asked for is there, or refused */
   #growing = Promise.resolve();
 
   /** @param {Start} start */
@@ -51,24 +49,26 @@ export class Client extends EventTarget {
    * @param {string[]} names @returns {Promise<void>}
    */
   need(names) {
-    if (names.every((name) => this.#asked.includes(name))) return this.#growing;
-    const before = this.#asked;
-    this.#asked = [...new Set([...before, ...names])];
-    const needed = this.#growing.catch(() => {}).then(() => this.#grow(this.#asked));
-    this.#growing = needed;
-    needed.catch(() => {
-      this.#asked = before;
-    });
+    if (this.#has(names)) return Promise.resolve();
+    const needed = this.#growing.then(() => this.#grow(names));
+    this.#growing = needed.catch(() => {}); // one that is refused takes nothing from those after it
     return needed;
   }
 
   /** @param {string[]} names */
+  #has(names) {
+    return names.every((name) => this.#more.includes(name));
+  }
+
+  /** @param {string[]} names */
   async #grow(names) {
+    if (this.#has(names)) return; // somebody before has asked for them
     this.wake();
     await this.#settled();
     if (this.state === "failed") throw this.error;
-    this.#use(await this.start(names));
-    this.#more = names;
+    const more = [...new Set([...this.#more, ...names])];
+    this.#use(await this.start(more));
+    this.#more = more;
     this.#become("ready");
     this.#next();
   }

@@ -46,7 +46,10 @@ export class Prepared {
    * @param {Settings} wanted @returns {Promise<Found>}
    */
   async nearest(wanted) {
-    this.#loading ??= this.#load();
+    this.#loading ??= this.#load().catch((error) => {
+      this.#loading = null; // the next move of a slider asks again
+      throw error;
+    });
     const table = await this.#loading;
     const place = presetOf(table, wanted) ?? this.#onGrid(table, wanted);
     return { ...runAt(table, place.number), set: place.set };
