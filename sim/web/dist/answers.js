@@ -847,6 +847,12 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/shared/enter.js
+  var isEnter = ({ key, isComposing, keyCode }) => key === "Enter" && !isComposing && keyCode !== 229;
+  function onEnter(box, act) {
+    box?.addEventListener("keydown", (event) => isEnter(event) && act());
+  }
+
   // src/answers/codes.js
   var MOST = 80;
   var HAN = new RegExp("\\p{Script=Han}", "u");
@@ -1088,16 +1094,22 @@
     made2.addEventListener("click", act);
     return made2;
   }
+  var count = 0;
   function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask2(true));
-    const asked2 = html("span", "", `${question} `);
+    const asked2 = html("span");
+    const words3 = html("span", "", question);
+    count += 1;
+    words3.id = `${name}-${count}`;
     const no = button(tr("No"), () => ask2(false), "carts-answers-no");
     const go = () => {
       ask2(false);
       act();
     };
-    asked2.append(button(yes, go, "carts-answers-yes"), " ", no);
+    const does = button(yes, go, "carts-answers-yes");
+    for (const one of [does, no]) one.setAttribute("aria-describedby", words3.id);
+    asked2.append(words3, " ", does, " ", no);
     asked2.hidden = true;
     row.append(first, asked2);
     function ask2(on) {
@@ -1211,13 +1223,21 @@
     const withCode = async () => {
       const found2 = readCode(box.value);
       if ("problem" in found2) return say(told2, found2.problem);
-      keep(found2.code);
-      const anew = await book2.become(found2.code, true).catch(() => false);
+      const { code } = found2;
+      keep(code);
+      if (await book2.has(code).catch(() => true)) {
+        return say(
+          told2,
+          tr(
+            "Saved. Answers of {code} are on this computer already: if you are {code}, type it above too.",
+            { code }
+          )
+        );
+      }
+      const anew = await book2.become(code, true).catch(() => false);
       if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
     };
-    box.addEventListener("keydown", ({ key }) => {
-      if (key === "Enter") void withCode();
-    });
+    onEnter(box, () => void withCode());
     const without = () => {
       place2.replaceChildren();
       keep("");
@@ -1266,8 +1286,8 @@
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told2, tr("This browser refuses to keep the answers of this file."));
       const where = elsewhere(found2, book2);
-      const count = counted("1 answer", "{n} answers", changed);
-      const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
+      const count2 = counted("1 answer", "{n} answers", changed);
+      const taken = tr("{count} taken from the file; nothing that was here is lost.", { count: count2 });
       say(told2, `${taken} ${where}`.trim());
       const predicted = found2.entries.some(([, entry]) => entry.locked);
       if (!where && changed && predicted && book2.lasts) setTimeout(() => location.reload(), 1500);
@@ -1278,8 +1298,18 @@
   // src/answers/panel-leave.js
   function leavePart(book2) {
     const root = part("leave", tr("Before you leave this computer"));
+    const told2 = status();
     const forget = async (everybody) => {
-      await book2.forget(everybody);
+      try {
+        await book2.forget(everybody);
+      } catch {
+        return say(
+          told2,
+          tr(
+            "This browser refuses to delete: answers are still on this computer. Try again, or clear the browser's data."
+          )
+        );
+      }
       forgetTab();
       location.reload();
     };
@@ -1298,7 +1328,8 @@
         tr("Delete all of them"),
         () => void forget(true),
         "carts-answers-delete"
-      )
+      ),
+      told2
     );
     return root;
   }
@@ -1330,13 +1361,13 @@
   var ANSWER_BITS = 44n;
   var CHECK_BITS = 16n;
   function fits(options) {
-    const all = options.length > 0 && options.every((count) => count > 0);
-    return all && options.reduce((size, count) => size * BigInt(count + 1), 1n) <= 1n << ANSWER_BITS;
+    const all = options.length > 0 && options.every((count2) => count2 > 0);
+    return all && options.reduce((size, count2) => size * BigInt(count2 + 1), 1n) <= 1n << ANSWER_BITS;
   }
   function encode(options, chosen2, form2) {
     let number3 = 0n;
-    options.forEach((count, k) => {
-      number3 = number3 * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
+    options.forEach((count2, k) => {
+      number3 = number3 * BigInt(count2 + 1) + BigInt(chosen2[k] ?? 0);
     });
     const whole2 = number3 << CHECK_BITS | BigInt(check(number3, form2));
     const letters = Array.from(
@@ -1455,9 +1486,7 @@
           "click",
           () => void this.#tryWord(word.value)
         );
-        word.addEventListener("keydown", ({ key }) => {
-          if (key === "Enter") void this.#tryWord(word.value);
-        });
+        onEnter(word, () => void this.#tryWord(word.value));
         need(this, ".carts-quiz-hand-in").addEventListener("click", () => this.#ask(true));
         need(this, ".carts-quiz-no").addEventListener("click", () => this.#ask(false));
         need(this, ".carts-quiz-yes").addEventListener("click", () => void this.#handIn());
@@ -1547,7 +1576,7 @@
         say(need(this, ".carts-quiz-sure-text"), words3.filter(Boolean).join(" "));
         need(this, ".carts-quiz-sure").hidden = !on;
         need(this, ".carts-quiz-hand-in").hidden = on;
-        need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
+        need(this, on ? ".carts-quiz-no" : ".carts-quiz-hand-in").focus();
       }
       async #handIn() {
         const now = (/* @__PURE__ */ new Date()).toISOString();
@@ -1606,18 +1635,29 @@
     return found2;
   }
 
+  // src/shared/printing.js
+  function printWith(undo) {
+    const over = new AbortController();
+    const { signal } = over;
+    const end = () => {
+      over.abort();
+      undo();
+    };
+    for (const kind of ["afterprint", "pointerdown", "keydown"])
+      addEventListener(kind, end, { signal });
+    window.print();
+  }
+
   // src/answers/print.js
   function print(empty) {
     const { classList } = document.documentElement;
     classList.toggle("carts-print-empty", empty);
     const back = empty ? blanked() : [];
-    const after = () => {
+    for (const dialog of document.querySelectorAll("dialog")) dialog.close();
+    printWith(() => {
       classList.remove("carts-print-empty");
       for (const undo of back) undo();
-    };
-    addEventListener("afterprint", after, { once: true });
-    for (const dialog of document.querySelectorAll("dialog")) dialog.close();
-    window.print();
+    });
   }
   function blanked() {
     const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
@@ -1861,9 +1901,7 @@
     const told2 = status();
     const choices = html("p", "carts-answers-choices");
     const go = button(tr("Continue"), () => void look(), "carts-answers-go");
-    box.addEventListener("keydown", ({ key }) => {
-      if (key === "Enter") void look();
-    });
+    onEnter(box, () => void look());
     const row = html("p");
     row.append(label, " ", go);
     const two = html(
@@ -2216,9 +2254,7 @@
       this.place = need(root, ".carts-q-feedback");
       const check2 = root.querySelector(".carts-q-check");
       const box = root.querySelector("input.carts-q-typed");
-      box?.addEventListener("keydown", ({ key, isComposing }) => {
-        if (key === "Enter" && !isComposing) check2?.click();
-      });
+      onEnter(box, () => check2?.click());
       check2?.addEventListener("click", () => {
         const tried = attempt();
         if (!tried) return;
@@ -2916,12 +2952,12 @@
     }
     return 10 * power;
   }
-  function axis(low, high, count) {
+  function axis(low, high, count2) {
     const bottom = low < -NOUGHT2 ? low : 0;
     const above = high > NOUGHT2 ? high : 0;
     const top = above === bottom ? 1 : above;
     const room = HEADROOM * (top - bottom);
-    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count2) };
   }
 
   // src/question/forms/table.js

@@ -4371,7 +4371,8 @@
   }
   function forgetForces(id) {
     delete document.getElementById(id)?.dataset.found;
-    void new Kept(`${id}-forces`).forget();
+    new Kept(`${id}-forces`).forget().catch(() => {
+    });
   }
   function showForces(element, said) {
     const template = need(element, "template.carts-shown");

@@ -180,16 +180,22 @@
     made.addEventListener("click", act);
     return made;
   }
+  var count = 0;
   function askingButton(text, question, yes, act, name) {
     const row2 = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
-    const asked = html("span", "", `${question} `);
+    const asked = html("span");
+    const words = html("span", "", question);
+    count += 1;
+    words.id = `${name}-${count}`;
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();
     };
-    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
+    const does = button(yes, go, "carts-answers-yes");
+    for (const one of [does, no]) one.setAttribute("aria-describedby", words.id);
+    asked.append(words, " ", does, " ", no);
     asked.hidden = true;
     row2.append(first, asked);
     function ask(on) {
@@ -244,9 +250,9 @@
     };
     return { root, draw };
   }
-  function keysWord(count) {
-    if (!count) return tr("no key file");
-    return counted("key for 1 form", "key for {n} forms", count);
+  function keysWord(count2) {
+    if (!count2) return tr("no key file");
+    return counted("key for 1 form", "key for {n} forms", count2);
   }
   function codeFor(classroom, file, changed) {
     const box = html("input", "carts-class-whose");
@@ -310,8 +316,8 @@
     const fields = html("div", "carts-class-fields");
     const draw = () => {
       two.checked = classroom.two;
-      const count = classroom.two ? [0, 1] : [0];
-      fields.replaceChildren(...count.map((group) => field(classroom, group, take, changed)));
+      const count2 = classroom.two ? [0, 1] : [0];
+      fields.replaceChildren(...count2.map((group) => field(classroom, group, take, changed)));
     };
     two.addEventListener("change", () => {
       classroom.divide(two.checked);
@@ -469,6 +475,19 @@
     });
   }
 
+  // src/shared/printing.js
+  function printWith(undo) {
+    const over = new AbortController();
+    const { signal } = over;
+    const end = () => {
+      over.abort();
+      undo();
+    };
+    for (const kind of ["afterprint", "pointerdown", "keydown"])
+      addEventListener(kind, end, { signal });
+    window.print();
+  }
+
   // src/class/papers.js
   var PRINTING = "carts-class-paper-only";
   var languages = () => globalThis.__cartsPapers ?? { en: { name: "English", words: {} } };
@@ -535,8 +554,7 @@
   function print() {
     const { classList } = document.documentElement;
     classList.add(PRINTING);
-    addEventListener("afterprint", () => classList.remove(PRINTING), { once: true });
-    window.print();
+    printWith(() => classList.remove(PRINTING));
   }
 
   // src/class/reader.js
@@ -861,10 +879,10 @@
   // src/class/element.js
   var PACKAGES = ["numpy", "scipy"];
   var SOON = 700;
-  var readIn = (count, all, seconds) => count === all ? counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count, { seconds }) : counted(
+  var readIn = (count2, all, seconds) => count2 === all ? counted("1 file read in {seconds} s.", "{n} files read in {seconds} s.", count2, { seconds }) : counted(
     "1 file read in {seconds} s, {all} in all.",
     "{n} files read in {seconds} s, {all} in all.",
-    count,
+    count2,
     { seconds, all }
   );
   function classElement(client) {

@@ -517,8 +517,8 @@
     return [{ ...piece, key, d }];
   }
   function teeth(x, length, y) {
-    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
-    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+    const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
   }
 
   // ../effects/incline/view.js
@@ -2115,10 +2115,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.seen = Math.max(this.seen, t);
       this.seek(t);
     }
-    step(way, count = 1) {
+    step(way, count2 = 1) {
       this.pause();
       const start = this.time;
-      for (let k = 0; k < count; k += 1) {
+      for (let k = 0; k < count2; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
         const event = way > 0 ? this.stops.find((t) => t > before + SAME) : this.stops.findLast((t) => t < before - SAME);
@@ -2244,16 +2244,22 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     made.addEventListener("click", act);
     return made;
   }
+  var count = 0;
   function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
-    const asked2 = html("span", "", `${question} `);
+    const asked2 = html("span");
+    const words = html("span", "", question);
+    count += 1;
+    words.id = `${name}-${count}`;
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();
     };
-    asked2.append(button(yes, go, "carts-answers-yes"), " ", no);
+    const does = button(yes, go, "carts-answers-yes");
+    for (const one of [does, no]) one.setAttribute("aria-describedby", words.id);
+    asked2.append(words, " ", does, " ", no);
     asked2.hidden = true;
     row.append(first, asked2);
     function ask(on) {
@@ -2287,6 +2293,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     root.append(run, judge, end2, button2(tr("Save as a file"), acts.save), again);
     return { root, run, judge, end: end2 };
   }
+
+  // src/shared/enter.js
+  var isEnter = ({ key, isComposing, keyCode }) => key === "Enter" && !isComposing && keyCode !== 229;
 
   // src/law/editor.js
   var STEP2 = "    ";
@@ -2329,8 +2338,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.box.setSelectionRange(start, start + (lines2[line2 - 1] ?? "").length);
     }
     #key(event) {
-      if (event.key !== "Enter" || event.shiftKey || event.ctrlKey || event.metaKey) return;
-      if (event.altKey || event.isComposing) return;
+      if (!isEnter(event) || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
       const { value, selectionStart } = this.box;
       const line2 = value.slice(value.lastIndexOf("\n", selectionStart - 1) + 1, selectionStart);
       const indent = /^ */.exec(line2)?.[0] ?? "";

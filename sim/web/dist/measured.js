@@ -128,6 +128,19 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/shared/printing.js
+  function printWith(undo) {
+    const over = new AbortController();
+    const { signal } = over;
+    const end = () => {
+      over.abort();
+      undo();
+    };
+    for (const kind of ["afterprint", "pointerdown", "keydown"])
+      addEventListener(kind, end, { signal });
+    window.print();
+  }
+
   // src/measured/buttons.js
   function wireButtons(bench, { own, save, fit, compare, tracker, early }) {
     const on = (name, act) => bench.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
@@ -142,8 +155,7 @@
     });
     on("print", () => {
       bench.dataset.printing = "";
-      addEventListener("afterprint", () => delete bench.dataset.printing, { once: true });
-      print();
+      printWith(() => delete bench.dataset.printing);
     });
     const model2 = need(bench, ".carts-measured-model");
     for (const kind of ["pointerdown", "focusin"])

@@ -1183,16 +1183,22 @@
     made2.addEventListener("click", act);
     return made2;
   }
+  var count = 0;
   function askingButton(text2, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text2, () => ask(true));
-    const asked = html("span", "", `${question} `);
+    const asked = html("span");
+    const words = html("span", "", question);
+    count += 1;
+    words.id = `${name}-${count}`;
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();
     };
-    asked.append(button(yes, go, "carts-answers-yes"), " ", no);
+    const does = button(yes, go, "carts-answers-yes");
+    for (const one of [does, no]) one.setAttribute("aria-describedby", words.id);
+    asked.append(words, " ", does, " ", no);
     asked.hidden = true;
     row.append(first, asked);
     function ask(on) {
@@ -1374,24 +1380,24 @@
     }
     return 10 * power;
   }
-  function axis(low, high, count) {
+  function axis(low, high, count2) {
     const bottom = low < -NOUGHT ? low : 0;
     const above = high > NOUGHT ? high : 0;
     const top = above === bottom ? 1 : above;
     const room = HEADROOM * (top - bottom);
-    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count2) };
   }
-  function span(low, high, count) {
-    return { low, high, step: niceAbove((high - low) / count) };
+  function span(low, high, count2) {
+    return { low, high, step: niceAbove((high - low) / count2) };
   }
 
   // ../view/map/palette.js
   var NONE = [176, 176, 176];
   var ZERO = [32, 32, 32];
   var EDGE = 0.72;
-  function sequential(count) {
-    return Array.from({ length: count }, (_, k) => {
-      const t = k / Math.max(1, count - 1);
+  function sequential(count2) {
+    return Array.from({ length: count2 }, (_, k) => {
+      const t = k / Math.max(1, count2 - 1);
       return oklch(0.3 + 0.64 * t, 0.09 + 0.05 * Math.sin(Math.PI * t), 268 - 165 * t);
     });
   }
@@ -1432,20 +1438,20 @@
     const step = flat ? largest ? niceAbove(largest) : 1 : niceAbove((high - low) / BANDS);
     const first = Math.floor(low / step + STEP_SLACK);
     const last = Math.max(first + 1, Math.ceil(high / step - STEP_SLACK));
-    const count = last - first;
-    const centres = Array.from({ length: count }, (_, k) => (first + k + 0.5) * step);
+    const count2 = last - first;
+    const centres = Array.from({ length: count2 }, (_, k) => (first + k + 0.5) * step);
     const around = Number(centres[0]) < 0 && Number(centres.at(-1)) > 0;
     return {
       low: first * step,
       step,
-      count,
-      colours: around ? diverging(centres) : sequential(count),
-      zero: Math.min(count, Math.max(0, -first))
+      count: count2,
+      colours: around ? diverging(centres) : sequential(count2),
+      zero: Math.min(count2, Math.max(0, -first))
     };
   }
-  function edges({ low, step, count }) {
+  function edges({ low, step, count: count2 }) {
     const first = Math.round(low / step);
-    return Array.from({ length: count + 1 }, (_, k) => (first + k) * step);
+    return Array.from({ length: count2 + 1 }, (_, k) => (first + k) * step);
   }
   function edgeDecimals(scale) {
     return Math.max(...edges(scale).map((one) => decimalsOf(one)));
@@ -1577,11 +1583,11 @@ ${second && bar(facts)}
   // ../view/map/table.js
   var COLUMNS = 6;
   var ROWS = 11;
-  function spread(count, most) {
-    const wanted = Math.min(most, count);
+  function spread(count2, most) {
+    const wanted = Math.min(most, count2);
     return Array.from(
       { length: wanted },
-      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+      (_, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
   }
   function tableOf(columns, rows, axisText2, valueText2) {
@@ -1923,8 +1929,8 @@ ${table2(facts)}
     return [{ ...piece, key, d }];
   }
   function teeth(x, length, y) {
-    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
-    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+    const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
   }
 
   // ../effects/incline/view.js
@@ -3102,21 +3108,21 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
 
   // ../view/map/pixels.js
   var FINE = 400;
-  function band(value, { low, step, count }) {
-    if (Number.isNaN(value)) return count;
+  function band(value, { low, step, count: count2 }) {
+    if (Number.isNaN(value)) return count2;
     const place4 = Math.floor((value - low) / step + STEP_SLACK);
-    return Math.min(count - 1, Math.max(0, place4));
+    return Math.min(count2 - 1, Math.max(0, place4));
   }
   function mixed(a, b, part) {
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines3, count, factor, next, line) {
-    const fine = (count - 1) * factor + 1;
+  function between(values, lines3, count2, factor, next, line) {
+    const fine = (count2 - 1) * factor + 1;
     const found = new Float64Array(lines3 * fine);
     for (let i = 0; i < lines3; i += 1) {
       for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count - 2);
+        const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at = i * line + left * next;
         const part = (k - left * factor) / factor;
         found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
@@ -3139,17 +3145,17 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
     return { places: lines2(bands, width, scale), width, height };
   }
-  function lines2(bands, width, { count, zero }) {
+  function lines2(bands, width, { count: count2, zero }) {
     const places = bands.slice();
-    const line = 2 * count + 1;
+    const line = 2 * count2 + 1;
     const compare = (at, other) => {
       const own = Number(bands[at]);
       const next = Number(bands[other]);
-      if (next === own || own === count) return;
-      if (next !== count && own >= zero !== next >= zero) {
+      if (next === own || own === count2) return;
+      if (next !== count2 && own >= zero !== next >= zero) {
         places[at] = line;
         places[other] = line;
-      } else if (places[at] !== line) places[at] = count + 1 + own;
+      } else if (places[at] !== line) places[at] = count2 + 1 + own;
     };
     for (let at = 0; at < bands.length; at += 1) {
       if ((at + 1) % width) compare(at, at + 1);
@@ -3420,9 +3426,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   function textsOf(pieces) {
     const seen2 = /* @__PURE__ */ new Map();
     return pieces.map(({ text: text2 }) => {
-      const count = (seen2.get(text2) ?? 0) + 1;
-      seen2.set(text2, count);
-      return `${count} ${text2}`;
+      const count2 = (seen2.get(text2) ?? 0) + 1;
+      seen2.set(text2, count2);
+      return `${count2} ${text2}`;
     });
   }
 
@@ -3518,6 +3524,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   // src/teach/own-file.js
   function ownFile(words, take) {
     const label = html("label", "carts-teach-own");
+    const told4 = html("span", "carts-error");
+    told4.setAttribute("role", "alert");
     const input = document.createElement("input");
     input.type = "file";
     input.accept = ".md,text/markdown";
@@ -3525,11 +3533,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const file = input.files?.[0];
       if (!file) return;
       const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
-      const text2 = decoder.decode(await file.arrayBuffer());
+      const bytes = await file.arrayBuffer().catch(() => null);
       input.value = "";
-      take(text2);
+      say(told4, bytes ? "" : `${file.name} cannot be read.`);
+      if (bytes) take(decoder.decode(bytes));
     });
-    label.append(html("span", "", words), " ", input);
+    label.append(html("span", "", words), " ", input, " ", told4);
     return label;
   }
   var OwnFile = class {
@@ -3742,10 +3751,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.area.setSelectionRange(at, at);
     }
     #count() {
-      const count = this.area.value.replace(/\n$/, "").split("\n").length;
-      this.area.rows = Math.max(2, count + (this.area.value.endsWith("\n") ? 1 : 0));
+      const count2 = this.area.value.replace(/\n$/, "").split("\n").length;
+      this.area.rows = Math.max(2, count2 + (this.area.value.endsWith("\n") ? 1 : 0));
       const rows = [];
-      for (let k = 0; k < count; k += 1) {
+      for (let k = 0; k < count2; k += 1) {
         const line = this.first + k;
         const bad = this.wrong.has(line);
         const row = html("span", bad ? "carts-teach-wrong" : "", `${bad ? "▸" : ""}${line}`);
@@ -3828,10 +3837,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.findings = findings;
       say(this.kind, piece.kind === "block" ? KINDS[piece.name ?? ""] ?? "Block" : place3(piece));
       say(this.title, titleOf(piece));
-      const count = findings.length;
-      const wrong = count ? `${count} ${count === 1 ? "mistake" : "mistakes"}` : "";
+      const count2 = findings.length;
+      const wrong = count2 ? `${count2} ${count2 === 1 ? "mistake" : "mistakes"}` : "";
       say(this.mark, [changed ? "changed" : "", wrong].filter(Boolean).join(", "));
-      this.root.classList.toggle("carts-teach-has-mistake", count > 0);
+      this.root.classList.toggle("carts-teach-has-mistake", count2 > 0);
       if (this.root.open) this.#fill();
     }
     #fill() {
@@ -4026,13 +4035,13 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         const changed = this.#published.size > 0 && !this.#published.has(piece.text);
         this.#editors[k]?.show(piece, [...own, ...others], changed);
       });
-      const count = findings.length;
-      this.root.dataset.mistakes = String(count);
-      const words = count === 1 ? "1 mistake" : `${count} mistakes`;
+      const count2 = findings.length;
+      this.root.dataset.mistakes = String(count2);
+      const words = count2 === 1 ? "1 mistake" : `${count2} mistakes`;
       const faulty = this.#editors.filter((editor) => editor.findings.length);
       const closed2 = faulty.length > 0 && !faulty.some((editor) => editor.root.open);
       const where = closed2 ? ` The first is in “${faulty[0]?.title.textContent}”: open it.` : "";
-      if (count)
+      if (count2)
         this.status(`${words}: the page shows these parts as they were before.${where}`, true);
       else if (this.#faulty) this.status("");
       if (!this.state.textContent) say(this.state, this.#unchanged);

@@ -131,6 +131,47 @@ def test_a_file_without_a_code_word_is_asked_for_one_and_takes_it(
     expect(page.locator("#why textarea")).to_have_value("nobody's yet")
 
 
+KEEP_FOX = f"""() => ({IN_READINGS.replace("-measured", "")})(
+  (kept) => kept.put({{ id: "why", value: "the fox's", last: "2027" }}, "@BLUE-FOX-27/page#why"))"""
+
+
+@pytest.mark.one_browser
+def test_a_code_word_typed_for_a_file_alone_takes_nothing_to_answers_that_are_here_under_it(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.evaluate(KEEP_FOX)
+    page.locator("#why textarea").fill("nobody's yet")
+    saved(page, "why")
+    page.locator(".carts-bar-open").click()
+    page.locator(".carts-answers-save").first.click()
+    page.locator(".carts-answers-whose input").fill("blue fox 27")
+    with page.expect_download():
+        page.locator(".carts-answers-with-code").click()
+    expect(page.locator(".carts-answers-whose")).to_contain_text("are on this computer already")
+    expect(page.locator(".carts-bar-who")).to_have_text("no code word yet")
+
+
+@pytest.mark.one_browser
+def test_a_browser_that_refuses_to_clear_the_answers_is_told_of(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("still here")
+    saved(page, "why")
+    refuse = "IDBObjectStore.prototype.delete = () => { throw new Error('refused'); }"
+    page.evaluate(f"() => {{ {refuse} }}")
+    page.locator(".carts-bar-open").click()
+    part = page.locator(".carts-answers-leave")
+    part.get_by_role("button", name="Clear this laptop").click()
+    sure = part.get_by_role("button", name="Clear my answers")
+    expect(sure).to_have_accessible_description(
+        "Is your file saved? Your answers on this computer will be gone."
+    )
+    sure.click()
+    expect(part.get_by_role("status")).to_contain_text("answers are still on this computer")
+
+
 def bring_back(page: Page, name: str, text: str) -> None:
     page.locator(".carts-bar-open").click()
     expect(page.locator("dialog.carts-answers[open]")).to_be_visible()

@@ -32,6 +32,7 @@ def forms() -> dict[str, Form]:
 def hand_in(page: Page, form: str) -> None:
     quiz = page.locator(f'carts-quiz[data-form="{form}"]')
     quiz.locator(".carts-quiz-hand-in").click()
+    expect(quiz.locator(".carts-quiz-no")).to_be_focused()  # Enter held down hands nothing in
     quiz.get_by_role("button", name="Hand in", exact=True).click()
     expect(quiz.locator(".carts-quiz-done")).to_contain_text("Handed in on")
 

@@ -3,6 +3,7 @@
 import { counted, tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { onEnter } from "../shared/enter.js";
 import { readCode } from "./codes.js";
 import { csvText } from "./csv.js";
 import { fileName, makeFiles, readFile, tooLarge } from "./file.js";
@@ -105,14 +106,23 @@ function askWhose(place, book, keep) {
   const withCode = async () => {
     const found = readCode(box.value);
     if ("problem" in found) return say(told, found.problem);
-    keep(found.code);
+    const { code } = found;
+    keep(code);
+    // Mistyped, it may be the code word of somebody who worked here before.
+    if (await book.has(code).catch(() => true)) {
+      return say(
+        told,
+        tr(
+          "Saved. Answers of {code} are on this computer already: if you are {code}, type it above too.",
+          { code },
+        ),
+      );
+    }
     // What was answered here belongs to this student from now on; if the browser refuses, the file has it.
-    const anew = await book.become(found.code, true).catch(() => false);
+    const anew = await book.become(code, true).catch(() => false);
     if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
   };
-  box.addEventListener("keydown", ({ key }) => {
-    if (key === "Enter") void withCode();
-  });
+  onEnter(box, () => void withCode());
   const without = () => {
     place.replaceChildren();
     keep("");

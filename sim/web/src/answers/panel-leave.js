@@ -1,15 +1,25 @@
 /** Leaving a shared laptop: clear one's own answers, or everything; and where answers are kept. */
 
 import { tr } from "../../../view/language.js";
-import { html } from "../shared/dom.js";
+import { html, say } from "../shared/dom.js";
 import { forgetTab } from "../shared/tab.js";
-import { askingButton, part } from "./parts.js";
+import { askingButton, part, status } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
 export function leavePart(book) {
   const root = part("leave", tr("Before you leave this computer"));
+  const told = status();
   const forget = async (/** @type {boolean} */ everybody) => {
-    await book.forget(everybody);
+    try {
+      await book.forget(everybody);
+    } catch {
+      return say(
+        told,
+        tr(
+          "This browser refuses to delete: answers are still on this computer. Try again, or clear the browser's data.",
+        ),
+      );
+    }
     forgetTab();
     location.reload();
   };
@@ -29,6 +39,7 @@ export function leavePart(book) {
       () => void forget(true),
       "carts-answers-delete",
     ),
+    told,
   );
   return root;
 }

@@ -2,6 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
+import { onEnter } from "../shared/enter.js";
 import { forgetTab, retain } from "../shared/tab.js";
 import { CAME } from "./bar.js";
 import { readCode } from "./codes.js";
@@ -20,9 +21,7 @@ export function whoPart(book) {
   const told = status();
   const choices = html("p", "carts-answers-choices");
   const go = button(tr("Continue"), () => void look(), "carts-answers-go");
-  box.addEventListener("keydown", ({ key }) => {
-    if (key === "Enter") void look();
-  });
+  onEnter(box, () => void look());
   const row = html("p");
   row.append(label, " ", go);
   const two = html(

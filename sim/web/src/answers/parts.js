@@ -20,17 +20,24 @@ export function button(text, act, name = "") {
   return made;
 }
 
+let count = 0; // of buttons that ask
+
 /** A button that asks before it acts, in the page. @param {string} text @param {string} question @param {string} yes @param {() => void} act @param {string} name */
 export function askingButton(text, question, yes, act, name) {
   const row = html("p", `carts-answers-asking ${name}`);
   const first = button(text, () => ask(true));
-  const asked = html("span", "", `${question} `);
+  const asked = html("span");
+  const words = html("span", "", question);
+  count += 1;
+  words.id = `${name}-${count}`; // said with each of the buttons: the focus goes to one
   const no = button(tr("No"), () => ask(false), "carts-answers-no");
   const go = () => {
     ask(false); // before: the act may lead elsewhere
     act();
   };
-  asked.append(button(yes, go, "carts-answers-yes"), " ", no);
+  const does = button(yes, go, "carts-answers-yes");
+  for (const one of [does, no]) one.setAttribute("aria-describedby", words.id);
+  asked.append(words, " ", does, " ", no);
   asked.hidden = true;
   row.append(first, asked);
   /** @param {boolean} on */

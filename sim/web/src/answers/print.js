@@ -2,19 +2,18 @@
 
 import { tr } from "../../../view/language.js";
 import { say } from "../shared/dom.js";
+import { printWith } from "../shared/printing.js";
 
 /** @param {boolean} empty without the answers, and without what the lesson marks as for who has time */
 export function print(empty) {
   const { classList } = document.documentElement;
   classList.toggle("carts-print-empty", empty);
   const back = empty ? blanked() : [];
-  const after = () => {
+  for (const dialog of document.querySelectorAll("dialog")) dialog.close();
+  printWith(() => {
     classList.remove("carts-print-empty");
     for (const undo of back) undo();
-  };
-  addEventListener("afterprint", after, { once: true });
-  for (const dialog of document.querySelectorAll("dialog")) dialog.close();
-  window.print();
+  });
 }
 
 /** Empties what styles cannot: code word, predictions, and runs that were watched. @returns {(() => void)[]} what brings them back */

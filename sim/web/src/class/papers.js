@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
+import { printWith } from "../shared/printing.js";
 
 /** @typedef {Record<string, {name: string, words: Record<string, string>}>} Languages */
 
@@ -84,6 +85,5 @@ export function papers({ noAnswers, keys, ask, say }) {
 function print() {
   const { classList } = document.documentElement;
   classList.add(PRINTING);
-  addEventListener("afterprint", () => classList.remove(PRINTING), { once: true });
-  window.print();
+  printWith(() => classList.remove(PRINTING));
 }

@@ -5,6 +5,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html } from "../shared/dom.js";
+import { isEnter } from "../shared/enter.js";
 
 const STEP = "    ";
 export const LONGEST = 20_000; // characters: what an answer may have; a test holds it to that
@@ -54,8 +55,7 @@ export class Editor {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (event.key !== "Enter" || event.shiftKey || event.ctrlKey || event.metaKey) return;
-    if (event.altKey || event.isComposing) return;
+    if (!isEnter(event) || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
     const { value, selectionStart } = this.box;
     const line = value.slice(value.lastIndexOf("\n", selectionStart - 1) + 1, selectionStart);
     const indent = /^ */.exec(line)?.[0] ?? "";

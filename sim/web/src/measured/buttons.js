@@ -2,6 +2,7 @@
 
 import { need } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { printWith } from "../shared/printing.js";
 
 /** @typedef {import("../../../view/measured/types.js").Report} Report */
 /**
@@ -24,8 +25,7 @@ export function wireButtons(bench, { own, save, fit, compare, tracker, early }) 
   });
   on("print", () => {
     bench.dataset.printing = ""; // alone, without the lesson around it
-    addEventListener("afterprint", () => delete bench.dataset.printing, { once: true });
-    print();
+    printWith(() => delete bench.dataset.printing);
   });
   const model = need(bench, ".carts-measured-model");
   for (const kind of ["pointerdown", "focusin"])

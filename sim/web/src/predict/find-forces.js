@@ -190,7 +190,7 @@ function isWhole(found) {
 /** The next reader of a scene finds them too. @param {string} id of the scene */
 export function forgetForces(id) {
   delete document.getElementById(id)?.dataset.found;
-  void new Kept(`${id}-forces`).forget();
+  new Kept(`${id}-forces`).forget().catch(() => {}); // refused: the next reader finds them found
 }
 
 /** The inside that shows the forces takes the place of the one that hides them. @param {HTMLElement} element @param {string[]} said what the reader found */

@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { html, need } from "../shared/dom.js";
+import { onEnter } from "../shared/enter.js";
 import { mark } from "./marking/mark.js";
 
 const WORDS = {
@@ -31,9 +32,7 @@ export class Feedback {
     const check = /** @type {HTMLElement | null} */ (root.querySelector(".carts-q-check"));
     // Of a single box: in a table cells are still empty.
     const box = /** @type {HTMLElement | null} */ (root.querySelector("input.carts-q-typed"));
-    box?.addEventListener("keydown", ({ key, isComposing }) => {
-      if (key === "Enter" && !isComposing) check?.click();
-    });
+    onEnter(box, () => check?.click());
     check?.addEventListener("click", () => {
       const tried = attempt();
       if (!tried) return;

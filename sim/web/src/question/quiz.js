@@ -4,6 +4,7 @@ import { counted, tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
 import { clock } from "../answers/parts.js";
 import { need, say } from "../shared/dom.js";
+import { onEnter } from "../shared/enter.js";
 import { encode, fits } from "./handin.js";
 import { isOver, reasons, wordSum } from "./opening.js";
 import { shuffleOptions } from "./shuffle.js";
@@ -38,9 +39,7 @@ export function quizElement(book) {
         "click",
         () => void this.#tryWord(word.value),
       );
-      word.addEventListener("keydown", ({ key }) => {
-        if (key === "Enter") void this.#tryWord(word.value);
-      });
+      onEnter(word, () => void this.#tryWord(word.value));
       need(this, ".carts-quiz-hand-in").addEventListener("click", () => this.#ask(true));
       need(this, ".carts-quiz-no").addEventListener("click", () => this.#ask(false));
       need(this, ".carts-quiz-yes").addEventListener("click", () => void this.#handIn());
@@ -145,7 +144,8 @@ export function quizElement(book) {
       say(need(this, ".carts-quiz-sure-text"), words.filter(Boolean).join(" "));
       need(this, ".carts-quiz-sure").hidden = !on;
       need(this, ".carts-quiz-hand-in").hidden = on;
-      need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
+      // A key that is still held down hands nothing in.
+      need(this, on ? ".carts-quiz-no" : ".carts-quiz-hand-in").focus();
     }
 
     async #handIn() {

@@ -1,7 +1,7 @@
 /** The teacher's own file: a field for it, and the yellow box that asks for it. */
 
 import { button } from "../answers/parts.js";
-import { html } from "../shared/dom.js";
+import { html, say } from "../shared/dom.js";
 import { restored } from "./asked.js";
 import { hashOf } from "./source.js";
 
@@ -10,6 +10,8 @@ import { hashOf } from "./source.js";
 /** A field for the teacher's own file. @param {string} words @param {(text: string) => void} take */
 export function ownFile(words, take) {
   const label = html("label", "carts-teach-own");
+  const told = html("span", "carts-error");
+  told.setAttribute("role", "alert");
   const input = document.createElement("input");
   input.type = "file";
   input.accept = ".md,text/markdown";
@@ -17,11 +19,12 @@ export function ownFile(words, take) {
     const file = input.files?.[0];
     if (!file) return;
     const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
-    const text = decoder.decode(await file.arrayBuffer());
+    const bytes = await file.arrayBuffer().catch(() => null); // a file that is gone
     input.value = ""; // the same file may be chosen again
-    take(text);
+    say(told, bytes ? "" : `${file.name} cannot be read.`);
+    if (bytes) take(decoder.decode(bytes));
   });
-  label.append(html("span", "", words), " ", input);
+  label.append(html("span", "", words), " ", input, " ", told);
   return label;
 }
 
