@@ -124,7 +124,7 @@ def test_a_curve_that_is_changed_leaves_the_one_of_before() -> None:
 def test_a_law_that_is_begun_again_stays_among_the_earlier_ones() -> None:
     script = """const { lawKeeper } = await load("law/keep.js");
     const { openStore } = await load("shared/storage.js");
-    const keeper = lawKeeper({ id: "own", hash: "0123456789ab", ask: "?" }, () => {});
+    const keeper = lawKeeper({ id: "own", hash: "0123456789ab", ask: "?" });
     await keeper.get();
     await keeper.put("an hour of work");
     keeper.setAside();

@@ -565,8 +565,12 @@
         await store.remove(key);
         channel?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }
@@ -608,7 +612,7 @@
         return all.put(before + key, stamped(value), alone2);
       },
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
+      hear: (act, signal) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone), signal),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
@@ -685,7 +689,7 @@
         await work;
       } finally {
         this.#writing.delete(work);
-        this.dispatchEvent(new CustomEvent("change", { detail: key }));
+        this.#changed();
       }
     }
     async take(student, found2) {
@@ -698,7 +702,7 @@
       await Promise.all(changed.map(({ key, both: both2 }) => theirs.put(key, both2)));
       for (const { key, both: both2 } of mine ? changed : []) this.#known.set(key, both2);
       await this.#read();
-      this.dispatchEvent(new CustomEvent("change", { detail: null }));
+      this.#changed();
       for (const [key] of mine ? found2 : []) {
         this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
       }
@@ -710,7 +714,7 @@
       if (!this.lasts && (carry || this.#known.size === 0)) {
         this.student = code;
         this.dispatchEvent(new Event("student"));
-        this.dispatchEvent(new CustomEvent("change", { detail: null }));
+        this.#changed();
         return false;
       }
       if (carry) {
@@ -733,10 +737,10 @@
       await this.ready;
       await Promise.allSettled(this.#writing);
       if (!this.all || !this.store) return;
-      if (everybody) for (const [key] of await this.all.entries()) await this.all.remove(key);
-      else for (const [key] of await this.store.entries()) await this.store.remove(key);
       const readings = await openAll(`${this.site}${READINGS}`);
-      for (const [key] of await readings.entries()) await readings.remove(key);
+      for (const store of [everybody ? this.all : this.store, readings]) {
+        for (const [key] of await store.entries()) await store.remove(key);
+      }
       await writeStudent(this.all, "");
       this.#known.clear();
     }
@@ -752,6 +756,9 @@
       });
       return { done: done.length, of: items2.length };
     }
+    #changed() {
+      this.dispatchEvent(new Event("change"));
+    }
     async #open() {
       markOptional();
       this.all = await openAll(this.site);
@@ -760,10 +767,11 @@
       await this.#read();
       this.store.hear((key, gone) => void this.#hear(key, gone));
       hearStudent(this.all, () => this.#leave());
-      document.addEventListener("carts-kept", () => void this.refresh());
-      document.addEventListener("carts-forgotten", (event) => {
-        void this.#hear(event.detail, true);
-      });
+      for (const kind of ["carts-kept", "carts-forgotten"]) {
+        document.addEventListener(kind, (event) => {
+          void this.#hear(event.detail, kind === "carts-forgotten");
+        });
+      }
     }
     async #before(key) {
       try {
@@ -785,7 +793,7 @@
     }
     async refresh() {
       await this.#read();
-      this.dispatchEvent(new CustomEvent("change", { detail: null }));
+      this.#changed();
     }
     async #write(key, entry) {
       try {
@@ -806,7 +814,7 @@
       if (entry) this.#known.set(key, entry);
       else if (gone) this.#known.delete(key);
       else return;
-      this.dispatchEvent(new CustomEvent("change", { detail: key }));
+      this.#changed();
       this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
     }
   };

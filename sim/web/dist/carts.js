@@ -4018,8 +4018,12 @@
         await store.remove(key);
         channel2?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel2?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel2?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }
@@ -4058,7 +4062,7 @@
         return all.put(before + key, stamped(value), alone3);
       },
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
+      hear: (act, signal) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone), signal),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
@@ -4100,18 +4104,18 @@
     }
     async put(entry2) {
       await (await this.#store).put(this.#key, entry2);
-      document.dispatchEvent(new Event("carts-kept"));
+      document.dispatchEvent(new CustomEvent("carts-kept", { detail: this.#key }));
     }
     async forget() {
       await (await this.#store).remove(this.#key);
       document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
     }
-    async hear(act) {
+    async hear(act, signal) {
       (await this.#store).hear(async (key, gone) => {
         if (key !== this.#key) return;
         const found3 = await this.get();
         if (found3 || gone) act(found3);
-      });
+      }, signal);
     }
   };
 
@@ -5022,8 +5026,9 @@
   // src/predict/keeping.js
   var Keeping = class {
     #kept;
-    constructor(root, id) {
+    constructor(root, id, signal) {
       this.root = root;
+      this.signal = signal;
       this.saved = need(root, ".carts-saved");
       this.#kept = new Kept(id);
     }
@@ -5031,7 +5036,7 @@
       const current = (found4) => found4?.type === type && isCurrent(found4);
       void this.#kept.hear((found4) => {
         if (this.root.isConnected && (!found4 || current(found4))) elsewhere(found4);
-      });
+      }, this.signal);
       if (!await this.#kept.lasts()) {
         say(
           this.saved,
@@ -5310,7 +5315,7 @@
   var Predict = class {
     #entry;
     #keeping;
-    constructor(root, baked, draw, locked, forgotten) {
+    constructor(root, baked, draw, locked, forgotten, signal) {
       const spec = baked.fence.predict;
       this.root = root;
       this.spec = spec;
@@ -5320,7 +5325,7 @@
         say(need(root, ".carts-heading"), tr("Your prediction"));
         locked(now);
       };
-      this.#keeping = new Keeping(root, baked.fence.id);
+      this.#keeping = new Keeping(root, baked.fence.id, signal);
       this.error = need(root, ".carts-predict-error");
       this.button = need(root, ".carts-lock");
       this.#entry = {
@@ -5879,14 +5884,14 @@
     #measuring = {};
     // an owner of its own: a measurement is no newer run
     #proof = null;
-    constructor(root, view, client2, message) {
+    constructor(root, view, client2, message, signal) {
       this.root = root;
       this.view = view;
       this.client = client2;
       this.message = message;
       this.details = need(root, ".carts-how");
       this.details.addEventListener("toggle", () => this.#opened());
-      root.addEventListener(WATCHED, () => this.details.isConnected && this.#opened());
+      root.addEventListener(WATCHED, () => this.#opened(), { signal });
     }
     async follow(run) {
       this.#exact = run;
@@ -7078,7 +7083,11 @@ ${lines4.join("\n")}
   };
 
   // src/scene/inside.js
+  var lives = /* @__PURE__ */ new WeakMap();
   function wireInside(element, baked, view, client2, acts) {
+    lives.get(element)?.abort();
+    const life = new AbortController();
+    lives.set(element, life);
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
     const presets = new Presets(element, baked.fence, acts.preset);
@@ -7109,9 +7118,15 @@ ${lines4.join("\n")}
       );
     });
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
-    const how = new How(element, view, client2, (more) => {
-      return { kind: "how", scene, set: { ...acts.settings() }, ...more };
-    });
+    const how = new How(
+      element,
+      view,
+      client2,
+      (more) => {
+        return { kind: "how", scene, set: { ...acts.settings() }, ...more };
+      },
+      life.signal
+    );
     const ladder = new Ladder(element, client2, () => {
       return { kind: "relevance", scene, set: { ...acts.settings() } };
     });
@@ -7132,7 +7147,8 @@ ${lines4.join("\n")}
     const draw = (guesses) => {
       for (const stage of view.stages) stage.guess(guesses);
     };
-    return new Predict(ask, baked, draw, locked, forgotten);
+    const { signal } = lives.get(element);
+    return new Predict(ask, baked, draw, locked, forgotten, signal);
   }
   function columnsOf({ parts: parts2, carts, rows }, numbers) {
     const column = (k) => numbers.subarray(k * rows, (k + 1) * rows);

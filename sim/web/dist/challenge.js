@@ -414,8 +414,12 @@
         await store.remove(key);
         channel?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }
@@ -454,7 +458,7 @@
         return all.put(before + key, stamped(value2), alone2);
       },
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
+      hear: (act, signal) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone), signal),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value2]) => [key.slice(before.length), value2])
     };
   }
@@ -496,27 +500,27 @@
     }
     async put(entry) {
       await (await this.#store).put(this.#key, entry);
-      document.dispatchEvent(new Event("carts-kept"));
+      document.dispatchEvent(new CustomEvent("carts-kept", { detail: this.#key }));
     }
     async forget() {
       await (await this.#store).remove(this.#key);
       document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
     }
-    async hear(act) {
+    async hear(act, signal) {
       (await this.#store).hear(async (key, gone) => {
         if (key !== this.#key) return;
         const found2 = await this.get();
         if (found2 || gone) act(found2);
-      });
+      }, signal);
     }
   };
 
   // src/question/challenge-kept.js
   var TYPE = "challenge";
-  function triedKeeper(id, elsewhere) {
+  function triedKeeper(id) {
     const kept2 = new Kept(id);
-    void kept2.hear(elsewhere);
     return {
+      hear: (act, signal) => void kept2.hear(act, signal),
       async get() {
         const entry = await kept2.get();
         const { runs, found: found2, values } = entry?.type === TYPE && entry.value || {};
@@ -781,7 +785,8 @@
         document.addEventListener(kind, (event) => this.#heard(event), { signal });
       }
       this.#show();
-      this.#keeper ??= triedKeeper(this.id, () => void this.#restore());
+      this.#keeper ??= triedKeeper(this.id);
+      this.#keeper.hear(() => void this.#restore(), signal);
       this.#restored = this.#restore();
     }
     disconnectedCallback() {

@@ -191,6 +191,24 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/shared/kept-line.js
+  var KeptLine = class {
+    #puts = 0;
+    constructor(owner) {
+      this.owner = owner;
+      this.root = html("p", "carts-unsaved");
+      this.root.setAttribute("role", "status");
+    }
+    async hear(put2) {
+      this.#puts += 1;
+      const turn = this.#puts;
+      const kept = Boolean(await put2);
+      if (turn !== this.#puts) return;
+      say(this.root, kept ? "" : tr("Not saved"));
+      this.owner.toggleAttribute("data-kept", kept);
+    }
+  };
+
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   var NOISE = 1e-9;
@@ -2723,8 +2741,12 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         await store.remove(key);
         channel?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }
@@ -2763,7 +2785,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         return all.put(before + key, stamped(value), alone2);
       },
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
+      hear: (act, signal) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone), signal),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }
@@ -2805,23 +2827,23 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
     async put(entry) {
       await (await this.#store).put(this.#key, entry);
-      document.dispatchEvent(new Event("carts-kept"));
+      document.dispatchEvent(new CustomEvent("carts-kept", { detail: this.#key }));
     }
     async forget() {
       await (await this.#store).remove(this.#key);
       document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
     }
-    async hear(act) {
+    async hear(act, signal) {
       (await this.#store).hear(async (key, gone) => {
         if (key !== this.#key) return;
         const found2 = await this.get();
         if (found2 || gone) act(found2);
-      });
+      }, signal);
     }
   };
 
   // src/law/keep.js
-  function lawKeeper({ id, hash, ask }, elsewhere) {
+  function lawKeeper({ id, hash, ask }) {
     const kept = new Kept(id);
     let entry = { id, hash, type: "law", value: null, first: null, last: null, tries: 0 };
     const taken = (found2) => {
@@ -2829,11 +2851,14 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       if (isCurrent(found2)) entry = found2;
       return found2.value;
     };
-    void kept.hear((found2) => {
-      const text = taken(found2);
-      if (text !== null) elsewhere(text);
-    });
     return {
+      hear(act, signal) {
+        const heard = (found2) => {
+          const text = taken(found2);
+          if (text !== null) act(text);
+        };
+        void kept.hear(heard, signal);
+      },
       get: async () => taken(await kept.get()),
       setAside() {
         entry = setAside(entry);
@@ -2852,24 +2877,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
     };
   }
-
-  // src/law/kept-line.js
-  var KeptLine = class {
-    #puts = 0;
-    constructor(owner) {
-      this.owner = owner;
-      this.root = html("p", "carts-law-unsaved");
-      this.root.setAttribute("role", "status");
-    }
-    async hear(put2) {
-      this.#puts += 1;
-      const turn = this.#puts;
-      const kept = Boolean(await put2);
-      if (turn !== this.#puts) return;
-      say(this.root, kept ? "" : tr("Not saved"));
-      this.owner.toggleAttribute("data-kept", kept);
-    }
-  };
 
   // src/runtime/line.js
   var PAUSES = [1e3, 2e3, 4e3];
@@ -3564,12 +3571,16 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         again: () => this.#again()
       });
       complete = Promise.resolve();
+      #leaving = new AbortController();
+      // ends what the element hears of other tabs
       connectedCallback() {
-        if (this.#facts) return;
+        this.#leaving = new AbortController();
+        if (this.#facts) return this.#hear();
         const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
         this.#facts = facts;
         this.#baked = bakedOf(facts.baked);
-        this.keeper = lawKeeper(facts, (text) => this.#take(text));
+        this.keeper = lawKeeper(facts);
+        this.#hear();
         this.editor = new Editor(facts.id, (text) => this.#typed(text));
         this.editor.text = facts.start;
         this.note = html("p", "carts-law-note");
@@ -3589,8 +3600,12 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.complete = this.#restore();
       }
       disconnectedCallback() {
+        this.#leaving.abort();
         this.#pictures?.leave();
         this.#python.stop();
+      }
+      #hear() {
+        this.keeper?.hear((text) => this.#take(text), this.#leaving.signal);
       }
       async #restore() {
         this.#take(await this.keeper?.get() || String(this.#facts?.start));

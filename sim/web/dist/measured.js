@@ -576,8 +576,12 @@
         await store.remove(key);
         channel?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }

@@ -1083,8 +1083,12 @@
         await store.remove(key);
         channel2?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel2?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel2?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }

@@ -2535,8 +2535,12 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         await store.remove(key);
         channel?.postMessage({ key, gone: true });
       },
-      hear: (act) => {
-        channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+      hear: (act, signal) => {
+        channel?.addEventListener(
+          "message",
+          ({ data }) => act(String(data.key), data.gone),
+          signal && { signal }
+        );
       }
     };
   }
@@ -2575,7 +2579,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         return all.put(before + key, stamped(value), alone2);
       },
       remove: (key) => all.remove(before + key),
-      hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
+      hear: (act, signal) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone), signal),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
   }

@@ -128,7 +128,7 @@ def test_not_saved_is_said_as_long_as_it_is_so_and_by_nothing_else_taken_away(
     open_page: OpenPage, bench: Path
 ) -> None:
     page = opened(open_page, bench)
-    unsaved = page.locator(".carts-law-unsaved")
+    unsaved = page.locator(".carts-unsaved")
     kept(page, HEAVY)
     expect(unsaved).to_have_text("")
     page.evaluate(

@@ -72,7 +72,7 @@ export class Book extends EventTarget {
       await work;
     } finally {
       this.#writing.delete(work);
-      this.dispatchEvent(new CustomEvent("change", { detail: key }));
+      this.#changed();
     }
   }
 
@@ -90,7 +90,7 @@ export class Book extends EventTarget {
     // It may be older than an empty one that this page knows.
     for (const { key, both } of mine ? changed : []) this.#known.set(key, both);
     await this.#read();
-    this.dispatchEvent(new CustomEvent("change", { detail: null }));
+    this.#changed();
     for (const [key] of mine ? found : []) {
       this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
     }
@@ -108,7 +108,7 @@ export class Book extends EventTarget {
     if (!this.lasts && (carry || this.#known.size === 0)) {
       this.student = code;
       this.dispatchEvent(new Event("student"));
-      this.dispatchEvent(new CustomEvent("change", { detail: null }));
+      this.#changed();
       return false;
     }
     if (carry) {
@@ -137,10 +137,10 @@ export class Book extends EventTarget {
     await this.ready;
     await Promise.allSettled(this.#writing);
     if (!this.all || !this.store) return;
-    if (everybody) for (const [key] of await this.all.entries()) await this.all.remove(key);
-    else for (const [key] of await this.store.entries()) await this.store.remove(key);
     const readings = await openAll(`${this.site}${READINGS}`); // of real carts: they have no owner
-    for (const [key] of await readings.entries()) await readings.remove(key);
+    for (const store of [everybody ? this.all : this.store, readings]) {
+      for (const [key] of await store.entries()) await store.remove(key);
+    }
     await writeStudent(this.all, "");
     this.#known.clear();
   }
@@ -165,6 +165,10 @@ export class Book extends EventTarget {
     return { done: done.length, of: items.length };
   }
 
+  #changed() {
+    this.dispatchEvent(new Event("change"));
+  }
+
   async #open() {
     markOptional(); // once: what is done is counted with every answer
     this.all = await openAll(this.site);
@@ -173,10 +177,11 @@ export class Book extends EventTarget {
     await this.#read();
     this.store.hear((key, gone) => void this.#hear(key, gone));
     hearStudent(this.all, () => this.#leave());
-    document.addEventListener("carts-kept", () => void this.refresh());
-    document.addEventListener("carts-forgotten", (event) => {
-      void this.#hear(/** @type {CustomEvent} */ (event).detail, true);
-    });
+    for (const kind of ["carts-kept", "carts-forgotten"]) {
+      document.addEventListener(kind, (event) => {
+        void this.#hear(/** @type {CustomEvent} */ (event).detail, kind === "carts-forgotten");
+      });
+    }
   }
 
   /** What is kept under a key that this page does not know. @param {string} key */
@@ -203,7 +208,7 @@ export class Book extends EventTarget {
   /** Takes in what another script has kept. */
   async refresh() {
     await this.#read();
-    this.dispatchEvent(new CustomEvent("change", { detail: null }));
+    this.#changed();
   }
 
   /** @param {string} key @param {any} entry */
@@ -230,7 +235,7 @@ export class Book extends EventTarget {
     if (entry) this.#known.set(key, entry);
     else if (gone) this.#known.delete(key);
     else return;
-    this.dispatchEvent(new CustomEvent("change", { detail: key }));
+    this.#changed();
     this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
   }
 }

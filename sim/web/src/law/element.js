@@ -5,13 +5,13 @@ import { fromWire } from "../../../view/trajectory.js";
 import { bakedOf } from "../scene/baked.js";
 import { html, need, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { KeptLine } from "../shared/kept-line.js";
 import { ends } from "../worlds/ends.js";
 import { Pictures } from "../worlds/pictures.js";
 import { alongWith } from "./along-with.js";
 import { lawBar } from "./bar.js";
 import { Editor } from "./editor.js";
 import { lawKeeper } from "./keep.js";
-import { KeptLine } from "./kept-line.js";
 import { lineOf, OwnPython } from "./own-python.js";
 import { verdicts } from "./verdicts.js";
 
@@ -44,13 +44,17 @@ export function lawElement(base) {
     /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
     complete = Promise.resolve();
 
+    #leaving = new AbortController(); // ends what the element hears of other tabs
+
     connectedCallback() {
-      if (this.#facts) return;
+      this.#leaving = new AbortController();
+      if (this.#facts) return this.#hear();
       /** @type {Facts} */
       const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
       this.#facts = facts;
       this.#baked = bakedOf(facts.baked);
-      this.keeper = lawKeeper(facts, (text) => this.#take(text));
+      this.keeper = lawKeeper(facts);
+      this.#hear();
       this.editor = new Editor(facts.id, (text) => this.#typed(text));
       this.editor.text = facts.start;
       this.note = html("p", "carts-law-note");
@@ -71,8 +75,13 @@ export function lawElement(base) {
     }
 
     disconnectedCallback() {
+      this.#leaving.abort();
       this.#pictures?.leave();
       this.#python.stop();
+    }
+
+    #hear() {
+      this.keeper?.hear((text) => this.#take(text), this.#leaving.signal);
     }
 
     async #restore() {

@@ -4,8 +4,8 @@ import { setAside } from "../answers/entry.js";
 import { isCurrent } from "../answers/outline.js";
 import { Kept } from "../shared/kept.js";
 
-/** @param {{id: string, hash: string, ask: string}} facts @param {(text: string) => void} elsewhere what to do with a text that another tab keeps */
-export function lawKeeper({ id, hash, ask }, elsewhere) {
+/** @param {{id: string, hash: string, ask: string}} facts */
+export function lawKeeper({ id, hash, ask }) {
   const kept = new Kept(id);
   /** @type {any} */
   let entry = { id, hash, type: "law", value: null, first: null, last: null, tries: 0 };
@@ -15,11 +15,15 @@ export function lawKeeper({ id, hash, ask }, elsewhere) {
     if (isCurrent(found)) entry = found;
     return found.value;
   };
-  void kept.hear((found) => {
-    const text = taken(found);
-    if (text !== null) elsewhere(text);
-  });
   return {
+    /** @param {(text: string) => void} act what to do with a text that another tab keeps @param {AbortSignal} signal until then */
+    hear(act, signal) {
+      const heard = (/** @type {any} */ found) => {
+        const text = taken(found);
+        if (text !== null) act(text);
+      };
+      void kept.hear(heard, signal);
+    },
     /** @returns {Promise<string | null>} what was written here before */
     get: async () => taken(await kept.get()),
     /** The text goes to the earlier ones: another is about to take its place. */

@@ -10,9 +10,10 @@ import { Kept } from "../shared/kept.js";
 export class Keeping {
   #kept;
 
-  /** @param {HTMLElement} root of the prediction @param {string} id */
-  constructor(root, id) {
+  /** @param {HTMLElement} root of the prediction @param {string} id @param {AbortSignal} signal another prediction takes its place */
+  constructor(root, id, signal) {
     this.root = root;
+    this.signal = signal;
     this.saved = need(root, ".carts-saved");
     this.#kept = new Kept(id);
   }
@@ -26,7 +27,7 @@ export class Keeping {
     const current = (/** @type {any} */ found) => found?.type === type && isCurrent(found);
     void this.#kept.hear((found) => {
       if (this.root.isConnected && (!found || current(found))) elsewhere(found);
-    });
+    }, this.signal);
     if (!(await this.#kept.lasts())) {
       say(
         this.saved,

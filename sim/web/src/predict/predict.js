@@ -36,9 +36,9 @@ export class Predict {
    * @param {HTMLElement} root of the prediction @param {Baked} baked
    * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
    * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
-   * @param {(now: boolean) => void} forgotten what to do once the prediction is forgotten; `now`: by the reader, in this tab
+   * @param {(now: boolean) => void} forgotten what to do once the prediction is forgotten; `now`: by the reader, in this tab @param {AbortSignal} signal another takes its place
    */
-  constructor(root, baked, draw, locked, forgotten) {
+  constructor(root, baked, draw, locked, forgotten, signal) {
     const spec = /** @type {import("../../../view/types.js").PredictSpec} */ (baked.fence.predict);
     this.root = root;
     this.spec = spec;
@@ -48,7 +48,7 @@ export class Predict {
       say(need(root, ".carts-heading"), tr("Your prediction")); // nothing is asked any more
       locked(now);
     };
-    this.#keeping = new Keeping(root, baked.fence.id);
+    this.#keeping = new Keeping(root, baked.fence.id, signal);
     this.error = need(root, ".carts-predict-error");
     this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));
     this.#entry = {

@@ -7,11 +7,12 @@ const TYPE = "challenge";
 
 /** @typedef {{runs: number, found: number, values: string}} Tried `found`: in which run; 0: in none. `values`: what was set there, in words */
 
-/** @param {string} id of the challenge @param {() => void} elsewhere what to do when another tab has kept more */
-export function triedKeeper(id, elsewhere) {
+/** @param {string} id of the challenge */
+export function triedKeeper(id) {
   const kept = new Kept(id);
-  void kept.hear(elsewhere);
   return {
+    /** @param {() => void} act what to do when another tab has kept more @param {AbortSignal} signal until then */
+    hear: (act, signal) => void kept.hear(act, signal),
     /** What was tried at earlier visits; null: nothing. @returns {Promise<Tried | null>} */
     async get() {
       const entry = await kept.get();

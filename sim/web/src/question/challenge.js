@@ -39,7 +39,8 @@ export class ChallengeElement extends HTMLElement {
       document.addEventListener(kind, (event) => this.#heard(event), { signal });
     }
     this.#show();
-    this.#keeper ??= triedKeeper(this.id, () => void this.#restore());
+    this.#keeper ??= triedKeeper(this.id);
+    this.#keeper.hear(() => void this.#restore(), signal);
     this.#restored = this.#restore();
   }
 

@@ -20,12 +20,18 @@ import { TakeAlong } from "./take-along/take-along.js";
  *   `told`: no prediction is waited for
  */
 
+/** Ends what an inside hears from beyond it: the next one takes its place. @type {WeakMap<HTMLElement, AbortController>} */
+const lives = new WeakMap();
+
 /**
  * @param {HTMLElement} element @param {import("../../../view/types.js").Baked} baked
  * @param {import("./scene-view.js").SceneView} view @param {import("../runtime/client.js").Client} client
  * @param {Acts} acts
  */
 export function wireInside(element, baked, view, client, acts) {
+  lives.get(element)?.abort();
+  const life = new AbortController();
+  lives.set(element, life);
   element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
   element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
   const presets = new Presets(element, baked.fence, acts.preset);
@@ -60,9 +66,15 @@ export function wireInside(element, baked, view, client, acts) {
   const find = element.querySelector(".carts-find")
     ? new FindForces(element, baked.fence.id, acts.found)
     : null;
-  const how = new How(element, view, client, (more) => {
-    return { kind: "how", scene, set: { ...acts.settings() }, ...more };
-  });
+  const how = new How(
+    element,
+    view,
+    client,
+    (more) => {
+      return { kind: "how", scene, set: { ...acts.settings() }, ...more };
+    },
+    life.signal,
+  );
   const ladder = new Ladder(element, client, () => {
     return { kind: "relevance", scene, set: { ...acts.settings() } };
   });
@@ -92,7 +104,8 @@ export function askFirst(element, baked, view, { locked, forgotten }) {
   const draw = (/** @type {any} */ guesses) => {
     for (const stage of view.stages) stage.guess(guesses);
   };
-  return new Predict(ask, baked, draw, locked, forgotten);
+  const { signal } = /** @type {AbortController} */ (lives.get(element));
+  return new Predict(ask, baked, draw, locked, forgotten, signal);
 }
 
 /** @param {any} header @param {Float64Array} numbers @returns {import("../../../view/ledger-effects.js").Parts} */

@@ -31,7 +31,7 @@ export class Kept {
   /** Resolves when the browser says that it is kept, rejects when it refuses. @param {object} entry */
   async put(entry) {
     await (await this.#store).put(this.#key, entry);
-    document.dispatchEvent(new Event("carts-kept"));
+    document.dispatchEvent(new CustomEvent("carts-kept", { detail: this.#key }));
   }
 
   async forget() {
@@ -39,12 +39,12 @@ export class Kept {
     document.dispatchEvent(new CustomEvent("carts-forgotten", { detail: this.#key }));
   }
 
-  /** From now on. @param {(found: any) => void} act what to do with what another tab has kept here; null: it has forgotten it */
-  async hear(act) {
+  /** From now on. @param {(found: any) => void} act what to do with what another tab has kept here; null: it has forgotten it @param {AbortSignal} signal until then */
+  async hear(act, signal) {
     (await this.#store).hear(async (key, gone) => {
       if (key !== this.#key) return;
       const found = await this.get();
       if (found || gone) act(found); // kept, but not to be read yet: that is not forgotten
-    });
+    }, signal);
   }
 }

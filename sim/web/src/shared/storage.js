@@ -25,8 +25,8 @@ export const READINGS = "-measured";
  * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory", behind?: boolean,
  *   get: (key: string) => Promise<any>, put: (key: string, value: unknown, alone?: boolean) => Promise<void>,
  *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Opened
- * `hear`: what to do when another tab, or another script of this page, has kept something under a key, or forgotten it.
- * @typedef {Opened & {hear: (act: (key: string, gone: boolean) => void) => void}} Store
+ * `hear`: what to do when another tab, or another script of this page, has kept something under a key, or forgotten it; until the signal.
+ * @typedef {Opened & {hear: (act: (key: string, gone: boolean) => void, signal?: AbortSignal) => void}} Store
  */
 
 /** @type {Map<string, Promise<Store>>} */
@@ -75,7 +75,8 @@ export function forStudent(all, code) {
       return all.put(before + key, stamped(value), alone);
     },
     remove: (key) => all.remove(before + key),
-    hear: (act) => all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone)),
+    hear: (act, signal) =>
+      all.hear((key, gone) => mine(key) && act(key.slice(before.length), gone), signal),
     entries: async () =>
       (await all.entries())
         .filter(([key]) => mine(key))

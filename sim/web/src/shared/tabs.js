@@ -13,8 +13,12 @@ export function telling(store, site) {
       await store.remove(key);
       channel?.postMessage({ key, gone: true });
     },
-    hear: (act) => {
-      channel?.addEventListener("message", ({ data }) => act(String(data.key), data.gone));
+    hear: (act, signal) => {
+      channel?.addEventListener(
+        "message",
+        ({ data }) => act(String(data.key), data.gone),
+        signal && { signal },
+      );
     },
   };
 }

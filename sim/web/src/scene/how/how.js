@@ -35,16 +35,16 @@ export class How {
    * @param {HTMLElement} root @param {import("../scene-view.js").SceneView} view
    * @param {import("../../runtime/client.js").Client} client
    * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
+   * @param {AbortSignal} signal another inside takes the place of this one, which the element outlives
    */
-  constructor(root, view, client, message) {
+  constructor(root, view, client, message, signal) {
     this.root = root;
     this.view = view;
     this.client = client;
     this.message = message;
     this.details = /** @type {HTMLDetailsElement} */ (need(root, ".carts-how"));
     this.details.addEventListener("toggle", () => this.#opened());
-    // The element outlives this inside of it.
-    root.addEventListener(WATCHED, () => this.details.isConnected && this.#opened());
+    root.addEventListener(WATCHED, () => this.#opened(), { signal });
   }
 
   /** A new exact run: it is shown, or its scene step by step. @param {Run} run */

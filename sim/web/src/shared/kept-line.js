@@ -1,7 +1,7 @@
 /** A line that says that the text is not kept, as long as it is so: neither a run nor a judge says it. */
 
 import { tr } from "../../../view/language.js";
-import { html, say } from "../shared/dom.js";
+import { html, say } from "./dom.js";
 
 export class KeptLine {
   #puts = 0;
@@ -9,7 +9,7 @@ export class KeptLine {
   /** @param {Element} owner gets `data-kept` while its newest text is kept */
   constructor(owner) {
     this.owner = owner;
-    this.root = html("p", "carts-law-unsaved");
+    this.root = html("p", "carts-unsaved");
     this.root.setAttribute("role", "status");
   }
 
