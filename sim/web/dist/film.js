@@ -87,9 +87,16 @@
   var LONGEST = 6e4;
   async function filmWithCamera(before, take, tell) {
     let stream;
+    const close = () => {
+      for (const track of stream?.getTracks() ?? []) track.stop();
+    };
+    const type = KINDS.find((kind) => MediaRecorder.isTypeSupported(kind)) ?? "";
+    let recorder;
     try {
       stream = await navigator.mediaDevices.getUserMedia({ video: WANTED, audio: false });
+      recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 12e6 });
     } catch {
+      close();
       tell(noCamera());
       return () => {
       };
@@ -104,12 +111,10 @@
     void video.play().catch(() => {
     });
     button.focus();
-    const type = KINDS.find((kind) => MediaRecorder.isTypeSupported(kind)) ?? "";
-    const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 12e6 });
     const parts = [];
     let kept = true;
     const end = () => {
-      for (const track of stream.getTracks()) track.stop();
+      close();
       place.remove();
     };
     recorder.ondataavailable = ({ data }) => parts.push(data);
@@ -187,7 +192,7 @@
   // src/film/frames.js
   var Frames = class {
     #wish = null;
-    #busy = false;
+    #running = null;
     time = 0;
     // s of the film, of the frame that is shown
     constructor(helper, show, failed) {
@@ -195,10 +200,12 @@
       this.show = show;
       this.failed = failed;
     }
-    async want(time) {
+    want(time) {
       this.#wish = time;
-      if (this.#busy) return;
-      this.#busy = true;
+      this.#running ??= this.#run();
+      return this.#running;
+    }
+    async #run() {
       try {
         while (this.#wish !== null) {
           const wish = this.#wish;
@@ -210,7 +217,7 @@
       } catch (refused) {
         this.failed(refused);
       } finally {
-        this.#busy = false;
+        this.#running = null;
       }
     }
   };
@@ -333,6 +340,7 @@
 
   // src/film/repair.js
   var Repair = class {
+    #going = null;
     constructor(mending2, film) {
       this.mending = mending2;
       this.film = film;
@@ -342,26 +350,33 @@
       return { row: this.mending.at(this.film.frames.time), mark };
     }
     next() {
-      const found = this.mending.after(this.here);
+      const found = this.mending.after(this.#going ?? this.here);
       if (found) this.#go(found);
       else this.film.say(noneLost());
     }
     #go(place) {
+      this.#going = place;
       const t = this.mending.rows[place.row]?.t ?? 0;
       const { setup, frames, view, say: say2 } = this.film;
       setup.aim = NAMES[place.mark];
       setup.show(NAMES);
       say2(clickLost(setup.aim, fixed(t, 3)));
       const expected = this.mending.expected(place);
-      void frames.want(t + 1e-6).then(() => expected && view.aim(expected));
+      void frames.want(t + 1e-6).then(() => {
+        if (this.#going !== place) return;
+        this.#going = null;
+        if (expected) view.aim(expected);
+      });
     }
     set(point) {
+      if (this.#going) return;
       const here = this.here;
       const lost = this.mending.lost.some(({ row, mark }) => row === here.row && mark === here.mark);
       this.mending.set(here, point);
       this.#done(here, lost);
     }
     leave() {
+      if (this.#going) return;
       const here = this.here;
       this.mending.leave(here);
       this.#done(here, true);

@@ -1138,6 +1138,8 @@
     #filmed = () => {
     };
     // ends the camera
+    #turn = 0;
+    // what is waited for counts only while nothing newer is wanted
     constructor(bench, base, take, tell2) {
       this.bench = bench;
       this.base = base;
@@ -1156,9 +1158,11 @@
     }
     async #script() {
       this.end();
+      const turn = this.#turn;
       const { search } = new URL(this.base);
       const address = new URL(SCRIPT + search, this.base).href;
       const script2 = await bring("cartsFilm", address);
+      if (turn !== this.#turn) return null;
       this.tell(script2 ? "" : tr("What reads films is missing: this page was not copied whole."));
       return script2;
     }
@@ -1169,14 +1173,17 @@
     }
     async camera() {
       const script2 = await this.#script();
-      const end = await script2?.camera(this.bench, (file) => void this.open(file), this.tell);
-      this.#filmed = end ?? (() => {
-      });
+      if (!script2) return;
+      const turn = this.#turn;
+      const end = await script2.camera(this.bench, (file) => void this.open(file), this.tell);
+      if (turn === this.#turn) this.#filmed = end;
+      else end();
     }
     at(time, places) {
       this.#session?.at(time, places);
     }
     end() {
+      this.#turn += 1;
       this.#session?.end();
       this.#session = null;
       this.#filmed();

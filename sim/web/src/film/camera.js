@@ -13,10 +13,19 @@ const LONGEST = 60_000; // ms; then it stops by itself
  * @returns {Promise<() => void>} ends it, and nothing was filmed
  */
 export async function filmWithCamera(before, take, tell) {
+  /** @type {MediaStream | undefined} */
   let stream;
+  const close = () => {
+    for (const track of stream?.getTracks() ?? []) track.stop();
+  };
+  const type = KINDS.find((kind) => MediaRecorder.isTypeSupported(kind)) ?? "";
+  /** @type {MediaRecorder} */
+  let recorder;
   try {
     stream = await navigator.mediaDevices.getUserMedia({ video: WANTED, audio: false });
+    recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 12e6 });
   } catch {
+    close();
     tell(words.noCamera());
     return () => {};
   }
@@ -30,13 +39,11 @@ export async function filmWithCamera(before, take, tell) {
   void video.play().catch(() => {});
   button.focus();
 
-  const type = KINDS.find((kind) => MediaRecorder.isTypeSupported(kind)) ?? "";
-  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 12e6 });
   /** @type {Blob[]} */
   const parts = [];
   let kept = true;
   const end = () => {
-    for (const track of stream.getTracks()) track.stop();
+    close();
     place.remove();
   };
   recorder.ondataavailable = ({ data }) => parts.push(data);

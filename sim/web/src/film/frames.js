@@ -3,7 +3,8 @@
 export class Frames {
   /** @type {number | null} */
   #wish = null;
-  #busy = false;
+  /** @type {Promise<void> | null} */
+  #running = null;
   time = 0; // s of the film, of the frame that is shown
 
   /** @param {import("./helper.js").Helper} helper @param {(picture: ImageBitmap, time: number) => void} show @param {(refused: any) => void} failed */
@@ -14,10 +15,13 @@ export class Frames {
   }
 
   /** @param {number} time s of the film @returns {Promise<void>} resolves when nothing more is wished for */
-  async want(time) {
+  want(time) {
     this.#wish = time;
-    if (this.#busy) return;
-    this.#busy = true;
+    this.#running ??= this.#run();
+    return this.#running;
+  }
+
+  async #run() {
     try {
       while (this.#wish !== null) {
         const wish = this.#wish;
@@ -29,7 +33,7 @@ export class Frames {
     } catch (refused) {
       this.failed(refused);
     } finally {
-      this.#busy = false;
+      this.#running = null;
     }
   }
 }

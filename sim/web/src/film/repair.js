@@ -17,6 +17,9 @@ import * as words from "./words.js";
  */
 
 export class Repair {
+  /** The place whose frame is on its way: nothing is set or left out in the frame that still stands there. @type {Place | null} */
+  #going = null;
+
   /** @param {import("./mending.js").Mending} mending @param {Film} film */
   constructor(mending, film) {
     this.mending = mending;
@@ -31,24 +34,30 @@ export class Repair {
 
   /** Goes to the next place that was lost. */
   next() {
-    const found = this.mending.after(this.here);
+    const found = this.mending.after(this.#going ?? this.here);
     if (found) this.#go(found);
     else this.film.say(words.noneLost());
   }
 
   /** @param {Place} place */
   #go(place) {
+    this.#going = place;
     const t = this.mending.rows[place.row]?.t ?? 0;
     const { setup, frames, view, say } = this.film;
     setup.aim = /** @type {"A"} */ (NAMES[place.mark]);
     setup.show(/** @type {("A" | "B")[]} */ (NAMES));
     say(words.clickLost(setup.aim, fixed(t, 3)));
     const expected = this.mending.expected(place);
-    void frames.want(t + 1e-6).then(() => expected && view.aim(expected));
+    void frames.want(t + 1e-6).then(() => {
+      if (this.#going !== place) return;
+      this.#going = null;
+      if (expected) view.aim(expected);
+    });
   }
 
   /** @param {Point} point a click in the frame that is shown */
   set(point) {
+    if (this.#going) return;
     const here = this.here;
     const lost = this.mending.lost.some(({ row, mark }) => row === here.row && mark === here.mark);
     this.mending.set(here, point);
@@ -57,6 +66,7 @@ export class Repair {
 
   /** There is no mark to be seen in this frame. */
   leave() {
+    if (this.#going) return;
     const here = this.here;
     this.mending.leave(here);
     this.#done(here, true);

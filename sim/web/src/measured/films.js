@@ -22,6 +22,7 @@ export class Films {
   /** @type {Session | null} */
   #session = null;
   #filmed = () => {}; // ends the camera
+  #turn = 0; // what is waited for counts only while nothing newer is wanted
 
   /**
    * @param {HTMLElement} bench @param {string} base address of the page's script
@@ -44,13 +45,15 @@ export class Films {
     camera.addEventListener("click", () => void this.camera());
   }
 
-  /** @returns {Promise<Script | null>} after what was shown before is gone */
+  /** @returns {Promise<Script | null>} after what was shown before is gone; null: something newer is wanted, or there is none */
   async #script() {
     this.end();
+    const turn = this.#turn;
     const { search } = new URL(this.base);
     const address = new URL(SCRIPT + search, this.base).href;
     /** @type {Script | null} */
     const script = await bring("cartsFilm", address);
+    if (turn !== this.#turn) return null;
     this.tell(script ? "" : tr("What reads films is missing: this page was not copied whole."));
     return script;
   }
@@ -66,8 +69,11 @@ export class Films {
   /** Films with the camera of this computer. */
   async camera() {
     const script = await this.#script();
-    const end = await script?.camera(this.bench, (file) => void this.open(file), this.tell);
-    this.#filmed = end ?? (() => {});
+    if (!script) return;
+    const turn = this.#turn;
+    const end = await script.camera(this.bench, (file) => void this.open(file), this.tell);
+    if (turn === this.#turn) this.#filmed = end;
+    else end(); // the reader was asked, and chose a file instead or pressed twice
   }
 
   /** Shows the film where the model is. @param {number} time s @param {Record<string, number>} places m, by cart */
@@ -77,6 +83,7 @@ export class Films {
 
   /** Other readings are shown now. */
   end() {
+    this.#turn += 1;
     this.#session?.end();
     this.#session = null;
     this.#filmed();
