@@ -264,6 +264,34 @@
     return found;
   }
 
+  // ../view/language.js
+  var catalogue = globalThis.cartsWords ?? {};
+  var RULE = catalogue["\0"] ?? "";
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // src/shared/kept-line.js
+  var KeptLine = class {
+    #puts = 0;
+    constructor(owner) {
+      this.owner = owner;
+      this.root = html("p", "carts-unsaved");
+      this.root.setAttribute("role", "status");
+    }
+    async hear(put2) {
+      this.#puts += 1;
+      const turn = this.#puts;
+      const kept = Boolean(await put2);
+      if (turn !== this.#puts) return;
+      say(this.root, kept ? "" : tr("Not saved"));
+      this.owner.toggleAttribute("data-kept", kept);
+    }
+  };
+
   // src/answers/entry.js
   var MOST_EARLIER = 500;
   function isEmpty(value) {
@@ -622,21 +650,24 @@
   }
 
   // src/measured/keep.js
-  function keeper(id) {
+  function keeper(id, bench) {
+    const line = new KeptLine(bench);
+    need(bench, ".carts-measured-source").append(line.root);
     const { site, page: page2 } = place();
     const key = `${page2}/${id}`;
     const opened2 = openAll(`${site}${READINGS}`);
+    const put2 = async (kept) => {
+      try {
+        const store = await opened2;
+        await store.put(key, kept, true);
+        return store.kind === "kept";
+      } catch {
+        return false;
+      }
+    };
     return {
       get: async () => (await opened2).get(key).catch(() => null),
-      put: async (kept) => {
-        try {
-          const store = await opened2;
-          await store.put(key, kept, true);
-          return store.kind === "kept";
-        } catch {
-          return false;
-        }
-      }
+      put: (kept) => void line.hear(put2(kept))
     };
   }
   function empty(facts) {
@@ -1103,16 +1134,6 @@
     return 2 * inGbk > beyond ? "gb18030" : "windows-1252";
   }
 
-  // ../view/language.js
-  var catalogue = globalThis.cartsWords ?? {};
-  var RULE = catalogue["\0"] ?? "";
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
   // src/shared/bring.js
   function bring(name, address) {
     const known = () => globalThis[name] ?? null;
@@ -1272,6 +1293,11 @@
   var ZIP = 1347093252;
   var TYPED = "typed readings";
   var Source = class _Source {
+    #open = () => {
+    };
+    #opened = new Promise((resolve) => {
+      this.#open = resolve;
+    });
     constructor(root, take, changed, tell2, unzip, base) {
       this.root = root;
       this.unzip = unzip;
@@ -1286,9 +1312,7 @@
       this.paste = need(root, ".carts-measured-paste textarea");
       this.paste.addEventListener("input", changed);
       const file = need(root, ".carts-measured-file");
-      for (const input of root.querySelectorAll("button, textarea, select, input")) {
-        input.disabled = false;
-      }
+      this.#enable(false);
       this.on("open", () => file.click());
       this.on("take", () => this.take("pasted readings", [this.paste.value]));
       this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
@@ -1304,11 +1328,26 @@
         void this.files([...dataTransfer?.files ?? []]);
       });
     }
+    open({ cells, pasted }) {
+      if (cells.length) this.grid.cells = cells;
+      this.paste.value = pasted ?? "";
+      this.#enable(true);
+      this.#open(void 0);
+    }
+    #enable(on) {
+      for (const input of this.root.querySelectorAll("button, textarea, select, input")) {
+        input.disabled = !on;
+      }
+    }
+    get typed() {
+      return { cells: this.grid.cells, pasted: this.paste.value };
+    }
     on(name, act) {
       this.root.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
     }
     async files(files) {
       if (!files.length) return;
+      await this.#opened;
       const film = files.find(isFilm);
       if (film) return this.films.open(film);
       if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
@@ -2007,7 +2046,7 @@
         if (this.#facts) return;
         const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
         this.#facts = facts;
-        this.keeper = keeper(facts.id);
+        this.keeper = keeper(facts.id, this);
         this.picture = new Picture(this);
         this.hands = new Hands(this, () => this.#moved());
         this.settings = new Settings(this, (again) => this.#changed(again));
@@ -2046,11 +2085,11 @@
         this.#kept = { ...empty(facts), ...await this.keeper?.get() };
         this.settings?.fill(this.#kept);
         if (this.strip) this.strip.given = this.#kept.segments ?? [];
-        if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
-        if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
+        this.source?.open(this.#kept);
         if (!this.#given.texts.length) return whenLive(this, client, this.#leaving.signal);
-        const { hand, fitted } = this.#kept;
+        const { hand, fitted, texts } = this.#kept;
         await this.#reading();
+        if (this.#kept.texts !== texts) return;
         if (fitted) await this.#fit(fitted === "compared");
         else if (hand && this.hands && this.#read?.kind === "length") {
           this.hands.value = hand;
@@ -2082,11 +2121,10 @@
         this.#kept = {
           ...this.#kept,
           ...this.settings?.kept,
-          segments: this.strip?.given ?? [],
-          cells: this.source?.grid.cells ?? [],
-          pasted: this.source?.paste.value ?? ""
+          ...this.source?.typed,
+          segments: this.strip?.given ?? []
         };
-        void this.keeper?.put(structuredClone(this.#kept));
+        this.keeper?.put(structuredClone(this.#kept));
       }
       async #newest(what, more, show) {
         try {

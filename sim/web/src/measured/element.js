@@ -42,7 +42,7 @@ export function measuredElement(client, base) {
       /** @type {Facts} */
       const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
       this.#facts = facts;
-      this.keeper = keeper(facts.id);
+      this.keeper = keeper(facts.id, this);
       this.picture = new Picture(this);
       this.hands = new Hands(this, () => this.#moved());
       this.settings = new Settings(this, (again) => this.#changed(again));
@@ -83,11 +83,11 @@ export function measuredElement(client, base) {
       this.#kept = { ...empty(facts), ...(await this.keeper?.get()) };
       this.settings?.fill(this.#kept);
       if (this.strip) this.strip.given = this.#kept.segments ?? [];
-      if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
-      if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
+      this.source?.open(this.#kept);
       if (!this.#given.texts.length) return whenLive(this, client, this.#leaving.signal);
-      const { hand, fitted } = this.#kept;
+      const { hand, fitted, texts } = this.#kept;
       await this.#reading();
+      if (this.#kept.texts !== texts) return; // others were opened meanwhile
       if (fitted) await this.#fit(fitted === "compared");
       else if (hand && this.hands && this.#read?.kind === "length") {
         this.hands.value = hand;
@@ -127,11 +127,10 @@ export function measuredElement(client, base) {
       this.#kept = {
         ...this.#kept,
         ...this.settings?.kept,
+        ...this.source?.typed,
         segments: this.strip?.given ?? [],
-        cells: this.source?.grid.cells ?? [],
-        pasted: this.source?.paste.value ?? "",
       };
-      void this.keeper?.put(structuredClone(this.#kept));
+      this.keeper?.put(structuredClone(this.#kept));
     }
 
     /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */

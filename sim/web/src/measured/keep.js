@@ -1,27 +1,33 @@
 /** What a reader opened, typed and set on this page is kept in the browser, apart from the answers. */
 
+import { need } from "../shared/dom.js";
+import { KeptLine } from "../shared/kept-line.js";
 import { openAll, place, READINGS } from "../shared/storage.js";
 
 /** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 
-/** @param {string} id of the block */
-export function keeper(id) {
+/** @param {string} id of the block @param {HTMLElement} bench that says when something is not kept */
+export function keeper(id, bench) {
+  const line = new KeptLine(bench);
+  need(bench, ".carts-measured-source").append(line.root);
   const { site, page } = place();
   const key = `${page}/${id}`;
   const opened = openAll(`${site}${READINGS}`);
+  /** @param {Kept} kept @returns {Promise<boolean>} whether the browser says that it is kept */
+  const put = async (kept) => {
+    try {
+      const store = await opened;
+      await store.put(key, kept, true);
+      return store.kind === "kept";
+    } catch {
+      return false;
+    }
+  };
   return {
     /** @returns {Promise<Kept | null>} */
     get: async () => (await opened).get(key).catch(() => null),
-    /** @param {Kept} kept @returns {Promise<boolean>} whether the browser says that it is kept */
-    put: async (kept) => {
-      try {
-        const store = await opened;
-        await store.put(key, kept, true);
-        return store.kind === "kept";
-      } catch {
-        return false;
-      }
-    },
+    /** @param {Kept} kept */
+    put: (kept) => void line.hear(put(kept)),
   };
 }
 

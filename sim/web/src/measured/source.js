@@ -16,6 +16,13 @@ const TYPED = "typed readings";
 /** @typedef {import("../../../view/measured/types.js").Refused} Refused */
 
 export class Source {
+  /** @type {(now: undefined) => void} */
+  #open = () => {};
+  /** Until what was read here before is back: it would take the place of anything newer. */
+  #opened = new Promise((resolve) => {
+    this.#open = resolve;
+  });
+
   /**
    * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
    * @param {(text: string) => void} tell
@@ -36,9 +43,7 @@ export class Source {
     this.paste = /** @type {HTMLTextAreaElement} */ (need(root, ".carts-measured-paste textarea"));
     this.paste.addEventListener("input", changed);
     const file = /** @type {HTMLInputElement} */ (need(root, ".carts-measured-file"));
-    for (const input of root.querySelectorAll("button, textarea, select, input")) {
-      /** @type {HTMLInputElement} */ (input).disabled = false;
-    }
+    this.#enable(false);
     this.on("open", () => file.click());
     this.on("take", () => this.take("pasted readings", [this.paste.value]));
     this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
@@ -56,6 +61,26 @@ export class Source {
     });
   }
 
+  /** From now on it takes readings. @param {import("../../../view/measured/types.js").Kept} kept what was typed before */
+  open({ cells, pasted }) {
+    if (cells.length) this.grid.cells = cells;
+    this.paste.value = pasted ?? "";
+    this.#enable(true);
+    this.#open(undefined);
+  }
+
+  /** @param {boolean} on */
+  #enable(on) {
+    for (const input of this.root.querySelectorAll("button, textarea, select, input")) {
+      /** @type {HTMLInputElement} */ (input).disabled = !on;
+    }
+  }
+
+  /** What was typed. */
+  get typed() {
+    return { cells: this.grid.cells, pasted: this.paste.value };
+  }
+
   /** @param {string} name @param {() => void} act */
   on(name, act) {
     this.root.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
@@ -64,6 +89,7 @@ export class Source {
   /** @param {File[]} files one with both carts, or one for each */
   async files(files) {
     if (!files.length) return;
+    await this.#opened;
     const film = files.find(isFilm);
     if (film) return this.films.open(film);
     if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
