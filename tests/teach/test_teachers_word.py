@@ -12,6 +12,7 @@ from playwright.sync_api import expect
 
 from sim.cli import main
 from sim.cli.site.build import build_site
+from sim.lesson.opening import word_sum
 from tests.teach.conftest import SETTINGS
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import ROOT
@@ -77,4 +78,21 @@ def test_a_pack_for_students_has_no_way_to_the_answers(
             packed[name] = archive.read(f"worksheets/{LESSON}.html").decode("utf-8")
             assert ("assets/carts/teacher.js" in archive.namelist()) is bool(more)
     assert "carts-teach-door" not in packed["students"]
-    assert 'data-word="' in packed["teachers"]
+    assert 'name="carts-teacher"' in packed["teachers"]
+
+
+def test_a_pack_for_students_asks_for_the_sites_word_before_all_questions_open(
+    lesson_alone: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = lesson_alone / "mkdocs.yml"
+    text = settings.read_text(encoding="utf-8")
+    worded = text.replace("[search, carts]", "[search, {carts: {teacher_word: OWL}}]")
+    settings.write_text(worded, encoding="utf-8")
+    monkeypatch.chdir(lesson_alone)
+    out = tmp_path / "students.zip"
+    done = CliRunner().invoke(main, ["pack", "--out", str(out)])
+    assert done.exit_code == 0, done.output
+    with zipfile.ZipFile(out) as archive:
+        page = archive.read(f"worksheets/{LESSON}.html").decode("utf-8")
+    assert "carts-teach-door" not in page
+    assert f'name="carts-teacher" content="{word_sum("teacher", "OWL")}"' in page

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from sim.lesson.opening import word_sum
 from sim.pages.head.policy import Audience, inline_scripts, is_trusted, policy_of_page
 from sim.pages.head.watchdog import watchdog
 from sim.pages.language import ENGLISH, speaking, words
@@ -26,6 +27,7 @@ _RENAMED = re.compile(r'(<a [^>]*class="md-footer__link [^"]*") aria-label="[^"]
 _EMPTY_HEAD = re.compile(r'<th(?: scope="col")?( style="[^"]*")?></th>')
 
 _KINDS = re.compile(r'<html [^>]*class="no-js')
+WORD_OF = "teacher"  # what the checksum of a teacher's word belongs to
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,13 +84,16 @@ def finish(
     audience: Audience,
     site_id: str,
     page_id: str,
+    teacher_word: str = "",
     assets: str,
     needs: Needs,
     trusted: Collection[re.Pattern[str]],
 ) -> str:
     """The page with its policy, its site's and its own name, and the scripts that it needs.
 
-    Under the two names the page keeps what a reader types: a moved folder finds it again.
+    Under the two names the page keeps what a reader types: a moved folder finds it again. It knows
+    a checksum of the teacher's word, which keeps a reader from the answers, not somebody who reads
+    the page's files.
 
     `assets` leads from the page to the folder assets/carts/, with a slash at its end.
     """
@@ -101,6 +106,8 @@ def finish(
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
+    if teacher_word:
+        first += f'\n    <meta name="carts-teacher" content="{word_sum(WORD_OF, teacher_word)}">'
     sheets = ["site.css", "carts.css", *(["measured.css"] if needs.measured else [])]
     sheets += ["class.css"] if needs.classroom or needs.reports else []
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]

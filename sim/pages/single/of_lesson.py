@@ -47,7 +47,7 @@ _PAGE = """\
 <html lang="{language}" class="{kinds}"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="carts-site" content="{site_id}"><meta name="carts-page" content="{page_id}">
+<meta name="carts-site" content="{site_id}"><meta name="carts-page" content="{page_id}">{teacher}
 <title>{title}</title><link rel="icon" href="data:,">
 <script>{watching}</script>
 {styles}
@@ -113,6 +113,7 @@ def single_lesson(
             python=True,
         ),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),
+        teacher=_first(r'(<meta name="carts-teacher" content="[^"]*">)', text),
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),
         title=_first(r"<title>(.*?)</title>", text),
         styles="\n".join(f"<style>{style}</style>" for style in styles),

@@ -60,6 +60,7 @@ class SiteBuild:
     keys: dict[str, dict[str, Any]] = field(default_factory=dict)
     done: frozenset[str] | None = None  # packages of the runtime that the site has already
     doors: Doors = field(init=False)
+    teacher_word: str = ""  # asked for by teacher mode, and by the key to all questions without it
     hosting: Hosting | None = None  # for a web server
     lessons: Path | None = None  # the folder of lessons: scenes in there are watched first
     prepared: dict[str, str] = field(default_factory=dict)  # scripts with runs, by name
@@ -131,6 +132,7 @@ class SiteBuild:
             audience=self.audience,
             site_id=self.site_id,
             page_id=(name or "").rpartition(".")[0],
+            teacher_word=self.teacher_word,
             assets=assets,
             needs=needs,
             trusted=self.trusted,

@@ -56,7 +56,7 @@ class CartsConfig(Config):  # type: ignore[no-untyped-call]
 
     lessons = c.Type(str, default="worksheets")  # their folder, and no other
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
-    teacher_word = c.Type(str, default="")  # that opens it; empty: a click does
+    teacher_word = c.Type(str, default="")  # that opens it, and all questions; empty: a click does
     teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
     offline = c.Type(bool, default=True)  # hosted: readers' browsers keep the site for later
 
@@ -106,11 +106,11 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
                 config.site_url = config.site_url or nowhere.address_told()
             about, address = config.site_description or "", config.site_url or ""
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
+        self.build.teacher_word = self.config.teacher_word.strip()
         if self.config.teacher_mode:
             names, settings = config.markdown_extensions, config.mdx_configs
             alone = self.serving and config.dev_addr.host in ("127.0.0.1", "localhost")
-            word = self.config.teacher_word.strip()
-            self.build.doors = Doors(root, self.folder, names, settings, whole=alone, word=word)
+            self.build.doors = Doors(root, self.folder, names, settings, whole=alone)
         config.use_directory_urls = False
         config.markdown_extensions.append(CartsExtension())  # type: ignore[arg-type]
         config.watch.append(str(self.folder))

@@ -24,7 +24,6 @@ class Doors:
     lessons: dict[str, tuple[Path, str]] = field(default_factory=dict)
     made: dict[str, Published] = field(default_factory=dict)
     whole: bool = False  # a preview, which its teacher alone sees: nothing is withheld
-    word: str = ""  # of the teacher, that opens the door; empty: a click does
 
     def note(self, name: str, file: str, language: str) -> None:
         """The page `name` is made of the file `file`, counted from the root."""
@@ -49,7 +48,7 @@ class Doors:
         if made is None:
             return html
         self.made[name] = made
-        return html.replace(END, f"{made.door(assets, self.word)}\n{END}", 1)
+        return html.replace(END, f"{made.door(assets)}\n{END}", 1)
 
     def write(self, assets: Path, script: bytes, style: bytes) -> None:
         """The files of teacher mode below the folder `assets`."""

@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from sim.lesson.opening import word_sum
 from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.findings import AuthorError
 from sim.pages.gzipped import gzipped
@@ -30,11 +29,10 @@ from sim.pages.text.lesson_places import JOINING, scene_folders
 from sim.scene.reading.written import named_laws
 
 FORMAT = 1
-WORD_OF = "teacher"  # what the checksum of the word belongs to
 FOLDER = "lessons/"  # in assets/carts/
 LINKED = (".md", *JOINING, ".csv")  # tables only where all files join the site, in docs/
 DOOR = (
-    '<p class="carts-teach-door" id="teacher"><a href="#teacher" data-lesson="{address}"{word}>'
+    '<p class="carts-teach-door" id="teacher"><a href="#teacher" data-lesson="{address}">'
     "Change this lesson</a> <span>for teachers: scenes, questions and text, in this page</span></p>"
 )
 
@@ -46,14 +44,9 @@ class Published:
     name: str
     script: bytes
 
-    def door(self, assets: str, word: str = "") -> str:
-        """The link at the foot of the lesson; `assets` leads from its page to assets/carts/.
-
-        The page knows a checksum of the teacher's `word`. It keeps a reader from the answers, not
-        somebody who reads the page's files.
-        """
-        asks = f' data-word="{word_sum(WORD_OF, word)}"' if word else ""
-        return DOOR.format(address=quote(assets + self.name), word=asks)
+    def door(self, assets: str) -> str:
+        """The link at the foot of the lesson; `assets` leads from its page to assets/carts/."""
+        return DOOR.format(address=quote(assets + self.name))
 
 
 def published(

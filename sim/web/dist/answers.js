@@ -1775,6 +1775,7 @@
 
   // src/teach/door.js
   var OPEN = "carts-teach";
+  var teachersWord = () => document.querySelector('meta[name="carts-teacher"]')?.getAttribute("content") ?? "";
   function teacherDoor() {
     const link = document.querySelector(".carts-teach-door a");
     if (!(link instanceof HTMLAnchorElement)) return;
@@ -1784,7 +1785,10 @@
     let loaded = null;
     const open2 = async () => {
       if (!await letIn()) return;
-      loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
+      loaded ??= Promise.all([
+        arrives("link", { rel: "stylesheet", href: beside("teacher.css") }),
+        arrives("script", { src: beside("teacher.js") })
+      ]);
       link.textContent = tr("Opening …");
       try {
         await loaded;
@@ -1796,7 +1800,7 @@
       }
     };
     const letIn = () => {
-      const sum = link.dataset.word;
+      const sum = teachersWord();
       return !sum || recall(KEY) === sum || ask(link, sum);
     };
     const wanted2 = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
@@ -1810,22 +1814,10 @@
     });
     if (wanted2()) void open2();
   }
-  function script(address) {
-    const made2 = document.createElement("script");
-    made2.src = address;
-    return arrives(made2);
-  }
-  function style(address) {
-    const made2 = document.createElement("link");
-    made2.rel = "stylesheet";
-    made2.href = address;
-    return arrives(made2);
-  }
-  function arrives(element) {
-    return new Promise((resolve, reject) => {
-      element.onload = resolve;
-      element.onerror = reject;
-      document.head.append(element);
+  function arrives(tag, given) {
+    return new Promise((onload, onerror) => {
+      const made2 = document.createElement(tag);
+      document.head.append(Object.assign(made2, given, { onload, onerror }));
     });
   }
   var KEY = "carts-teacher-word";
@@ -1893,8 +1885,7 @@
     return root;
   }
   function wanted() {
-    const link = document.querySelector(".carts-teach-door a");
-    const sum = link?.dataset.word ?? "";
+    const sum = teachersWord();
     return recall(KEY) === sum ? "" : sum;
   }
 

@@ -8,7 +8,7 @@ import { anyWaits, openAll } from "../question/gate.js";
 import { wordSum } from "../question/opening.js";
 import { html, say } from "../shared/dom.js";
 import { recall, retain } from "../shared/tab.js";
-import { KEY } from "../teach/door.js";
+import { KEY, teachersWord } from "../teach/door.js";
 import { askingButton, status } from "./parts.js";
 
 /** @returns {HTMLElement | ""} nothing where nothing waits */
@@ -45,7 +45,6 @@ export function teachersPart() {
 
 /** The checksum of the teacher's word, where the site has one that was not given in this tab. */
 function wanted() {
-  const link = /** @type {HTMLElement | null} */ (document.querySelector(".carts-teach-door a"));
-  const sum = link?.dataset.word ?? "";
+  const sum = teachersWord();
   return recall(KEY) === sum ? "" : sum;
 }

@@ -10,6 +10,10 @@ import { recall, retain } from "../shared/tab.js";
 
 export const OPEN = "carts-teach";
 
+/** The checksum of the teacher's word; empty: the site has none. */
+export const teachersWord = () =>
+  document.querySelector('meta[name="carts-teacher"]')?.getAttribute("content") ?? "";
+
 /** Listens for a teacher. */
 export function teacherDoor() {
   const link = document.querySelector(".carts-teach-door a");
@@ -21,7 +25,10 @@ export function teacherDoor() {
   let loaded = null;
   const open = async () => {
     if (!(await letIn())) return;
-    loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
+    loaded ??= Promise.all([
+      arrives("link", { rel: "stylesheet", href: beside("teacher.css") }),
+      arrives("script", { src: beside("teacher.js") }),
+    ]);
     link.textContent = tr("Opening …"); // a slow computer takes seconds
     try {
       await loaded;
@@ -34,7 +41,7 @@ export function teacherDoor() {
   };
   /** Whether the teacher's word was given; asks for it where one is needed. */
   const letIn = () => {
-    const sum = link.dataset.word;
+    const sum = teachersWord();
     return !sum || recall(KEY) === sum || ask(link, sum);
   };
   const wanted = () =>
@@ -51,27 +58,11 @@ export function teacherDoor() {
   if (wanted()) void open();
 }
 
-/** @param {string} address */
-function script(address) {
-  const made = document.createElement("script");
-  made.src = address;
-  return arrives(made);
-}
-
-/** @param {string} address */
-function style(address) {
-  const made = document.createElement("link");
-  made.rel = "stylesheet";
-  made.href = address;
-  return arrives(made);
-}
-
-/** @param {HTMLElement} element */
-function arrives(element) {
-  return new Promise((resolve, reject) => {
-    element.onload = resolve;
-    element.onerror = reject;
-    document.head.append(element);
+/** @param {string} tag @param {Record<string, string>} given */
+function arrives(tag, given) {
+  return new Promise((onload, onerror) => {
+    const made = document.createElement(tag);
+    document.head.append(Object.assign(made, given, { onload, onerror }));
   });
 }
 
