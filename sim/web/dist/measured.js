@@ -667,7 +667,11 @@
     };
     return {
       get: async () => (await opened2).get(key).catch(() => null),
-      put: (kept) => void line.hear(put2(kept))
+      put: (kept) => {
+        const done = put2(kept);
+        const own = kept.texts.length || kept.cells.length || kept.pasted;
+        void line.hear(own ? done : Promise.resolve(true));
+      }
     };
   }
   function empty(facts) {

@@ -46,3 +46,14 @@ def test_readings_that_the_browser_does_not_keep_are_said_to_be_not_saved(
     page.evaluate(f"() => {{ {REFUSING} }}")
     choose(page, "ours.csv", TEXT)
     expect(page.locator(".carts-unsaved")).to_have_text("Not saved")
+
+
+def test_of_the_lessons_own_readings_nobody_is_told_that_they_are_not_saved(
+    benches: Path, open_page: OpenPage
+) -> None:
+    page = opened(open_page, benches / "empty.html")
+    page.add_init_script(REFUSING)
+    page.goto((benches / "film.html").as_uri())
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    page.wait_for_function("document.querySelector('carts-measured').complete")
+    expect(page.locator(".carts-unsaved")).to_have_text("")

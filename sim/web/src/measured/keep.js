@@ -26,8 +26,12 @@ export function keeper(id, bench) {
   return {
     /** @returns {Promise<Kept | null>} */
     get: async () => (await opened).get(key).catch(() => null),
-    /** @param {Kept} kept */
-    put: (kept) => void line.hear(put(kept)),
+    /** Of a lesson's own readings nothing is lost, so nothing is said. @param {Kept} kept */
+    put: (kept) => {
+      const done = put(kept);
+      const own = kept.texts.length || kept.cells.length || kept.pasted;
+      void line.hear(own ? done : Promise.resolve(true));
+    },
   };
 }
 
