@@ -2322,10 +2322,7 @@
   // src/question/plain-text.js
   function plainText(place2) {
     if (!place2) return "";
-    const copy = (
-      /** @type {Element} */
-      place2.cloneNode(true)
-    );
+    const copy = place2.cloneNode(true);
     for (const part2 of copy.querySelectorAll(".katex-html, annotation")) part2.remove();
     for (const part2 of copy.querySelectorAll("img")) part2.replaceWith(part2.alt);
     for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {

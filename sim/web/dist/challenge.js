@@ -750,10 +750,7 @@
   // src/question/plain-text.js
   function plainText(place2) {
     if (!place2) return "";
-    const copy = (
-      /** @type {Element} */
-      place2.cloneNode(true)
-    );
+    const copy = place2.cloneNode(true);
     for (const part of copy.querySelectorAll(".katex-html, annotation")) part.remove();
     for (const part of copy.querySelectorAll("img")) part.replaceWith(part.alt);
     for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {

@@ -398,12 +398,8 @@
   // src/class/held-focus.js
   var BY_KEYS = "button, input:not([hidden]), select, textarea, summary";
   function holdingFocus(root, draw) {
-    const places = () => [.../** @type {NodeListOf<HTMLElement>} */
-    root.querySelectorAll(BY_KEYS)];
-    const held = (
-      /** @type {HTMLElement} */
-      document.activeElement
-    );
+    const places = () => [...root.querySelectorAll(BY_KEYS)];
+    const held = document.activeElement;
     const at = places().indexOf(held);
     draw();
     if (at >= 0 && !held.isConnected) places()[at]?.focus({ preventScroll: true });
