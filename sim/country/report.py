@@ -9,13 +9,14 @@ from typing import Any
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.report.flags.flag import Flag
 from sim.classroom.report.marked import Keys
+from sim.classroom.report.topics import topic_differences, topic_rows
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.sums import LessonSums
 from sim.country.cells import Cell, Counts, counts_of
 from sim.country.refusal import CountryError
 from sim.country.said import belief_rows_of, prediction_rows_of
 from sim.country.sums import cells_of, groups_of, lessons_of, of_counted
-from sim.country.topics import topic_rows_of, topics_in
+from sim.country.topics import topic_sums_of, topics_in
 from sim.lesson.csv_text import safe_text
 from sim.scene.said import counted, said
 
@@ -76,7 +77,9 @@ def _read(
     )  # fmt: skip
     report = document(lessons, groups, read)
     for row, lesson in zip(report["lessons"], lessons, strict=True):
-        row["topics"] = topic_rows_of(lesson, counts.topics, of_forms, groups)
+        topics = list(topic_sums_of(lesson, counts.topics, of_forms, groups))
+        row["topics"] = topic_rows(topics)
+        row["topic_differences"] = topic_differences(topics, groups)
         for form in row["forms"]:
             place = (lesson.site, lesson.lesson, form["form"])
             key = of_forms.get(place)

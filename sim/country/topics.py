@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
 
-from sim.classroom.refusal import FEWEST
-from sim.classroom.report.topics import topic_row, topics_of
+from sim.classroom.report.topics import TopicSums, topics_of
 from sim.classroom.statistics.pair_sums import pair_sums_of
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.sums import LessonSums
@@ -27,25 +25,21 @@ def topics_in(keys: Keys) -> list[Topic]:
     ]
 
 
-def topic_rows_of(
+def topic_sums_of(
     lesson: LessonSums, cells: Sequence[Cell], keys: Keys, groups: Sequence[str]
-) -> list[dict[str, Any]]:
-    """The rows of a lesson, in the order of its key."""
+) -> Iterator[TopicSums]:
+    """The topics of a lesson, in the order of its key."""
     key = keys.get((lesson.site, lesson.lesson, "pre"))
     if key is None or not {"pre", "post"} <= lesson.forms.keys():
-        return []
+        return
     counted = [{*lesson.forms[form].counted} for form in ("pre", "post")]
-    rows = []
     for topic, items in topics_of(key).items():
         before, after = ({*items} & known for known in counted)
         of = sum(_worth(lesson, name) for name in before)
         if before != after or not of:
             continue
-        for group in groups:
-            sums = pair_sums_of(_pairs(cells, lesson, topic, group), of)
-            if sums.n >= FEWEST:
-                rows.append(topic_row(topic, len(items), group, sums.before, sums.after, float(of)))
-    return rows
+        sums = {group: pair_sums_of(_pairs(cells, lesson, topic, group), of) for group in groups}
+        yield TopicSums(topic, len(items), float(of), sums)
 
 
 def _worth(lesson: LessonSums, name: str) -> Exact:

@@ -6,6 +6,7 @@ import json
 import re
 from typing import Any
 
+import numpy
 import pytest
 from scipy import stats
 
@@ -140,6 +141,34 @@ def test_topics_are_compared_before_and_after() -> None:
     ]  # fmt: skip
     assert rows[0]["pre"]["mean"] == pytest.approx(sum(by_hand) / 12, rel=1e-12)
     assert made(("class", random_class(BANK, 12)))["lessons"][0]["topics"] == []
+
+
+def test_two_groups_are_compared_in_each_topic_as_in_a_test_of_its_questions_alone() -> None:
+    """The paper's own question: an advantage on the first law, and none on the third."""
+    source = bank(12, topics=("first-law", "third-law"))
+    new = random_class(source, 25, seed=1, gain=0.4, prefix="FOX")
+    usual = random_class(source, 22, seed=2, gain=0.1, prefix="OWL")
+    rows = made(("new", new), ("usual", usual), source=source)["lessons"][0]["topic_differences"]
+    assert [row["topic"] for row in rows] == ["first-law", "third-law"]
+    assert all(row["groups"] == ["new", "usual"] for row in rows)
+
+    def marks(students: list[dict[str, Any]], form: str) -> list[int]:
+        return [
+            sum(i["value"] == source.items[i["id"]].key()["correct"][0] for i in f["items"]
+                if "third-law" in source.items[i["id"]].common.topics)
+            for f in students if f["form"] == form
+        ]  # fmt: skip
+
+    before = [*marks(new, "pre"), *marks(usual, "pre")]
+    after = [*marks(new, "post"), *marks(usual, "post")]
+    design = [[1.0, float(k < 25), float(b)] for k, b in enumerate(before)]
+    fitted, *_ = numpy.linalg.lstsq(numpy.array(design), numpy.array(after, float), rcond=None)
+    assert rows[1]["difference"] == pytest.approx(fitted[1], rel=1e-9)
+    assert rows[1]["low"] < rows[1]["difference"] < rows[1]["high"]
+    assert "third-law" in rows[1]["sentence"]
+    alone = made(("all", new), source=source)["lessons"][0]
+    assert alone["topics"]
+    assert alone["topic_differences"] == []
 
 
 def two(**asked: Any) -> dict[str, Any]:

@@ -34,7 +34,7 @@ from sim.classroom.report.own_runs import own_run_rows
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
 from sim.classroom.report.talk import talk_rows
-from sim.classroom.report.topics import topic_rows
+from sim.classroom.report.topics import topic_differences, topic_rows, topic_sums
 from sim.classroom.statistics.spread import Exact, Spread, median, spread
 from sim.scene.said import template
 
@@ -110,6 +110,7 @@ def _lesson(
         _form(form, found, keys.get((site, lesson, form)), asked) for form, found in by_form.items()
     ]
     pairs = _pairs(by_form, asked)
+    topics = list(topic_sums(by_form, keys.get((site, lesson, "pre")), asked.groups))
     gains = [gain_table(p, inference=asked.inference) for p in pairs if p.students]
     return {
         "site": site,
@@ -117,7 +118,8 @@ def _lesson(
         "title": lesson_title(lesson, (keys.get((site, lesson, form)) for form in by_form)),
         "forms": tables,
         "gains": gains,
-        "topics": topic_rows(by_form, keys.get((site, lesson, "pre")), asked.groups),
+        "topics": topic_rows(topics),
+        "topic_differences": topic_differences(topics, asked.groups) if asked.inference else [],
         "comparison": _comparison(pairs, asked),
         "later": _later(by_form, asked),
     }

@@ -98,7 +98,7 @@ def _lesson(lesson: Row, report: Row, tell: Tell) -> str:
         parts.append(listed([*row["sentences"], *row["refusals"]], tell))
     if lesson["gains"]:
         parts += [f"<h3>{tell(template('Before and after'))}</h3>", _gains(lesson["gains"], tell),
-                  _topics(lesson["topics"], tell)]  # fmt: skip
+                  _topics(lesson, tell)]  # fmt: skip
     for row in lesson["later"]:
         parts.append(f"<h3>{tell(said('Form {form}', form=row['form']))}</h3>")
         parts.append(listed(row["sentences"], tell))
@@ -211,8 +211,9 @@ def _changed(change: Row) -> str:
                 low=signed(change["low"]), high=signed(change["high"]))  # fmt: skip
 
 
-def _topics(rows: Sequence[Row], tell: Tell) -> str:
-    """Gains topic by topic."""
+def _topics(lesson: Row, tell: Tell) -> str:
+    """Gains topic by topic, and by how much two groups differ in each."""
+    rows = lesson["topics"]
     if not rows:
         return ""
     head = [template("topic"), template("questions"), template("group"), template("took both"),
@@ -227,7 +228,8 @@ def _topics(rows: Sequence[Row], tell: Tell) -> str:
     ]  # fmt: skip
     title = tell(template("By topic"))
     made = table(list(map(tell, head)), cells, kind="topics")
-    return f"<h4>{title}</h4>{made}" + listed([say.FEW_QUESTIONS], tell)
+    says = [row["sentence"] for row in lesson["topic_differences"]]
+    return f"<h4>{title}</h4>{made}" + listed([*says, say.FEW_QUESTIONS], tell)
 
 
 def _items(lesson: Row, tell: Tell) -> str:

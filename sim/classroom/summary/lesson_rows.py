@@ -64,6 +64,7 @@ def lesson_row(
             if lesson.pairs[group].n
         ],
         "topics": [],
+        "topic_differences": [],
         "comparison": compared[0] if len(groups) == 2 and compared else None,
         "comparisons": compared if len(groups) > 2 else [],
         "later": _later(lesson, groups, inference=inference),
