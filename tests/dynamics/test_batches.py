@@ -140,6 +140,14 @@ def test_more_carts_are_run_point_by_point_and_on_a_coarser_grid() -> None:
     assert value == by_engine(plain, changes_at(grid.axes, 77), ("v", "B"))
 
 
+def test_a_grid_that_is_still_too_dear_once_it_is_coarser_is_made_coarser_again() -> None:
+    plain = registry.plain("too-soft-bumpers")
+    axes = (("A.velocity", spread(-1.0, 2.0, 200)), ("B.mass", spread(0.5, 5.0, 200)))
+    grid = solve(plain, axes, ("v", "A"))
+    assert grid.coarser
+    assert 0.9 * MOST_RUNS < len(grid.left) <= MOST_RUNS
+
+
 def test_runs_in_slices_are_all_the_runs() -> None:
     plain = registry.plain("triple-hit")
     grid = solve(plain, (("A.velocity", spread(0.5, 1.5, 7)),), ("warmed", ""))

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from sim.dynamics.batch.one_contact import Outcomes, outcomes
@@ -64,13 +64,14 @@ def solve(plain: Mapping[str, Any], axes: Axes, show: Show) -> Grid:
     """Everything that has a closed form, in one go."""
     grid = _solved(plain, axes, show)
     runs = MOST_WITH_EFFECTS if plain.get("effects") else MOST_RUNS
-    if len(grid.left) <= runs:
-        return grid
-    most = runs * grid.values.size / len(grid.left)
-    side = math.isqrt(int(most)) if len(axes) == 2 else int(most)
-    fewer = tuple((target, _thinned(values, side)) for target, values in axes)
-    coarse = _solved(plain, fewer, show)
-    return Grid(fewer, coarse.values, coarse.left, coarse.closed, coarser=True)
+    side = max(len(values) for _, values in axes)
+    while len(grid.left) > runs and side > 2:
+        most = runs * grid.values.size / len(grid.left)
+        # The share of points that are left may grow as the grid is thinned: each time by one more.
+        side = min(side - 1, math.isqrt(int(most)) if len(axes) == 2 else int(most))
+        fewer = tuple((target, _thinned(values, side)) for target, values in axes)
+        grid = replace(_solved(plain, fewer, show), coarser=True)
+    return grid
 
 
 def run_points(

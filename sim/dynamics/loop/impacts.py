@@ -210,10 +210,10 @@ def merge(chain: Chain, gap: Gap, now: Time, record: Record) -> Body:
         beyond = chain.gaps[right.right]
         if beyond is not None:
             beyond.left = one
-        for k, body in enumerate(chain.bodies):
-            if body is right:
-                chain.bodies[k] = one
-        for near in chain.gaps:
+        for cart in right.carts:
+            chain.bodies[cart] = one
+        for index in range(right.carts[0], right.carts[-1] + 2):
+            near = chain.gaps[index]
             if near is not None and near.joined and near.left is right:
                 near.left = near.right = one
     else:  # stuck to a wall

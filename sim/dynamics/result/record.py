@@ -62,6 +62,8 @@ class Record:
     solved: list[Solved] = field(default_factory=list)
     solved_all: bool = True
     joints: list[Joint] = field(default_factory=list)
+    rooms: dict[int, float] = field(default_factory=dict)
+    """m. Per gap: the room of its first joint."""
     idle_bursts: list[tuple[int, float, float]] = field(default_factory=list)
     """Gap, time [s] and room [m] of exploders whose carts did not touch."""
     let_go: list[Loose] = field(default_factory=list)
@@ -89,17 +91,16 @@ class Record:
         for k in body.carts:
             cart = self.scene.carts[k]
             if before is not None:
-                at += 0.5 * (before.length + cart.length) + self._room_at(k)
+                at += 0.5 * (before.length + cart.length) + self.rooms.get(k, 0.0)
             offsets.append(at)
             before = cart
         return offsets
 
-    def _room_at(self, gap: int) -> float:
-        return next((joint.room for joint in self.joints if joint.gap == gap), 0.0)
-
     def join(self, gap: Gap, now: Time) -> None:
         """Two bodies stick together, edge to edge or with the overlap that a latch holds."""
-        self.joints.append(Joint(gap.index, now[0], min(gap.room, 0.0) if gap.law else 0.0))
+        room = min(gap.room, 0.0) if gap.law else 0.0
+        self.joints.append(Joint(gap.index, now[0], room))
+        self.rooms.setdefault(gap.index, room)
 
     def part(self, gap: Gap, now: Time) -> None:
         """A latch opens."""

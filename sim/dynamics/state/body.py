@@ -4,7 +4,7 @@
 
 Gaps and closing speeds are the state; positions are carried along for show. A gap of carts at
 x = 1e9 m is as exact as one at the origin. Each body and each gap has its own last time: an event
-touches only its neighbourhood, so the cost of an event does not grow with the number of carts.
+touches only its neighbourhood, so its cost does not grow with the number of bodies in the row.
 """
 
 from __future__ import annotations
