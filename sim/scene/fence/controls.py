@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -38,6 +38,27 @@ class Control:
         return float(f"{number / self.per:.12g}")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind:
+    """How sentences speak of what is read: an axis of a map is a control without steps.
+
+    `limits`: what stands behind `set`. `order`: what from, to and step have to be, and what helps.
+    """
+
+    name: str
+    limits: str
+    order: str
+    order_hint: Callable[[str], str]
+
+
+CONTROL = Kind(
+    name="control",
+    limits="from: …, to: …, step: …",
+    order="a control goes from a smaller to a larger number in positive steps",
+    order_hint=lambda target: f"{{set: {target}, from: 1, to: 5, step: 0.5}}",
+)
+
+
 def read_controls(
     value: object, scene: Scene, problems: list[Problem], effects: Sequence[Effect] | None = None
 ) -> tuple[Control, ...]:
@@ -58,32 +79,34 @@ def read_controls(
         if table is None:
             continue
         unknown_keys(table, ("set", "from", "to", "step"), path, problems)
-        control = _control(table, path, scene, effects or scene.effects, problems)
+        control = read_control(table, path, scene, effects or scene.effects, problems, CONTROL)
         if control is not None:
             controls.append(control)
     return tuple(controls)
 
 
-def _control(
+def read_control(
     table: Mapping[str, Any],
     path: Path,
     scene: Scene,
     effects: Sequence[Effect],
     problems: list[Problem],
+    kind: Kind,
 ) -> Control | None:
+    """One control, or what is read as one."""
     target = str(table.get("set"))
     found = number_of(target, scene, effects)
     if found is None:
-        problems.append(_unknown(target, (*path, "set"), scene, effects))
+        problems.append(_unknown(target, (*path, "set"), scene, effects, kind))
         return None
     field, label, value = found
-    limits = _limits(table, path, target, field)
+    limits = _limits(table, path, target, field, kind)
     if isinstance(limits, Problem):
         problems.append(limits)
         return None
     low, high, step = limits
     if not low <= value <= high:
-        told = f"the scene's own {target} is {value:g}, outside of this control"
+        told = f"the scene's own {target} is {value:g}, outside of this {kind.name}"
         hint = "widen from and to, or change the scene"
         problems.append(Problem(path, "out-of-range", told, hint))
         return None
@@ -93,23 +116,26 @@ def _control(
     )
 
 
-def _unknown(target: str, path: Path, scene: Scene, effects: Sequence[Effect]) -> Problem:
+def _unknown(
+    target: str, path: Path, scene: Scene, effects: Sequence[Effect], kind: Kind
+) -> Problem:
     """No control can set this."""
     names = [cart.name for cart in scene.carts]
     owner = target.partition(".")[0]
     known = (*names, "contact", "track", "until", "gravity", "effects", *kinds())
-    told = f"no control can set “{target}”" if owner in known else f"there is no cart {owner}"
+    cannot = f"no {kind.name} can set “{target}”"
+    told = cannot if owner in known else f"there is no cart {owner}"
     return Problem(path, "unknown-path", told, _hint(owner, effects))
 
 
 def _limits(
-    table: Mapping[str, Any], path: Path, target: str, field: Field
+    table: Mapping[str, Any], path: Path, target: str, field: Field, kind: Kind
 ) -> tuple[float, float, float] | Problem:
     """From, to and step in SI."""
     numbers = {}
     for key in ("from", "to", "step"):
         if key not in table:
-            hint = f"{{set: {target}, from: …, to: …, step: …}}"
+            hint = f"{{set: {target}, {kind.limits}}}"
             return Problem(path, "missing", f"{key} is missing", hint)
         try:
             numbers[key] = read_quantity(table[key], field.dimension)
@@ -118,9 +144,7 @@ def _limits(
     if bare := _bare(table, path, field):
         return bare
     if numbers["from"] >= numbers["to"] or numbers["step"] <= 0:
-        told = "a control goes from a smaller to a larger number in positive steps"
-        hint = f"{{set: {target}, from: 1, to: 5, step: 0.5}}"
-        return Problem(path, "out-of-range", told, hint)
+        return Problem(path, "out-of-range", kind.order, kind.order_hint(target))
     for key in ("from", "to"):
         bound = field.read(table[key], (*path, key))
         if isinstance(bound, Problem):

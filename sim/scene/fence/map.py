@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
 
-from sim.scene.fence.controls import Control, read_controls
+from sim.scene.fence.controls import Control, Kind, read_control, read_controls
 from sim.scene.fence.presentation import ID
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem, SceneError
@@ -29,6 +29,13 @@ FEWEST, USUAL, MOST = 2, 200, 400
 """Points along one axis."""
 
 OVER_HINT = "over:\n  - {set: A.mass, from: 0.5 kg, to: 5 kg}"
+ORDER_HINT = "the smaller one stands behind from: {set: A.mass, from: 0.5 kg, to: 5 kg}"
+AXIS = Kind(
+    name="axis",
+    limits="from: …, to: …",
+    order="an axis goes from a smaller to a larger number",
+    order_hint=lambda _: ORDER_HINT,
+)
 SHOW_HINT = "show: v.A (final velocity), F.A-B (greatest force) or warmed (energy)"
 
 
@@ -134,9 +141,9 @@ def _over(value: object, scene: Scene, problems: list[Problem]) -> tuple[Control
         if table is None:
             continue
         unknown_keys(table, ("set", "from", "to"), (*path, k), problems)
-        found: list[Problem] = []
-        axes += read_controls([_as_control(table)], scene, found)
-        problems += [_of_axis(problem, (*path, k)) for problem in found]
+        control = _as_control(table)
+        axis = read_control(control, (*path, k), scene, scene.effects, problems, AXIS)
+        axes += [] if axis is None else [axis]
     if len(axes) == 2 and axes[0].set == axes[1].set:
         message = f"{axes[0].set} stands here twice"
         problems.append(Problem((*path, 1, "set"), "twice", message, OVER_HINT))
@@ -148,18 +155,6 @@ def _as_control(table: Mapping[str, Any]) -> dict[str, Any]:
     given = {key: table[key] for key in ("set", "from", "to") if key in table}
     units = [unit_of(str(given[key])) for key in ("from", "to") if key in given]
     return {**given, "step": f"1 {next(filter(None, units), '')}".strip()}
-
-
-def _of_axis(problem: Problem, path: Path) -> Problem:
-    """A control's problem as one of an axis: ("controls", 0, …) is where it stood."""
-    hint = problem.hint.replace(", step: …", "").replace(", step: 0.5", "")
-    message = problem.message
-    if message.startswith("a control goes from"):
-        message = "an axis goes from a smaller to a larger number"
-        hint = "the smaller one stands behind from: {set: A.mass, from: 0.5 kg, to: 5 kg}"
-    message = message.replace("outside of this control", "outside of this axis")
-    message = message.replace("no control can set", "no axis can set")
-    return Problem((*path, *problem.path[2:]), problem.code, message, hint)
 
 
 def _show(value: object, scene: Scene, problems: list[Problem]) -> Shown | None:

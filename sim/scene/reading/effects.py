@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -28,46 +29,41 @@ def read_estimates(
     value: object, names: list[str], track: Track, problems: list[Problem]
 ) -> tuple[Effect, ...]:
     """Sizes of effects that do not act, for the estimate of what they would change."""
-    found: list[Problem] = []
-    listed = listed_effects(value, names, track, found)
-    found.extend(broken_rules(listed))
-    for one in found:
-        told = one.message.replace("effects is a list", "estimate is a list")
-        hint = one.hint.replace("effects:\n", "estimate:\n")
-        problems.append(Problem(("estimate", *one.path[1:]), one.code, told, hint))
+    listed = listed_effects(value, names, track, problems, key="estimate")
+    for one in broken_rules(listed):
+        problems.append(replace(one, path=("estimate", *one.path[1:])))
     return listed
 
 
 def listed_effects(
-    value: object, names: list[str], track: Track, problems: list[Problem]
+    value: object,
+    names: list[str],
+    track: Track,
+    problems: list[Problem],
+    *,
+    key: str = "effects",
 ) -> tuple[Effect, ...]:
-    """Every effect that makes sense, those that are switched off too."""
+    """Every effect that makes sense, those that are switched off too. `key`: of the list."""
+    path: Path = (key,)
     if not isinstance(value, (list, tuple)):
-        problems.append(
-            Problem(
-                ("effects",),
-                "not-a-list",
-                "effects is a list",
-                "effects:\n  - friction: {coefficient: 0.02}",
-            )
-        )
+        hint = f"{key}:\n  - friction: {{coefficient: 0.02}}"
+        problems.append(Problem(path, "not-a-list", f"{key} is a list", hint))
         return ()
     if len(value) > MOST_EFFECTS:
         message = f"{len(value)} effects; at most {MOST_EFFECTS} can act"
-        problems.append(Problem(("effects",), "wrong-count", message, "remove some of them"))
+        problems.append(Problem(path, "wrong-count", message, "remove some of them"))
         return ()
     effects = []
     for k, entry in enumerate(value):
-        effect = _entry(entry, k, names, track, problems)
+        effect = _entry(entry, (*path, k), k, names, track, problems)
         if effect is not None:
             effects.append(effect)
     return tuple(effects)
 
 
 def _entry(
-    entry: object, index: int, names: list[str], track: Track, problems: list[Problem]
+    entry: object, path: Path, index: int, names: list[str], track: Track, problems: list[Problem]
 ) -> Effect | None:
-    path: Path = ("effects", index)
     if not isinstance(entry, Mapping) or len(entry) != 1:
         problems.append(
             Problem(
