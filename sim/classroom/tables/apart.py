@@ -46,7 +46,7 @@ class Columns:
 
     def named(self, row: Row) -> str:
         """What stands in the column of students, or in the first one where nothing does."""
-        return _cell(row, self.student) or row.cells[0]
+        return row.cell(self.student) or row.cells[0]
 
 
 @dataclass(slots=True)
@@ -82,7 +82,7 @@ def parted(rows: Sequence[Row], columns: Columns) -> Parted:
 def _kind(row: Row, columns: Columns, figures: frozenset[str] = FIGURES) -> Kind | None:
     name = columns.named(row)
     word = norm(name)
-    beside = any(_cell(row, place).casefold() not in NOTHING for place in columns.beside)
+    beside = any(row.cell(place).casefold() not in NOTHING for place in columns.beside)
     if word in KEY | MOST:
         if beside or (word in NAMES_TOO and name != name.upper()):
             return "student"
@@ -119,7 +119,3 @@ def _marks(row: Row) -> Iterator[tuple[int, Exact]]:
             continue
         if value is not None:
             yield place, value
-
-
-def _cell(row: Row, place: int | None) -> str:
-    return row.cells[place] if place is not None and place < len(row.cells) else ""

@@ -46,6 +46,10 @@ class Row:
     line: int
     cells: tuple[str, ...]
 
+    def cell(self, place: int | None) -> str:
+        """The cell of a column: empty where the row is too short, or there is no such column."""
+        return self.cells[place] if place is not None and place < len(self.cells) else ""
+
 
 @dataclass(frozen=True, slots=True)
 class Broken:

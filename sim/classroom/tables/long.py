@@ -27,10 +27,10 @@ def pivoted(
     names: dict[str, int] = {}
     bad: list[Bad] = []
     for row in rows:
-        who = " ".join(filter(None, (_cell(row, k) for k in person)))
-        cells = (who, *(_cell(row, k) for k in fixed))
-        name = _cell(row, layout.item)
-        mark = _cell(row, column.place)
+        who = " ".join(filter(None, (row.cell(k) for k in person)))
+        cells = (who, *(row.cell(k) for k in fixed))
+        name = row.cell(layout.item)
+        mark = row.cell(column.place)
         answers = made.setdefault(cells, {})
         lines.setdefault(cells, row.line)
         if not name:
@@ -58,7 +58,3 @@ def pivoted(
         wide,
         bad,
     )  # fmt: skip
-
-
-def _cell(row: Row, place: int | None) -> str:
-    return row.cells[place] if place is not None and place < len(row.cells) else ""

@@ -113,8 +113,8 @@ def _single(
 def _is_item(column: Column, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
     """With a row KEY every column that it fills; without, columns of marks or of single letters."""
     if keys:
-        return any(_cell(row, column.place) for row in keys)
-    cells = [_cell(row, column.place) for row in rows]
+        return any(row.cell(column.place) for row in keys)
+    cells = [row.cell(column.place) for row in rows]
     filled = [cell for cell in cells if cell.casefold() not in NOTHING]
     good = sum(is_mark(cell) or (len(cell) == 1 and cell.isalpha()) for cell in filled)
     return bool(filled) and good >= ENOUGH * len(filled)
@@ -130,13 +130,9 @@ def _adds_up(items: Sequence[Column], totals: Sequence[Column], rows: Sequence[R
     mine = [c for c in items if c.form == total.form]
     good = count = 0
     for row in rows:
-        if is_mark(_cell(row, total.place)):
+        if is_mark(row.cell(total.place)):
             count += 1
-            marks = [mark(_cell(row, c.place))[0] or 0 for c in mine
-                     if is_mark(_cell(row, c.place))]  # fmt: skip
-            good += sum(marks) == mark(_cell(row, total.place))[0]
+            marks = [mark(row.cell(c.place))[0] or 0 for c in mine
+                     if is_mark(row.cell(c.place))]  # fmt: skip
+            good += sum(marks) == mark(row.cell(total.place))[0]
     return bool(mine) and good >= ADDS_UP * count
-
-
-def _cell(row: Row, place: int) -> str:
-    return row.cells[place] if place < len(row.cells) else ""

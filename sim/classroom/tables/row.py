@@ -8,7 +8,7 @@ from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import Column, Layout, form_told, norm
 from sim.classroom.tables.marks import NOTHING, mark, shown
-from sim.classroom.tables.taken import ALONE, Taken, place_of
+from sim.classroom.tables.taken import ALONE, Taken
 from sim.classroom.tables.words import ANONYMOUS, UNFINISHED
 from sim.scene.said import reason_of, said, template
 
@@ -30,7 +30,7 @@ class RowReader:
             column.name: tuple(part.strip().casefold() for part in cell.split("|"))
             for row in keys
             for column in layout.items
-            if (cell := _cell(row, column.place)).casefold() not in NOTHING
+            if (cell := row.cell(column.place)).casefold() not in NOTHING
         }
 
     def taken(self, table: str, row: Row) -> Iterator[Taken]:
@@ -41,22 +41,21 @@ class RowReader:
                 "{cells} cells under {headings} headings: is a comma in a cell without quotation "
                 "marks?", cells=f"{len(row.cells)}", headings=f"{len(self.heads.cells)}",
             ))  # fmt: skip
-        if layout.needs and not any(_cell(row, k) for k in layout.needs):
+        if layout.needs and not any(row.cell(k) for k in layout.needs):
             return  # what an export adds below: the average of all
-        if layout.state is not None and norm(_cell(row, layout.state)) in UNFINISHED:
+        if layout.state is not None and norm(row.cell(layout.state)) in UNFINISHED:
             raise TableError("this attempt was not handed in")
         student = self._student(row)
         columns = layout.items or layout.totals
         for form in dict.fromkeys(column.form for column in columns):
             mine = [column for column in columns if column.form == form]
-            place = place_of(table, row.line)
-            made = self._one(row, mine, student, self.form or form or self._form(row), place)
+            made = self._one(row, mine, student, self.form or form or self._form(row), table)
             if made:
                 yield made
 
     def _student(self, row: Row) -> str:
         for places in self.layout.student:
-            words = [_cell(row, k) for k in places if _cell(row, k).casefold() not in NOTHING]
+            words = [row.cell(k) for k in places if row.cell(k).casefold() not in NOTHING]
             name = " ".join(words)
             if name and norm(name) not in ANONYMOUS:
                 return _short(name, template("the name of the student"))
@@ -65,18 +64,18 @@ class RowReader:
     def _form(self, row: Row) -> str:
         if self.layout.time is None:
             return ALONE
-        text = _cell(row, self.layout.time)
+        text = row.cell(self.layout.time)
         form = form_told(text)
         if not form:
             raise TableError(said("“{cell}” is none of pre, post, later", cell=shown(text)))
         return form
 
     def _one(
-        self, row: Row, columns: Sequence[Column], student: str, form: str, place: str
+        self, row: Row, columns: Sequence[Column], student: str, form: str, table: str
     ) -> Taken | None:
         """One test; None where nothing at all was answered: it was not taken."""
         group, klass = (
-            _short(_cell(row, k), what) if k is not None else ""
+            _short(row.cell(k), what) if k is not None else ""
             for k, what in (
                 (self.layout.group, template("the group")),
                 (self.layout.klass, template("the class")),
@@ -88,7 +87,7 @@ class RowReader:
         total: Exact | None = None
         of: Exact | None = None
         for column in columns:
-            cell = _cell(row, column.place)
+            cell = row.cell(column.place)
             if not self.layout.items:
                 total, told = _mark(cell, column, self.heads.cells[column.place])
                 of = told
@@ -102,7 +101,7 @@ class RowReader:
         if total is None and not any(chosen.values()) and all(m is None for m in items.values()):
             return None
         return Taken(
-            place=place, line=row.line, student=student, group=group, klass=klass, form=form,
+            table=table, line=row.line, student=student, group=group, klass=klass, form=form,
             items=items, most=most, chosen={k: v for k, v in chosen.items() if v}, total=total,
             of=of,
         )  # fmt: skip
@@ -139,7 +138,3 @@ def _short(text: str, what: str) -> str:
         raise TableError(said("{what} has {n} characters: at most {most}", what=what,
                               n=f"{len(text)}", most=f"{LONGEST_NAME}"))  # fmt: skip
     return "".join(c for c in text if c.isprintable())
-
-
-def _cell(row: Row, place: int) -> str:
-    return row.cells[place] if place < len(row.cells) else ""

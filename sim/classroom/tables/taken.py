@@ -27,14 +27,15 @@ def place_of(table: str, line: int) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Taken:
-    """One student in one test. `items`: marks, None where a question was left open.
+    """One student in one test. `table`: its name. `items`: marks, None where a question was left
+    open.
 
     `chosen`: options, where the table has letters. `total`: where it has no marks of questions.
     `of`: the most marks, as the cell or the heading tells. Items have theirs in `most`. `apart`:
     the group that the whole table is of; who has the same name in another group is another student.
     """
 
-    place: str
+    table: str
     line: int
     student: str
     group: str
@@ -48,9 +49,9 @@ class Taken:
     apart: str = ""
 
     @property
-    def table(self) -> str:
-        """The name of the table."""
-        return self.place.rpartition(", line")[0]
+    def place(self) -> str:
+        """Where the row stands, for people."""
+        return place_of(self.table, self.line)
 
     @property
     def who(self) -> str:

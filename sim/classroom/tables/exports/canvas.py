@@ -51,5 +51,5 @@ def _form(name: str) -> str:
 
 def _cell(row: Row, place: int) -> str:
     """`EX`: the student was excused, and has no mark."""
-    cell = row.cells[place] if place < len(row.cells) else ""
+    cell = row.cell(place)
     return "" if cell == "EX" else cell
