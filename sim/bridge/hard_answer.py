@@ -79,7 +79,7 @@ def _stepped(scene: Scene, method: str, wanted: Wanted, solved: Run) -> dict[str
     except (OverflowError, ValueError, UnsolvedError):
         return tried | lost
     got = [_read(told, what) for what, _ in wanted]
-    made = result.lost_energy / _energy(scene, solved)
+    made = result.lost_energy / _energy(solved)
     return tried | {
         "got": got,
         "verdict": _verdict(scene, result, solved, wanted, got, made),
@@ -145,7 +145,7 @@ def _scale(scene: Scene, solved: Run, what: str, true: float) -> float:
     return max(abs(true), kinetic if kind != "last" else 0.0)
 
 
-def _energy(scene: Scene, solved: Run) -> float:
+def _energy(solved: Run) -> float:
     """J: what there is at the start, and what effects give or take."""
     books = solved.ledger
     moved = math.fsum(abs(work) for work in books.works.values())
@@ -154,7 +154,7 @@ def _energy(scene: Scene, solved: Run) -> float:
 
 def _fastest(scene: Scene, solved: Run) -> list[float]:
     """m/s that each cart could have at most: at either end, or with all the energy there is."""
-    energy = _energy(scene, solved)
+    energy = _energy(solved)
     return [
         max(abs(cart.velocity), abs(v), math.sqrt(2.0 * energy / cart.mass))
         for cart, v in zip(scene.carts, solved.v, strict=True)

@@ -67,7 +67,7 @@ class Releases(Contacts):
         self._only_touches(gap)
         self.tell(now, "release", gap.names)
         if burst.stiffness is None:
-            self._part_at_once(gap, burst, now)
+            self._part_at_once(gap, burst)
         else:
             length = (2 * burst.energy / burst.stiffness).sqrt()
             spring = Line(burst.stiffness, ZERO, -length)
@@ -90,7 +90,7 @@ class Releases(Contacts):
                 said("whether {pair} touch as they are released", pair=gap.shown)
             )
 
-    def _part_at_once(self, gap: Gap, burst: Burst, now: Instant) -> None:
+    def _part_at_once(self, gap: Gap, burst: Burst) -> None:
         left, right = gap.left, gap.right
         mu, centre = reduced_mass(left, right), common_velocity(left, right)
         apart = (gap.rate * gap.rate + 2 * burst.energy / mu).sqrt()

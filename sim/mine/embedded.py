@@ -169,9 +169,9 @@ class EmbeddedStepper(OwnSteps):
             force.look_at(*self.field.overlap(pair, s, v), self.speed, stuck=stuck)
 
     def _told(self, t: float, h: float, s: Row, v: Row) -> None:
-        before, self.s, self.v = self.s, s, v
+        self.s, self.v = s, v
         if self.seen is not None:
-            self.tell(t + h, h, before, FIFTH)
+            self.tell(t + h, h, FIFTH)
 
 
 def _sum(weights: tuple[float, ...], stages: list[Row], k: int) -> float:

@@ -71,9 +71,9 @@ class AdaptiveStepper(LocatedStepper):
                 self._over(t + begin, part)
                 self.impacts.remember(self.s, self.v)
                 return float(begin + part), keys
-            ways, (self.s, self.v) = self.s, (s, v)
+            self.s, self.v = s, v
             self.impacts.remember(self.s, self.v)
-            first = self._told(float(t + solver.t), span, ways, solver, first)
+            first = self._told(float(t + solver.t), span, solver, first)
         return h, []
 
     def _dense(self, solver: Any, begin: float) -> Along:
@@ -93,10 +93,10 @@ class AdaptiveStepper(LocatedStepper):
             return
         solver, first = self._solver(t, h), self._detail(t)
         while solver.status == "running":
-            begin, ways = solver.t, self.s
+            begin = solver.t
             self._one(solver)
             self.s, self.v = self._split(solver.y)
-            first = self._told(float(t + solver.t), solver.t - begin, ways, solver, first)
+            first = self._told(float(t + solver.t), solver.t - begin, solver, first)
 
     def _solver(self, t: float, h: float) -> Any:
         numpy, integrate = _scipy()
@@ -145,7 +145,7 @@ class AdaptiveStepper(LocatedStepper):
         self.field.evaluations -= 1
         return self.field.keep.pop()
 
-    def _told(self, t: float, h: float, ways: Row, solver: Any, first: Any) -> Any:
+    def _told(self, t: float, h: float, solver: Any, first: Any) -> Any:
         """Tell of an accepted step with the weights of its stages; returns its last forces."""
         if self.seen is None or self.field.keep is None:
             return None
@@ -153,7 +153,7 @@ class AdaptiveStepper(LocatedStepper):
         stages = [first, *self.field.keep[-len(weights) : -1]]
         last = self.field.keep[-1]
         self.field.keep.clear()
-        self.seen(t, h, ways, list(zip(weights, stages, strict=True)))
+        self.seen(t, h, list(zip(weights, stages, strict=True)))
         return last
 
 

@@ -91,7 +91,7 @@ class Recorder:
         """Kind and cart of everything that acts on single carts."""
         return _outside(self.scene)
 
-    def seen(self, t: float, h: float, before: Row, forces: list[tuple[float, Detail]]) -> None:
+    def seen(self, t: float, h: float, forces: list[tuple[float, Detail]]) -> None:
         """A step, or part of one, ended at t."""
         run, ledger = self.run, self.ledger
         weighted = [(h * w, detail) for w, detail in forces]

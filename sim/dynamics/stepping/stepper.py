@@ -18,8 +18,8 @@ from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.rk4 import RK4
 from sim.scene.model import Scene
 
-Seen = Callable[[float, float, Row, list[tuple[float, Detail]]], None]
-"""t [s] at the end, h [s], the ways before, and the forces with their weights."""
+Seen = Callable[[float, float, list[tuple[float, Detail]]], None]
+"""t [s] at the end, h [s], and the forces with their weights."""
 
 
 LAST_BITS = 1e-15
@@ -59,23 +59,22 @@ class Stepper:
     def tell_blows(self, t: float) -> None:
         """Blows fall after the step that ends with them was told: a step of no length tells."""
         if self.seen is not None and self.impacts.blows:
-            self.seen(t, 0.0, self.s, [])
+            self.seen(t, 0.0, [])
 
     def advance(self, t: Any, h: Any) -> None:
         """From t over h."""
         self.steps += 1
-        before = self.s
         self.s, self.v = self.method.step(self.field, t, self.s, self.v, h)
         self.impacts.settle(t + h, self.s, self.v)
         if self.seen is not None:
-            self.tell(t + h, h, before, self.method.weights)
+            self.tell(t + h, h, self.method.weights)
 
-    def tell(self, t: float, h: float, before: Row, weights: tuple[float, ...]) -> None:
+    def tell(self, t: float, h: float, weights: tuple[float, ...]) -> None:
         """Hand over the forces of the last evaluations."""
         assert self.seen is not None and self.field.keep is not None
         kept = self.field.keep[-len(weights) :]
         self.field.keep.clear()
-        self.seen(t, h, before, list(zip(weights, kept, strict=True)))
+        self.seen(t, h, list(zip(weights, kept, strict=True)))
 
     def boundaries(self, t: float, end: float) -> list[float]:
         """Times between t and end at which a step has to end; without a look there are none."""
@@ -151,6 +150,6 @@ class LocatedStepper(Stepper):
         return lambda tau: self.method.step(self.field, t, self.s, self.v, tau)
 
     def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
-        before, self.s, self.v = self.s, s, v
+        self.s, self.v = s, v
         if self.seen is not None:
-            self.tell(t + h, h, before, self.method.weights)
+            self.tell(t + h, h, self.method.weights)
