@@ -28,6 +28,7 @@ from sim.mine.growing import (
 )
 from sim.mine.wrong import EndlessError, WrongLawError
 from sim.scene.problem import nearest
+from sim.scene.reading.written import EXAMPLE, NO_FORCE
 from sim.scene.said import said
 
 MOST_TURNS = 20_000
@@ -83,12 +84,9 @@ def read_law(text: str, file: str = "mine.py") -> Written:
     return written
 
 
-EXAMPLE = "def force(overlap, rate):"
-
-
 def _no_force(file: str, line: int) -> WrongLawError:
     hint = said("begin with {example}", example=EXAMPLE)
-    return WrongLawError(file, line, said("there is no function called force here"), hint)
+    return WrongLawError(file, line, NO_FORCE, hint)
 
 
 class _Returns(ast.NodeTransformer):
@@ -184,7 +182,7 @@ class Instance:
         except OverflowError:
             number = math.inf
         if not math.isfinite(number):
-            message = said("the force is no number that can be reckoned with: {value}",
+            message = said("the force is no number that can be computed with: {value}",
                            value=str(number))  # fmt: skip
             hint = said("look for inf − inf, 0 · inf, or a number beyond all bounds")
             raise WrongLawError(file, line, message, hint)
@@ -195,7 +193,7 @@ class Instance:
 
 def too_large(written: Written, line: int, force: float) -> WrongLawError:
     """Of so many N."""
-    message = said("the force is too large to be reckoned with: {force}", force=f"{force:.3g} N")
+    message = said("the force is too large to be computed with: {force}", force=f"{force:.3g} N")
     return WrongLawError(written.file, line, message, said("bumpers push with some newtons"))
 
 

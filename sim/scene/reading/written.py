@@ -23,6 +23,7 @@ from sim.scene.tables import mapping
 
 HINT = "laws: {mine.py: ...}"
 EXAMPLE = "def force(overlap, rate):"
+NO_FORCE = said("there is no function called force here")
 
 
 def read_written(
@@ -43,8 +44,7 @@ def read_written(
             problems.append(Problem(path, "not-text", message, EXAMPLE))
         elif not text.strip():  # an empty box of a page
             hint = said("begin with {example}", example=EXAMPLE)
-            message = said("there is no function called force here")
-            problems.append(Problem(path, "no-force", message, hint))
+            problems.append(Problem(path, "no-force", NO_FORCE, hint))
         else:
             texts[name] = text
     asked = {one.law for one in contacts if one is not None and one.written}
