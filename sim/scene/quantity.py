@@ -21,6 +21,9 @@ SMALLEST = 1 / LARGEST
 """Magnitudes outside 1e-50 to 1e50 (SI) are refused. Products of five such numbers, the longest
 in the formulas, still fit a float; nothing in a school laboratory comes near either end."""
 
+MOST_POWER = 400
+"""Of ten, either way. It is far out of bounds, and the exact fraction would have as many digits."""
+
 LONGEST_TEXT = 64
 """Characters. A number with a unit is never longer; a pasted megabyte is refused unread."""
 
@@ -197,7 +200,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
                 ),
             )
         factor = known
-    if abs(int(re.sub(r".*[eE]", "", number))) > 400 if "e" in number.lower() else False:
+    if abs(int(re.sub(r".*[eE]", "", number))) > MOST_POWER if "e" in number.lower() else False:
         reason = said("{number} is too large or too small", number=number)
         raise QuantityError("out-of-range", reason, hint)
     return exact(number) * factor

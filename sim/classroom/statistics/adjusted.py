@@ -20,6 +20,10 @@ NO_SPREAD = template(
     "everybody in a group had the same marks before: there is nothing to adjust for"
 )
 
+ROUNDING = 1e-13
+"""Of the spread of the marks after: what rounding leaves of it where the line goes through all of
+them; sums of squares of some hundred marks are exact to that."""
+
 
 @dataclass(frozen=True, slots=True)
 class Before:
@@ -79,7 +83,7 @@ def adjusted(one: Before, other: Before, *, fewest: int = FEWEST) -> Adjusted:
     apart = one.before.mean - other.before.mean
     difference = one.after.mean - other.after.mean - slope * apart
     square = (y - xy * slope) / left
-    if square <= 1e-13 * y or y == 0:
+    if square <= ROUNDING * y or y == 0:
         raise RefusalError("the marks after follow from the marks before: no spread is left")
     se = math.sqrt(square * (1 / one.before.n + 1 / other.before.n + apart**2 / x))
     return Adjusted(slope, t_test(difference, se, left))
