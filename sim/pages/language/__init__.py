@@ -3,7 +3,7 @@
 Lessons are written in whatever language their author chooses. What stands around them (buttons,
 readouts, sentences about a run) is English in the code, `tr("Step back")`, and comes out in the
 language of the page. Catalogues are gettext's `.po` files, which translators have tools for.
-`sim/web/src/language.js` does the same in the page, with a script that `words_script` writes.
+`sim/view/language.js` does the same in the page, with a script that `words_script` writes.
 """
 
 from sim.pages.language.catalogue import (
