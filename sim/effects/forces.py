@@ -55,6 +55,10 @@ class CoulombFriction:
     static: float
 
 
+TOUCHING = 1e-12
+"""m. Room that rounding leaves between two carts that touch: an exploder sets them free."""
+
+
 @dataclass(frozen=True, slots=True)
 class EnergyRelease:
     """`energy` [J] set free between the bodies of `gap` at `time` [s], at once or by a `spring`."""

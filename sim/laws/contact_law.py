@@ -85,7 +85,7 @@ class ContactLaw(Protocol):
     def resting_overlap(self, memory: Memory) -> float:
         """m. While a pair flies, its force turns positive when the overlap grows beyond this."""
 
-    def left_over(self, d: float, memory: Memory) -> float:
+    def residual_overlap(self, d: float, memory: Memory) -> float:
         """m. The overlap at which a contact that was found to end at d has its end exactly."""
 
     def last_force(self, mu: float, v: float) -> float:

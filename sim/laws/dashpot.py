@@ -23,11 +23,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from sim.laws.branch import Branch
 from sim.laws.contact_law import Figures, Memory
 from sim.laws.damped_oscillation import Rate
+from sim.laws.rounding import LAST_BIT
 
 SERIES_BELOW = 1e-2
 """|phi²|. Below it sqrt(q) cot sqrt(q) is summed as a series: five terms leave less than 1e-16."""
@@ -83,17 +84,22 @@ def damping_to_zero_force(e: float) -> Damping:
         value, slope = _q_cot(q)
         step = (value - wanted) / slope
         q -= step
-        if abs(step) <= 4e-16 * max(abs(q), 1e-3):
+        if abs(step) <= LAST_BIT * max(abs(q), 1e-3):
             break
     return damping(q)
+
+
+def q_cot_near_nought(q: Any) -> tuple[Any, Any]:
+    """The same by its series, for a number or an array."""
+    f = 1 - q * (1 / 3 + q * (1 / 45 + q * (2 / 945 + q * (1 / 4725 + q * 2 / 93555))))
+    df = -(1 / 3 + q * (2 / 45 + q * (6 / 945 + q * (4 / 4725 + q * 10 / 93555))))
+    return f, df
 
 
 def _q_cot(q: float) -> tuple[float, float]:
     """f(q) = sqrt(q) cot sqrt(q) and df/dq, for q of either sign."""
     if abs(q) < SERIES_BELOW:
-        f = 1 - q * (1 / 3 + q * (1 / 45 + q * (2 / 945 + q * (1 / 4725 + q * 2 / 93555))))
-        df = -(1 / 3 + q * (2 / 45 + q * (6 / 945 + q * (4 / 4725 + q * 10 / 93555))))
-        return f, df
+        return q_cot_near_nought(q)
     if q > 0:
         phi = math.sqrt(q)
         cot = 1.0 / math.tan(phi)

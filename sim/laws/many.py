@@ -29,7 +29,7 @@ class PerSpeed:
     duration: Values
     force: Values
     overlap: Values
-    left_over: Values
+    residual_overlap: Values
 
 
 ManyFigures = Callable[["Values", "Values", "Values"], PerSpeed]

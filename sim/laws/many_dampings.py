@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from sim.laws.dashpot import SERIES_BELOW
+from sim.laws.dashpot import SERIES_BELOW, q_cot_near_nought
 
 if TYPE_CHECKING:
     import numpy as np
@@ -92,8 +92,7 @@ def _q_cot(q: Values) -> tuple[Values, Values]:
     import numpy as np
 
     near = np.abs(q) < SERIES_BELOW
-    f = 1 - q * (1 / 3 + q * (1 / 45 + q * (2 / 945 + q * (1 / 4725 + q * 2 / 93555))))
-    df = -(1 / 3 + q * (2 / 45 + q * (6 / 945 + q * (4 / 4725 + q * 10 / 93555))))
+    f, df = q_cot_near_nought(q)
     far = np.where(near, 1.0, q)
     phi, sign = np.sqrt(np.abs(far)), np.sign(far)
     cot = 1.0 / np.where(far > 0.0, np.tan(phi), np.tanh(phi))

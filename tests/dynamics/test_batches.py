@@ -55,7 +55,7 @@ def test_every_figure_of_a_law_is_that_of_one_contact(law: str) -> None:
                 (out.duration, figures.duration),
                 (out.force, figures.peak_force * u),
                 (out.overlap, figures.peak_overlap * u),
-                (out.left_over, figures.out_overlap * u),
+                (out.residual_overlap, figures.out_overlap * u),
                 (out.impulse, mu * u * (1 + figures.e)),
                 (out.warmed, 0.5 * mu * u * u * (1 - figures.e) * (1 + figures.e)),
             ):

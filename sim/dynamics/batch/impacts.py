@@ -39,7 +39,7 @@ class Impacts:
     duration: Values  # s
     force: Values  # N, the greatest
     overlap: Values  # m, the greatest
-    left_over: Values  # m, overlap at separation
+    residual_overlap: Values  # m, overlap at separation
     warmed: Values  # J, into the bumpers
 
 
@@ -85,7 +85,7 @@ def impacts(
             duration=per.duration,
             force=per.force * u,
             overlap=per.overlap * u,
-            left_over=per.left_over * u,
+            residual_overlap=per.residual_overlap * u,
             warmed=0.5 * mu * u * u * (1.0 - per.e) * (1.0 + per.e),
         )
 
@@ -104,7 +104,7 @@ def reduced_mass(m1: Values | float | None, m2: Values | float | None) -> Values
 def velocities_after(
     m1: Values | float | None, m2: Values | float | None, v1: Values, v2: Values, e: Values
 ) -> tuple[Values, Values]:
-    """m/s. `resolve.velocities_after` for arrays."""
+    """m/s. `pair_laws.velocities_after` for arrays."""
     import numpy as np
 
     if m1 is None:

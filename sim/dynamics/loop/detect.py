@@ -19,6 +19,7 @@ from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
+from sim.laws.rounding import LAST_BIT
 
 TOUCH_ROUNDING = 1e-15
 """Relative to the search's span. A room that would close within this time has closed."""
@@ -53,12 +54,9 @@ def next_touch(gap: Gap, own_separation: bool = False) -> float:
     return math.inf
 
 
-LAST_BIT = 4e-16
-"""Of a velocity. Two that touch, free of all forces, and close with no more have parted: one more
-contact would give the last bit to the next neighbour, and so on for ever."""
-
-
 def _is_last_bit(gap: Gap) -> bool:
+    """Two that touch, free of all forces, and close with no more than the last bit of a velocity
+    have parted: one more contact would give it to the next neighbour, and so on for ever."""
     return -gap.rate <= LAST_BIT * max(abs(gap.left.v), abs(gap.right.v))
 
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 from sim.dynamics.state.body import Gap
 from sim.dynamics.state.chain import Chain, moved, velocity
 from sim.dynamics.state.clock import Time, elapsed
+from sim.laws.rounding import LAST_BIT
 
-AT_ONCE = 4e-16
-"""Of the time: its last bit or two. Touches that are foreseen no further apart are due at once."""
+AT_ONCE = LAST_BIT
+"""Of the time. Touches that are foreseen no further apart are due at once."""
 
 AS_FAST = 1e-12
 """Relative. Closing speeds that differ by rounding are equal."""

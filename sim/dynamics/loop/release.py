@@ -14,10 +14,7 @@ from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain
 from sim.dynamics.state.clock import ZERO, Time
 from sim.dynamics.state.touching import Loose
-from sim.effects.forces import EnergyRelease, LooseForce
-
-TOUCHING = 1e-12
-"""m. Room that rounding leaves between two carts that touch."""
+from sim.effects.forces import TOUCHING, EnergyRelease, LooseForce
 
 
 def latch(chain: Chain, release: EnergyRelease, record: Record, ledger: Ledger) -> None:
@@ -102,9 +99,9 @@ SPENT = 1e-9
 
 def fall_off(gap: Gap, now: Time, record: Record) -> int:
     """Loose springs that have their full length push no more. Returns the number of events told."""
-    left_over = [one.link.force(gap.room, 0.0) / one.link.strongest for one in gap.loose]
-    least = max(SPENT, min(left_over))
-    spent = [one for one, part in zip(gap.loose, left_over, strict=True) if part <= least]
+    shares = [one.link.force(gap.room, 0.0) / one.link.strongest for one in gap.loose]
+    least = max(SPENT, min(shares))
+    spent = [one for one, part in zip(gap.loose, shares, strict=True) if part <= least]
     for one in spent:
         out = (gap.left.v, gap.right.v)
         one.ended = now[0]

@@ -143,7 +143,7 @@ def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
         gap.touching = None
         return 0
     ledger.dissipate(law.stored(-gap.room, -gap.rate, gap.memory))
-    gap.room = -law.left_over(-gap.room, gap.memory)
+    gap.room = -law.residual_overlap(-gap.room, gap.memory)
     last = law.last_force(gap.mu, -gap.rate)
     if gap.room >= 0.0:
         gap.room = gap.memory = 0.0

@@ -12,9 +12,7 @@ from __future__ import annotations
 import math
 
 from sim.laws.damped_oscillation import Rate, first_turn, solve
-
-LAST_BIT = 4e-16
-"""Relative to the bracket."""
+from sim.laws.rounding import LAST_BIT
 
 TRIES = 200
 """Halvings and Newton steps; 60 do."""

@@ -42,7 +42,7 @@ def at(
     """
     assert run.forces is not None
     forces: dict[tuple[str, str], float] = {}
-    left_over: list[float] = []  # N, of m a: for friction at rest, and for what joins carts
+    resting_force: list[float] = []  # N, of m a: for friction at rest, and for what joins carts
     for k, (cart, (_, v, a)) in enumerate(zip(run.scene.carts, states, strict=True)):
         total = between.get(k, 0.0) - between.get(k + 1, 0.0)
         for one in run.forces.on_cart(k, t):
@@ -50,11 +50,11 @@ def at(
             key = (one.kind, cart.name)
             forces[key] = forces.get(key, 0.0) + force
             total += force
-        left_over.append(cart.mass * a - total)
+        resting_force.append(cart.mass * a - total)
     grips = [run.forces.friction_on(k) for k in range(len(states))]
     for body in _bodies(len(states), stuck):
         on_wall = body[0] in stuck or body[-1] + 1 in stuck  # which bears all
-        held = 0.0 if on_wall else math.fsum(left_over[k] for k in body)
+        held = 0.0 if on_wall else math.fsum(resting_force[k] for k in body)
         limits = math.fsum(grip.static for k in body if (grip := grips[k]))
         for k in body:
             if (grip := grips[k]) is None:

@@ -169,11 +169,11 @@ def _row(
         between = {gap: force for gap, (force, _) in forces.items() if gap not in stuck}
         outer = outer_forces.at(run, states, motion, between, stuck, middle)
     if stuck:
-        left_over = [
+        by_neighbours = [
             cart.mass * a - sum(force for (_, name), force in outer.items() if name == cart.name)
             for cart, (_, _, a) in zip(run.scene.carts, states, strict=True)
         ]
-        _joint_forces(left_over, forces, stuck)
+        _joint_forces(by_neighbours, forces, stuck)
     for gap in gaps:
         row += forces[gap]
     return row + [outer.get(name, 0.0) for name in named]
@@ -189,21 +189,21 @@ def _state(piece: Piece, t: float) -> tuple[float, float, float]:
 
 
 def _joint_forces(
-    left_over: list[float], forces: dict[int, tuple[float, float]], stuck: set[int]
+    by_neighbours: list[float], forces: dict[int, tuple[float, float]], stuck: set[int]
 ) -> None:
     """Forces between carts that stick together, from what m a leaves over for its neighbours.
 
-    left_over = F_left − F_right of each cart. Summed from the left end of a group; a group that
+    by_neighbours = F_left − F_right of each cart. Summed from the left end of a group; a group that
     holds on to the left wall from its right end.
     """
-    count = len(left_over)
+    count = len(by_neighbours)
     to_wall = [k for k in range(count) if set(range(k + 1)) <= stuck]
     for gap in reversed(to_wall):
         beyond = forces.get(gap + 1, (0.0, 0.0))[0]
-        forces[gap] = (beyond + left_over[gap], 0.0)
+        forces[gap] = (beyond + by_neighbours[gap], 0.0)
     for gap in sorted(stuck - set(to_wall)):
         before = forces.get(gap - 1, (0.0, 0.0))[0]
-        forces[gap] = (before - left_over[gap - 1], 0.0)
+        forces[gap] = (before - by_neighbours[gap - 1], 0.0)
 
 
 def sample(run: Run, t: float) -> tuple[list[float], list[float]]:

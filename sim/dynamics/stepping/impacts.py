@@ -19,16 +19,13 @@ from sim.dynamics.motion.locked import impulses
 from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
-from sim.effects.forces import EnergyRelease, LooseForce
+from sim.effects.forces import TOUCHING, EnergyRelease, LooseForce
 
 SWEEPS = 20
 """Impulses in each gap at one instant, at most."""
 
 AS_FAST = 1e-12
 """Relative. Closing speeds that differ by rounding are equal."""
-
-TOUCHING = 1e-12
-"""m. Room that rounding leaves between two carts that touch."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,12 +32,12 @@ def joint_forces(row: Joined, total: list[Any], rub: Rub, a: list[Any]) -> dict[
         rest = [row.mass[k] * a[k] - others[k] for k in body]
         push = 0.0
         if body[0] == 0 and 0 in row.joined:  # held by the left wall: summed from the right
-            for k, left_over in zip(reversed(body), reversed(rest), strict=True):
-                push += left_over
+            for k, needed in zip(reversed(body), reversed(rest), strict=True):
+                push += needed
                 found[k] = push
         else:
-            for k, left_over in zip(body, rest, strict=True):
-                push -= left_over
+            for k, needed in zip(body, rest, strict=True):
+                push -= needed
                 found[k + 1] = push
     return {gap: push for gap, push in found.items() if gap in row.joined}
 

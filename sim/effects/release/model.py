@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from sim.effects.forces import TOUCHING
 from sim.effects.plain_model import Piece, Row
 from sim.effects.where import gap_of, pair_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
-LATCH = """
+LATCH = f"""
 
 for k, (left, right, *_) in enumerate(contacts):  # a latch holds what is to be released
     latched = any((left, right) == (a, b) for _, a, b, *_ in releases)
-    if latched and gap(left, right) <= 1e-12 and approach(left, right) == 0:
+    if latched and gap(left, right) <= {TOUCHING:g} and approach(left, right) == 0:
         stuck.add(k)
 """
 

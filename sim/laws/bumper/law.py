@@ -147,7 +147,7 @@ class Bumper:
             climb = Guard("climb", "overlap", rises=True, level=memory)
         return (*APART_AT_NO_FORCE, climb)
 
-    def left_over(self, d: float, memory: Memory) -> float:
+    def residual_overlap(self, d: float, memory: Memory) -> float:
         """Where the springing-back line meets zero force."""
         return self.resting_overlap(memory)
 

@@ -25,6 +25,8 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
+from sim.laws.rounding import LAST_BIT
+
 TERMS = 60
 """Of a series in x/pi up to x = pi/2: the next one is 1e-18 of the sum."""
 
@@ -34,17 +36,14 @@ MOST_DAMPED = 10.0
 NEWTON = 20
 """Steps at most; three to five are usual."""
 
-LAST_BIT = 4e-16
-"""Relative."""
-
 
 @lru_cache(maxsize=256)
 def _series(c: float) -> tuple[float, ...]:
     """a_n/(n + 4/5) of e^(c x/5) (sin x/x)^(−1/5) = sum of a_n x^n."""
-    sine, faculty = [1.0], 1.0
+    sine, factorial = [1.0], 1.0
     for k in range(1, TERMS // 2):
-        faculty *= -2.0 * k * (2.0 * k + 1.0)
-        sine.append(1.0 / faculty)
+        factorial *= -2.0 * k * (2.0 * k + 1.0)
+        sine.append(1.0 / factorial)
     power = [1.0]  # of x²: sinc^a by n p_n = sum of (k a − (n − k)) s_k p_(n − k)
     for n in range(1, TERMS // 2):
         total = math.fsum([(-0.2 * k - (n - k)) * sine[k] * power[n - k] for k in range(1, n + 1)])

@@ -106,7 +106,7 @@ class Hertz:
         """It ends at no overlap."""
         return APART_AT_NO_OVERLAP
 
-    def left_over(self, d: float, memory: Memory) -> float:
+    def residual_overlap(self, d: float, memory: Memory) -> float:
         """Found by the method that integrates it."""
         return d
 

@@ -41,7 +41,7 @@ class Paper(Dashpot):
         """It may pull: it ends at no overlap."""
         return APART_AT_NO_OVERLAP
 
-    def left_over(self, d: float, memory: Memory) -> float:
+    def residual_overlap(self, d: float, memory: Memory) -> float:
         """None."""
         return 0.0
 

@@ -56,7 +56,7 @@ class PushOnly(Dashpot):
         """It ends where it would pull."""
         return APART_AT_NO_FORCE
 
-    def left_over(self, d: float, memory: Memory) -> float:
+    def residual_overlap(self, d: float, memory: Memory) -> float:
         """Whatever is left: nothing without damping, when force and overlap are nought together."""
         return 0.0 if self.e == 1.0 else d
 

@@ -22,12 +22,10 @@ from dataclasses import dataclass
 from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.power_series.polynomial import Poly, slope, value, value_and_slope
 from sim.dynamics.state.body import Gap
+from sim.laws.rounding import LAST_BIT
 
 NEWTON = 80
 """Steps at most, with halvings: far more than a monotone function of one variable takes."""
-
-LAST_BIT = 4e-16
-"""Relative, of s."""
 
 TENDS_NOWHERE = 1e-11
 """Of the greatest speed. A touch with less approach than that is one without approach."""

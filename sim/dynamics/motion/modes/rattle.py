@@ -23,12 +23,13 @@ from sim.dynamics.motion.power_series.step_ends import NEGLIGIBLE, ONSET
 from sim.dynamics.state.body import Body, End, Gap
 from sim.dynamics.state.flips import NO_MOTION
 from sim.laws.branch import Guard
+from sim.laws.rounding import LAST_BIT
 
 LONGEST = 32.0
 """Radians of the fastest swing; and of an overlap, the way at its rates up to the end of a phase:
 q1 t and the sum of modes cancel to what is left of both, five bits then."""
 
-TOGETHER = 4e-16
+TOGETHER = LAST_BIT
 """Relative. Two ends nearer in time than the search tells come at once, as where gaps on both sides
 of a cart part: taken one after the other the second would cost a step without motion."""
 

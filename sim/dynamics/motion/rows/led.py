@@ -32,6 +32,7 @@ from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.rest import QUIET
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import LOCKED, Branch
+from sim.laws.rounding import LAST_BIT
 
 WORTH = 6.0
 """Steps of the plain series that one led step has to be worth."""
@@ -40,8 +41,6 @@ STIFFER = 8.0
 """Times the rate of the next softer contact: from there on contacts are led."""
 
 ROUNDS = 16
-LAST_BIT = 4e-16
-"""Relative, of an overlap: what rounding leaves of it."""
 
 AGREE = 1e-16
 """Of the accelerations in the step. Rounds that differ by less give the same bits."""

@@ -1,0 +1,4 @@
+"""What rounding leaves of a number that is known as well as floats allow."""
+
+LAST_BIT = 4e-16
+"""Relative: the last bit of a float, or two of them. No search comes nearer than that."""
