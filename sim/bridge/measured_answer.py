@@ -28,7 +28,7 @@ from sim.measured.events.frames import moved
 from sim.measured.events.story import Hints, Story
 from sim.measured.events.stretch import KINDS
 from sim.measured.model.contact import Law
-from sim.measured.model.effects import left_over
+from sim.measured.model.effects import rms_residual
 from sim.measured.model.fit import warm_up
 from sim.measured.model.motion import Parameters
 from sim.measured.model.unknowns import Effect
@@ -172,7 +172,7 @@ def _fit(request: Mapping[str, Any]) -> dict[str, Any]:
     else:
         drawn = by_hand(measured, first_try(measured, law), law)
         return {"report": report} | _drawn(drawn)
-    shown = {"spread": left_over(found.fit), "counted": sum(map(len, found.fit.residuals))}
+    shown = {"spread": rms_residual(found.fit), "counted": sum(map(len, found.fit.residuals))}
     return {"report": report} | _drawn(_as_read(drawn, found.story)) | shown
 
 

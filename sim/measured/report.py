@@ -10,7 +10,7 @@ from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
 from sim.measured.as_tracker import tracker_text
 from sim.measured.events.quantities import with_loss
 from sim.measured.model.believable import believable
-from sim.measured.model.effects import Compared, called_for, left_over, neighbours
+from sim.measured.model.effects import Compared, called_for, neighbours, rms_residual
 from sim.measured.model.fit import Fit
 from sim.measured.model.known import told
 from sim.measured.model.lasting import smoothed
@@ -71,7 +71,7 @@ def motion_report(
             {
                 "effect": row.effect,
                 "noise": row.noise,
-                "rms": left_over(row.fit),
+                "rms": rms_residual(row.fit),
                 "chance": row.chance,
                 "neighbours": row.alike,
             }

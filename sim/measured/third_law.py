@@ -26,6 +26,16 @@ SURE = 6.0
 SHAPE = 0.1
 """Share of the greatest force by which two sensors differ on a steep slope, law or no law."""
 
+FEWEST = 8
+"""Readings that both sensors have in common; fewer show no course of a push."""
+
+SEEN = 5.0
+"""Standard deviations of a sensor's noise that a push has to stand out by."""
+
+LATEST = 20
+"""Readings by which one clock is looked for behind the other at most, or a quarter of them all: a
+pulse still lies within what is compared then."""
+
 MIDDLE = 0.6745  # median of |x| with noise 1
 STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
 Z = 1.96  # half a 95 % interval in standard deviations, for many readings
@@ -65,19 +75,19 @@ def third_law(measured: Measured) -> Pair:
         measured, moved = aligned(measured)
         first, second = measured.tracks
     t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
-    if len(t) < 8:
+    if len(t) < FEWEST:
         raise FitError("the two sensors did not read at the same time", "one log with both")
     raw = tuple(_at(first.t, first.value, t)), tuple(_at(second.t, second.value, t))
     zeros = _zero(raw[0]), _zero(raw[1])
     a, b = ([value - zero for value in values] for values, zero in zip(raw, zeros, strict=True))
     if phones:
         low, high = push(a, b)
-        low, high = (low, high) if high - low >= 8 else (0, len(t) - 1)
+        low, high = (low, high) if high - low >= FEWEST else (0, len(t) - 1)
         t, a, b = t[low : high + 1], a[low : high + 1], b[low : high + 1]
     peaks = max(map(abs, a)), max(map(abs, b))
     noise = _noise(a, peaks[0]), _noise(b, peaks[1])
     for peak, sd, name in zip(peaks, noise, measured.names, strict=True):
-        if peak <= 5.0 * sd:
+        if peak <= SEEN * sd:
             reason = f"the sensor of {name} shows no push that is larger than its noise"
             raise FitError(reason, "keep some tenths of a second before and after the contact")
     product = sum(x * y for x, y in zip(a, b, strict=True))
@@ -185,7 +195,7 @@ def _impulse_sd(noise: float, widths: Sequence[float]) -> float:
 def _lag(t: Sequence[float], a: Sequence[float], b: Sequence[float]) -> float:
     """s. The shift at which both fit best: a parabola through three whole steps."""
     step = (t[-1] - t[0]) / (len(t) - 1)
-    most = min(20, len(t) // 4)
+    most = min(LATEST, len(t) // 4)
 
     def fits(shift: int) -> float:
         low, high = max(0, -shift), min(len(a), len(a) - shift)

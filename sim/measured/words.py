@@ -11,13 +11,14 @@ from sim.measured.model.effects import (
     CHANCE,
     Compared,
     called_for,
-    left_over,
+    rms_residual,
     standing,
     undecided,
 )
 from sim.measured.model.fit import Fit
 from sim.measured.model.quantity import Known
 from sim.measured.model.unknowns import RUBS, Effect
+from sim.scene.notation import number
 
 LAWS = {
     "bumper": "the bumper law: the force starts from zero and never pulls",
@@ -38,12 +39,6 @@ PROGRAM = (
 )
 
 SYNTHETIC = "A program that was told the third law made these readings: no evidence for it."
-
-
-def number(value: float, places: int) -> str:
-    """With a real minus, and no minus before nought."""
-    text = f"{value:.{places}f}"
-    return f"{0:.{places}f}" if float(text) == 0 else text.replace("-", "−")
 
 
 def places_for(half: float) -> int:
@@ -134,16 +129,18 @@ def of_effects(compared: Sequence[Compared], names: tuple[str, str]) -> list[str
     """Which effects the residuals call for."""
     if len(compared) < 2:
         return []  # nothing to compare with
-    rows = [f"{EFFECTS[row.effect]}: {number(1e3 * left_over(row.fit), 2)} mm" for row in compared]
+    rows = [
+        f"{EFFECTS[row.effect]}: {number(1e3 * rms_residual(row.fit), 2)} mm" for row in compared
+    ]
     wanted = called_for(list(compared))
-    plain = left_over(compared[0].fit)
+    plain = rms_residual(compared[0].fit)
     if wanted == "none":
         verdict = (
             "Neither friction nor a tilt makes the residuals smaller than chance would: these "
             "readings do not call for them. It does not show that there is none."
         )
     else:
-        best = next(left_over(row.fit) for row in compared if row.effect == wanted)
+        best = next(rms_residual(row.fit) for row in compared if row.effect == wanted)
         times = plain / best if best else math.inf
         how = f"{number(times, 1)} times smaller" if times >= 1.05 else "a little smaller"
         how = "as good as gone" if times > 100.0 else how

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from sim.measured.third_law import Pair
-from sim.measured.words import SYNTHETIC, number, places_for, with_half
+from sim.measured.words import SYNTHETIC, places_for, with_half
+from sim.scene.notation import number
 
 SCATTERED = 0.1
 """Half of the ratio's interval from which on nothing can be said of a ratio of 1."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from sim.measured.third_law import Pair
-from sim.measured.words import SYNTHETIC, number, places_for, with_half
+from sim.measured.words import SYNTHETIC, places_for, with_half
+from sim.scene.notation import number
 
 
 def of_phones(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:

@@ -146,10 +146,13 @@ HERTZ_STIFFNESS = Field(
 )
 
 UNTIL = Field("until", quantity.TIME, "5", "the run ends at this time", least="0", above=True)
+FREE_FALL = "9.81"
+"""m/s². What gravity is unless a scene says otherwise, and in films of carts."""
+
 GRAVITY = Field(
     "gravity",
     quantity.ACCELERATION,
-    "9.81",
+    FREE_FALL,
     "acceleration of free fall, for friction and inclines",
     least="0",
 )

@@ -62,6 +62,12 @@ def with_exponent(text: str) -> str:
     return _POWER_OF_TEN.sub(exponent, text.translate(_MINUS), count=1)
 
 
+def number(value: float, places: int = 2) -> str:
+    """A number as it is written here: with a real minus, and no minus before nought."""
+    text = f"{value:.{places}f}"
+    return f"{0:.{places}f}" if float(text) == 0 else text.replace("-", "−")
+
+
 def written_like(unit: str, other: str) -> str:
     """`other` in the way in which `unit` is written: with negative powers or with strokes."""
     if not re.search(r"[⁻]|\^-|\*\*-|[a-zA-Z]-\d", unit.translate(_MINUS)) or "/" not in other:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sim.measured.events.quantities import NOT_IN_STEP, TOO_WIDE, WIDEST, with_loss
+from sim.measured.events.quantities import NOT_IN_STEP, WIDEST_RATIO, with_loss
+from sim.measured.model.believable import TOO_WIDE
 from sim.measured.model.quantity import Known, Untold
 
 RATIO = Known("mass_ratio", "mass of B ÷ mass of A", 2.0, 1.9, 2.0 * 2.0 / 1.9, 0.05, "")
@@ -16,7 +17,7 @@ def test_a_small_share_widens_the_interval_and_never_beyond_the_widest(share: fl
     told = with_loss(RATIO, share)
     assert isinstance(told, Known) and told.alone == (RATIO.low, RATIO.high)
     assert told.high - told.low >= (RATIO.high - RATIO.low) * (1.0 - 1e-9)
-    assert told.high / told.value - 1.0 < WIDEST
+    assert told.high / told.value - 1.0 < WIDEST_RATIO
 
 
 @pytest.mark.parametrize("share", [0.21, 1.0, 47.257])

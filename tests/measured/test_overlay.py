@@ -113,7 +113,7 @@ def test_the_lessons_readings_are_those_that_the_truth_makes() -> None:
 
 
 def test_the_lesson_says_what_its_readings_say() -> None:
-    from sim.measured.model.effects import left_over
+    from sim.measured.model.effects import rms_residual
     from sim.measured.model.fit import Asked
     from sim.measured.tracks import read_measured
 
@@ -124,8 +124,8 @@ def test_the_lesson_says_what_its_readings_say() -> None:
         assert f"{found.parameters.e:.3f}" == e
         assert f"{found.factor * found.sd('e'):.3f}" == half
         assert f"{e} ± {half}" in text
-    assert f"{1e3 * left_over(plain):.2f} mm" in text
-    assert f"{1e3 * left_over(braked):.2f} mm" in text
+    assert f"{1e3 * rms_residual(plain):.2f} mm" in text
+    assert f"{1e3 * rms_residual(braked):.2f} mm" in text
     assert f"{plain.parameters.ratio:.2f}" in text
     truth_e = float(lesson_set.TRUTH["contact"]["restitution"])
     assert abs(braked.parameters.e - truth_e) <= braked.factor * braked.sd("e")

@@ -10,7 +10,7 @@ import pytest
 from sim.measured.analysis import analysed
 from sim.measured.model.effects import compare
 from sim.measured.model.fit import fit
-from sim.measured.model.known import WIDEST
+from sim.measured.model.known import WIDEST_LOG
 from sim.measured.model.unseen_length import of_any_length
 from sim.measured.tracks import Measured
 from tests.measured.makers import film, truth
@@ -38,7 +38,7 @@ def test_a_film_with_no_frame_inside_a_hard_bump_tells_bounciness_and_masses(see
 def test_a_contact_that_readings_lie_in_is_told_as_before() -> None:
     measured = film(truth(contact=0.2, effects=BRAKED), 60, 3e-4, 0)
     rows = compare(measured, fit(measured))
-    assert all(row.fit.sd("ln_w0") <= WIDEST for row in rows)
+    assert all(row.fit.sd("ln_w0") <= WIDEST_LOG for row in rows)
     assert of_any_length(rows, measured) == rows
 
 

@@ -11,9 +11,10 @@ from typing import Any
 
 from sim.classroom.handouts.belief_map import belief_map
 from sim.classroom.handouts.wording import FORMS, cut
-from sim.classroom.report.numerals import number, numbers, students
+from sim.classroom.report.numerals import numbers, students
 from sim.classroom.report.sentences import left_open
 from sim.classroom.show.html_parts import Tell, table, text
+from sim.scene.notation import number
 from sim.scene.said import Said, counted, said, template
 
 Row = Mapping[str, Any]

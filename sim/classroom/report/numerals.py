@@ -4,13 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from sim.scene.notation import number
 from sim.scene.said import counted
-
-
-def number(value: float, places: int = 2) -> str:
-    """A number as it is written here: with a real minus, and no minus before nought."""
-    text = f"{value:.{places}f}"
-    return f"{0:.{places}f}" if float(text) == 0 else text.replace("-", "−")
 
 
 def signed(value: float, places: int = 2) -> str:

@@ -10,11 +10,12 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from sim.classroom.report.numerals import number, signed, students
+from sim.classroom.report.numerals import signed, students
 from sim.classroom.statistics.compare import TTest
 from sim.classroom.statistics.gain import EDGE
 from sim.classroom.statistics.ranks import SignedRanks
 from sim.classroom.statistics.spread import Spread
+from sim.scene.notation import number
 from sim.scene.said import counted, joined, said, template
 
 ONE_ITEM = template(

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from sim.classroom.report.numerals import number, signed
+from sim.classroom.report.numerals import signed
 from sim.classroom.report.sentences import of_p
 from sim.classroom.statistics.compare import PaperZ, TTest
+from sim.scene.notation import number
 from sim.scene.said import counted, joined, listed, said, template
 
 ONE_CLASS = template(

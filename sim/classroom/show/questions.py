@@ -7,13 +7,14 @@ from typing import Any
 
 from sim.classroom.report.items.second_thoughts import thoughts
 from sim.classroom.report.items.typed_numbers import typed_sentence
-from sim.classroom.report.numerals import number, signed
+from sim.classroom.report.numerals import signed
 from sim.classroom.report.sentences import TITLES
 from sim.classroom.show.html_parts import Tell, listed, person, table, text
 from sim.classroom.show.numbered import numbering
 from sim.classroom.show.own_runs import own_runs_html
 from sim.classroom.show.predictions import predictions_html
 from sim.classroom.show.prose import prose
+from sim.scene.notation import number
 from sim.scene.said import said, template
 
 Row = Mapping[str, Any]

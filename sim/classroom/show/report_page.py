@@ -9,11 +9,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.report import sentences as say
-from sim.classroom.report.numerals import mean_and_sd, number, signed
+from sim.classroom.report.numerals import mean_and_sd, signed
 from sim.classroom.report.sentences import TITLES, unmarked
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import Tell, listed, person, table, telling, text
 from sim.classroom.show.questions import form_html
+from sim.scene.notation import number
 from sim.scene.said import Said, commas, counted, joined, said, template
 
 Row = Mapping[str, Any]

@@ -8,11 +8,11 @@ from typing import Any
 
 from sim.classroom.report.items.second_thoughts import thoughts
 from sim.classroom.report.items.typed_numbers import typed_sentence
-from sim.classroom.report.numerals import number
 from sim.classroom.report.sentences import left_open, of_files, unmarked
 from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
+from sim.scene.notation import number
 from sim.scene.said import counted, in_words, joined, said, template
 
 Tell = Callable[[str], str]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.measured.events.stretch import Segment
-from sim.measured.words import number
+from sim.scene.notation import number
 
 
 def ladder(rungs: Mapping[str, Any] | None) -> list[str]:

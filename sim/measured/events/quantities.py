@@ -20,7 +20,8 @@ from sim.measured.events.in_step import Step
 from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
 from sim.measured.events.sides import Speeds
 from sim.measured.events.together import Together
-from sim.measured.model.quantity import Known, Untold
+from sim.measured.model.believable import TOO_WIDE, bounciness
+from sim.measured.model.quantity import Known, Untold, not_shown
 
 LOSS = 0.018
 """Share of the push that friction in the contact takes at most. From nine weighed collisions on an
@@ -43,14 +44,24 @@ STEPPED = 3.0
 FINE = 12
 """Cells of a contact in which that distance can be judged."""
 
-WIDEST = 0.5
+TURN, SLOWEST = 1e-6, 1e-3
+"""A velocity is changed by TURN of the fastest to see what follows, and of SLOWEST [m/s] at least:
+so little that the slopes are straight, so much that rounding is 1e-10 of them."""
+
+NOISELESS = 1e-9
+"""Of the fastest velocity: the least standard deviation, so that readings without any noise have an
+interval too."""
+
+NO_SPEED = 1e-12
+"""m/s. Stands for a difference that is nought: the quotient is out of all bounds, and not told."""
+
+WIDEST_RATIO = 0.5
 """Relative half-width above which a ratio is not printed."""
 
 MOST_LOST = 0.2
 """Share of the push. No friction in a contact takes so much (LOSS, HARD): what seems lost is that
 the two velocities do not change together."""
 
-TOO_WIDE = "the readings leave it open: the interval is too wide"
 NOT_IN_STEP = (
     "the two carts do not change their velocity in step: something else pushes, or the contact "
     "is not where it seems to be"
@@ -61,7 +72,7 @@ Values = Sequence[float]
 
 def slopes_of(function: Callable[[Values], float], v: Values) -> list[float]:
     """Derivatives by the four velocities."""
-    size = 1e-6 * max(1e-3, *map(abs, v))
+    size = TURN * max(SLOWEST, *map(abs, v))
     found = []
     for k in range(4):
         up, down = list(v), list(v)
@@ -84,7 +95,7 @@ def with_loss(one: Known, share: float) -> Known | Untold:
     told where both carts do not change their velocity in step, or where it is too wide."""
     if share > MOST_LOST:
         return Untold(one.key, one.name, NOT_IN_STEP)
-    if math.hypot(0.5 * math.log(one.high / one.low), share) > WIDEST:
+    if math.hypot(0.5 * math.log(one.high / one.low), share) > WIDEST_RATIO:
         return Untold(one.key, one.name, TOO_WIDE)
     factor = math.exp(math.hypot(0.5 * math.log(one.high / one.low), share))
     return replace(one, low=one.value / factor, high=one.value * factor,
@@ -166,24 +177,24 @@ def _plain(
     speeds: Speeds, key: str, name: str, function: Callable[[Values], float], unit: str
 ) -> Known:
     value, sd = function(speeds.v), spread(speeds, slopes_of(function, speeds.v))
-    sd = max(sd, 1e-9 * max(map(abs, speeds.v)))  # readings without any noise
+    sd = max(sd, NOISELESS * max(map(abs, speeds.v)))
     return Known(key, name, value, value - HALF * sd, value + HALF * sd, sd, unit)
 
 
 def _bounciness(speeds: Speeds, known: list[Known], beside: Together | None) -> list[Untold]:
-    """e within 0 and 1; the best value is the nearest possible one. Where only the distance tells
-    that the carts part, its e, and all that either allows."""
-    one = _plain(speeds, "e", "bounciness e", lambda v: (v[3] - v[2]) / (v[0] - v[1] or 1e-12), "")
+    """e within 0 and 1. Where only the distance tells that the carts part, its e, and all that
+    either allows."""
+    one = _plain(
+        speeds, "e", "bounciness e", lambda v: (v[3] - v[2]) / (v[0] - v[1] or NO_SPEED), ""
+    )
     if beside:
         e, least, most = (w / speeds.approach for w in (beside.value, beside.low, beside.high))
         one = replace(one, value=e, low=min(one.low, least), high=max(one.high, most))
         one = replace(one, sd=0.5 * (one.high - one.low) / HALF)
-    low, high = max(one.low, 0.0), min(one.high, 1.0)
-    if not low < high:
-        return [Untold("e", "bounciness e", "it comes out above 1: the carts would gain energy")]
-    if high - low > WIDEST:
-        return [Untold("e", "bounciness e", TOO_WIDE)]
-    known.append(Known("e", one.name, min(max(one.value, low), high), low, high, one.sd, ""))
+    cut = bounciness(one)
+    if isinstance(cut, Untold):
+        return [cut]
+    known.append(cut)
     return []
 
 
@@ -194,7 +205,7 @@ def mass_ratio(
     name = f"mass of {names[1]} ÷ mass of {names[0]}"
 
     def raw(v: Values) -> float:
-        return -(v[2] - v[0]) / ((v[3] - v[1]) or 1e-12)
+        return -(v[2] - v[0]) / ((v[3] - v[1]) or NO_SPEED)
 
     value = raw(speeds.v)
     share, both = loss(speeds.v, step, outcome), directions(speeds.v)
@@ -202,7 +213,7 @@ def mass_ratio(
     parts = spread(speeds, slopes_of(raw, speeds.v)) / abs(value), share / HALF
     sd = math.hypot(*parts, SCALES / HALF if two else 0.0)
     value *= 1.0 - shift
-    if not (value > 0.0 and HALF * sd < WIDEST):
+    if not (value > 0.0 and HALF * sd < WIDEST_RATIO):
         return Untold("mass_ratio", name, TOO_WIDE)
     factor = math.exp(HALF * sd)
     return Known("mass_ratio", name, value, value / factor, value * factor, value * sd, "")
@@ -213,11 +224,7 @@ def _weighed(
 ) -> list[Untold]:
     """The other mass where one is weighed."""
     if not masses:
-        reason = (
-            "a motion does not show it: with both masses twice as large, the same film comes out. "
-            "Weigh one cart and give its mass"
-        )
-        return [Untold("mass", "mass of each cart in kg", reason)]
+        return [Untold("mass", "mass of each cart in kg", not_shown("both masses"))]
     if isinstance(ratio, Untold) or len(masses) > 1:
         return []
     ((name, kg),) = masses.items()

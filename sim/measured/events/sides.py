@@ -64,7 +64,7 @@ SHARES = (1.0, 0.75, 0.5)
 
 AS_GOOD = 1.08
 """A step that predicts nearly as well might be the true one: its velocities count too. Of few
-readings the errors themselves are uncertain, see `_chance`."""
+readings the errors themselves are uncertain, see `chance_of`."""
 
 HALVED = 0.5
 """Both take three numbers; of less than half of what a single step misses, drag or a track that is

@@ -9,7 +9,8 @@ from sim.measured.events.momentum import Momentum
 from sim.measured.events.rungs import Rung
 from sim.measured.events.sides import Speeds
 from sim.measured.events.story import Story
-from sim.measured.words import number, places_for, with_half
+from sim.measured.words import places_for, with_half
+from sim.scene.notation import number
 
 OUTCOMES = {
     "bounce": "The carts bounce: they come together, push each other and part.",

@@ -10,12 +10,24 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim.measured.model.known import WIDEST
 from sim.measured.model.quantity import Known, Untold
 
 OPEN = "the readings leave it open"
 TOO_WIDE = f"{OPEN}: the interval is too wide"
 ABOVE = "it comes out above 1: the carts would gain energy"
+
+WIDEST_E = 0.5
+"""Width of an interval of e that is printed: half of all that is possible."""
+
+
+def bounciness(one: Known) -> Known | Untold:
+    """Its interval within 0 and 1; the best value is the nearest possible one."""
+    low, high = max(one.low, 0.0), min(one.high, 1.0)
+    if not low < high:
+        return Untold("e", one.name, ABOVE)
+    if high - low > WIDEST_E:
+        return Untold("e", one.name, TOO_WIDE)
+    return replace(one, low=low, high=high, value=min(max(one.value, low), high))
 
 
 def believable(
@@ -28,14 +40,11 @@ def believable(
         one = given
         numbers = (one.value, one.low, one.high, one.sd)
         if one.key == "e" and all(map(math.isfinite, numbers)):
-            low, high = max(one.low, 0.0), min(one.high, 1.0)
-            if not low < high:
-                left.append(Untold("e", one.name, ABOVE))
+            cut = bounciness(one)
+            if isinstance(cut, Untold):
+                left.append(cut)
                 continue
-            if high - low > WIDEST:
-                left.append(Untold("e", one.name, TOO_WIDE))
-                continue
-            one = replace(one, low=low, high=high, value=min(max(one.value, low), high))
+            one = cut
         if all(map(math.isfinite, numbers)) and one.low < one.high:
             kept.append(one)
         else:

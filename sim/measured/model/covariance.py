@@ -20,12 +20,17 @@ if TYPE_CHECKING:
 UNTOLD_CHANGE = 1.0
 """An unknown that may change by so much (in ln w0: 2.7-fold) without a trace is not told."""
 
+TRACE = 1e-3
+"""Of the noise of one reading, all readings taken together: less of a change leaves no trace."""
+
 
 NEARLY_ZERO = 1e-5
 """Singular value of the Jacobian with columns of size one: below is rounding of its differences."""
 
 
 ALONG = 1e-2
+"""Share of an unknown in a direction that no reading sees, above which it is not told: the shares
+of all others are rounding."""
 
 
 def covariance_of(
@@ -51,7 +56,7 @@ def covariance_of(
     each = np.concatenate(residuals) / sizes
     noise = math.sqrt(float(each @ each) / freedom)
     norms = np.linalg.norm(jacobian, axis=0)
-    deaf = norms * UNTOLD_CHANGE < 1e-3 * noise
+    deaf = norms * UNTOLD_CHANGE < TRACE * noise
     told = np.flatnonzero(~deaf & (norms > 0.0))
     directions, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
     seen = singular > NEARLY_ZERO

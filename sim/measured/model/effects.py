@@ -108,7 +108,7 @@ def undecided(rows: Sequence[Compared]) -> bool:
     return len(real) > 1 and max(real.values()) < AS_GOOD * min(real.values())
 
 
-def left_over(fit: Fit) -> float:
+def rms_residual(fit: Fit) -> float:
     """m. Root mean square of the residuals, as under the picture: a model that was set by hand has
     it too, and no degrees of freedom."""
     every = list(itertools.chain(*fit.residuals))

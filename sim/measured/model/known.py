@@ -12,10 +12,10 @@ import math
 from sim.measured.model.fit import Fit
 from sim.measured.model.lasting import by_any_law
 from sim.measured.model.motion import GRAVITY
-from sim.measured.model.quantity import Known, Untold
+from sim.measured.model.quantity import Known, Untold, not_shown
 from sim.measured.model.unknowns import LEANS, RUBS
 
-WIDEST = 0.5
+WIDEST_LOG = 0.5
 """Standard deviation of ln w0, or of any logarithm, above which no number is printed."""
 
 
@@ -86,10 +86,7 @@ def _masses(
 ) -> None:
     """The other mass and k if one mass is given, else why they are not there."""
     if mass is None:
-        reason = (
-            "a motion does not show it: with both masses and k twice as large, the same film comes "
-            "out. Weigh one cart and give its mass"
-        )
+        reason = not_shown("both masses and k")
         untold.append(Untold("mass", "mass of each cart in kg", reason))
         untold.append(Untold("k", "stiffness k in N/m", reason))
         return
@@ -132,7 +129,7 @@ def _log(
 ) -> Known | Untold:
     """The same for what is fitted by its logarithm; refused where the interval says nothing."""
     sd = fit.spread(slopes)
-    if not sd <= WIDEST:
+    if not sd <= WIDEST_LOG:
         if "ln_w0" in slopes:
             reason = (
                 "too few frames lie inside the contact. Film with more frames per second, use a "

@@ -18,8 +18,9 @@ from functools import partial
 
 from sim.laws.damped_oscillation import Swing
 from sim.measured.model.contact import Law, Stretch, with_friction, without_friction
+from sim.scene.fields import FREE_FALL
 
-GRAVITY = 9.81
+GRAVITY = float(FREE_FALL)
 """m/s²."""
 
 

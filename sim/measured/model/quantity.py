@@ -32,3 +32,11 @@ class Untold:
     key: str
     name: str
     reason: str
+
+
+def not_shown(masses: str) -> str:
+    """Why a motion tells none of `masses`, the plural of what would all be twice as large."""
+    return (
+        f"a motion does not show it: with {masses} twice as large, the same film comes out. "
+        "Weigh one cart and give its mass"
+    )

@@ -21,7 +21,7 @@ from dataclasses import replace
 from sim.measured.events.correlated import inflation
 from sim.measured.model.effects import Compared
 from sim.measured.model.fit import Fit, fit
-from sim.measured.model.known import WIDEST
+from sim.measured.model.known import WIDEST_LOG
 from sim.measured.model.lasting import frame_of
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -52,7 +52,7 @@ def _spread(made: Fit, measured: Measured) -> Fit:
 
     frame = frame_of(measured)
     bumped = 0.0 < made.duration <= LENGTHS[-1] * frame and made.squares > 0.0
-    if made.sd("ln_w0") <= WIDEST or not bumped:
+    if made.sd("ln_w0") <= WIDEST_LOG or not bumped:
         return made
     tried = _by_length(made, measured, frame)
     if not tried:

@@ -22,12 +22,13 @@ from sim.classroom.paper import (
     sizes,
     whole_total,
 )
-from sim.classroom.report.numerals import number, signed
+from sim.classroom.report.numerals import signed
 from sim.classroom.show.html_parts import table
 from sim.classroom.statistics.spread import Spread
 from sim.pages.blocks.scene_block import Lesson, load_block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.fence_scan import Block
+from sim.scene.notation import number
 
 FILES = ("table-1.csv", "table-2.csv", "table-2-printed.csv", "table-3.csv")
 OURS = '<span class="carts-ours">ours</span>'
