@@ -12,7 +12,9 @@ import math
 from collections.abc import Sequence
 
 from sim.measured.model.fit import Fit
+from sim.measured.model.known import WIDEST_LOG
 from sim.measured.model.motion import GRAVITY, Motion
+from sim.scene.read import names_a_cart
 
 SHORTEST, USUAL = 0.10, 0.20
 """m. Carts shorter than the first would have no room for bumpers."""
@@ -75,7 +77,7 @@ def remarks(fit: Fit, mass: tuple[str, float] | None) -> list[str]:
     said = []
     if mass is None:
         said.append("A motion does not show masses: A is set to 1 kg, k follows from it.")
-    if not math.isfinite(fit.sd("ln_w0")) or fit.sd("ln_w0") > 0.5:
+    if not math.isfinite(fit.sd("ln_w0")) or fit.sd("ln_w0") > WIDEST_LOG:
         said.append("The readings do not tell how long the contact lasts: k is a mere guess.")
     if fit.parameters.e > 1.0:
         said.append(f"e was fitted as {fit.parameters.e:.3f}; a bumper gives at most 1.")
@@ -84,13 +86,7 @@ def remarks(fit: Fit, mass: tuple[str, float] | None) -> list[str]:
 
 def _labels(names: tuple[str, str]) -> tuple[str, str]:
     """Names that a scene takes: the carts' own where they are short words, else A and B."""
-    good = all(
-        name[:1].isascii() and name[:1].isalpha() and len(name) <= 16
-        and all(c.isascii() and (c.isalnum() or c in "_-") for c in name)
-        and name.lower() not in ("left", "right", "no", "on", "off", "yes", "y", "n", "true",
-                                 "false", "null")
-        for name in names
-    )  # fmt: skip
+    good = all(map(names_a_cart, names))
     return names if good and names[0] != names[1] else ("A", "B")
 
 

@@ -23,8 +23,9 @@ SCENE_KEYS = (
     *("estimate", "laws"),
 )
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,15}", re.ASCII)
-NO_NAMES = ("left", "right", "null", "Null", "NULL")
-"""The walls, and what YAML reads as nothing."""
+WALLS = ("left", "right")
+YAML_WORDS = ("null", "true", "false", "yes", "no", "on", "off")
+"""What YAML reads as nothing, or as true or false: in small letters, in capitals or like a name."""
 
 MOST_CARTS = 100_000
 """More carts than this are refused before work starts: a run of them would not fit a laptop."""
@@ -115,11 +116,15 @@ def sorted_names(exact: Mapping[str, Mapping[str, Fraction]]) -> list[str]:
 def _written_names(table: Mapping[str, Any]) -> list[str]:
     """The names of the carts as they stand there, also of carts with mistakes."""
     carts = table.get("carts")
-    return sorted(filter(_can_name, carts)) if isinstance(carts, Mapping) else []
+    return sorted(filter(names_a_cart, carts)) if isinstance(carts, Mapping) else []
 
 
-def _can_name(name: object) -> bool:
-    return isinstance(name, str) and bool(NAME.fullmatch(name)) and name not in NO_NAMES
+def names_a_cart(text: object) -> bool:
+    """Whether a cart may be called so: a short word that is neither a wall nor YAML's own."""
+    if not isinstance(text, str) or not NAME.fullmatch(text) or text in WALLS:
+        return False
+    as_yaml = text in (text.lower(), text.upper(), text.capitalize())
+    return not (as_yaml and text.lower() in YAML_WORDS)
 
 
 def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fraction]] | None:
@@ -135,14 +140,15 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
     carts: dict[str, dict[str, Fraction]] = {}
     for name, body in table.items():
         path = ("carts", name)
-        if not _can_name(name):
+        if not names_a_cart(name):
             problems.append(
                 Problem(
                     path,
                     "bad-name",
                     f"“{str(name)[:40]}” cannot name a cart",
                     "use a letter (a to z), then up to 15 letters, digits, - or _; "
-                    "“left” and “right” are the walls, “null” means nothing",
+                    "“left” and “right” are the walls, “null” means nothing, "
+                    "“true”, “yes”, “on” and the like are no names in YAML",
                 )
             )
             continue

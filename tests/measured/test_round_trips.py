@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -61,6 +62,24 @@ def test_marks_far_from_the_middle_still_give_a_scene() -> None:
     assert found.parameters.distance < 0.1
     report = motion_report(type(moved)("length", (tracks[0], close), ()), found)
     read_fence(dict(load(report["scene"]).plain), named=False)
+
+
+@pytest.mark.parametrize(
+    ("names", "in_scene"),
+    [
+        (("Left", "Right"), ["Left", "Right"]),
+        (("left", "Right"), ["A", "B"]),
+        (("On", "b"), ["A", "B"]),
+        (("cart 1", "b"), ["A", "B"]),
+    ],
+)
+def test_carts_keep_every_name_that_a_scene_takes(names, in_scene) -> None:
+    made = film(truth())
+    tracks = [replace(one, name=name) for one, name in zip(made.tracks, names, strict=True)]
+    measured = replace(made, tracks=(tracks[0], tracks[1]))
+    report = motion_report(measured, fit(measured))
+    scene = read_fence(dict(load(report["scene"]).plain), named=False).scene
+    assert [cart.name for cart in scene.carts] == in_scene
 
 
 def test_the_models_run_is_read_back_as_tracker_text() -> None:

@@ -96,6 +96,8 @@ BAD = [
     (registry.two_carts(gap="-0.1"), "carts.B.position", "overlap"),
     ({"carts": {"left": {"mass": 1, "position": 0}}}, "carts.left", "bad-name"),
     ({"carts": {"9": {"mass": 1, "position": 0}}}, "carts.9", "bad-name"),
+    ({"carts": {"ON": {"mass": 1, "position": 0}}}, "carts.ON", "bad-name"),
+    ({"carts": {"True": {"mass": 1, "position": 0}}}, "carts.True", "bad-name"),
     (
         {"carts": {"A": {"mass": 1, "position": 0, "bumper_length": 1}}},
         "carts.A.bumper_length",
