@@ -2964,7 +2964,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
   };
 
-  // src/shared/leaving.js
+  // src/runtime/leaving.js
   var STAYS = 3e3;
   var leaving = false;
   var waiting = [];

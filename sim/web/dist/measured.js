@@ -2450,7 +2450,7 @@
     }
   };
 
-  // src/shared/leaving.js
+  // src/runtime/leaving.js
   var STAYS = 3e3;
   var leaving = false;
   var waiting = [];

@@ -253,7 +253,7 @@
     }
   };
 
-  // src/shared/leaving.js
+  // src/runtime/leaving.js
   var STAYS = 3e3;
   var leaving = false;
   var waiting = [];

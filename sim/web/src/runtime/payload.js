@@ -1,7 +1,8 @@
 // Loads the runtime's files: classic scripts that hold gzip as base64, as no other kind of file can be
 // read by a page on file://. Every part is checked before it is used and let go of afterwards.
-import { isLeaving, staying } from "../shared/leaving.js";
+
 import { RuntimeFailure } from "./failure.js";
+import { isLeaving, staying } from "./leaving.js";
 import { isFetching, isOnWeb, persistently } from "./line.js";
 import { HELD, PATIENCE, watch } from "./watch.js";
 
