@@ -26,7 +26,7 @@ from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.effects import kinds
-from sim.scene.reading.effects import listed_effects
+from sim.scene.reading.effects import all_effects
 from sim.scene.said import wire as said_by
 from sim.scene.track import named_ends
 
@@ -181,7 +181,6 @@ def effects_of(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
     `agent` and `called` are English: who pushes (empty: `by`, or the other of the two), and the
     effect's name in a sentence. Forces on single carts have columns ("E", kind, cart).
     """
-    names = [cart.name for cart in scene.carts]
     return [
         {
             "kind": effect.kind,
@@ -194,7 +193,7 @@ def effects_of(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
             "agent": kinds()[effect.kind].agent,
             "called": kinds()[effect.kind].called or effect.kind,
         }
-        for effect in listed_effects(plain.get("effects", []), names, scene.track, [])
+        for effect in all_effects(plain, scene)
     ]
 
 

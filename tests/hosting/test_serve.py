@@ -20,7 +20,6 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.site.build import build_site
-from sim.cli.site.page_server import own_names
 from sim.cli.site.serve import Previewer
 from sim.pages import runtime
 from sim.pages.site import files as site_files
@@ -152,14 +151,6 @@ def test_a_folder_that_cannot_be_written_is_told_in_a_sentence(
     assert preview.trouble.startswith("/school/.cache: Permission denied. The site needs a folder")
 
 
-def test_settings_with_nothing_in_them_are_told_as_by_a_build(
-    preview: Previewer, root: Path
-) -> None:
-    (root / "mkdocs.yml").write_text("", encoding="utf-8")
-    preview.make()
-    assert preview.trouble.startswith("mkdocs.yml:1:1: error: this is no list of settings")
-
-
 def test_what_a_page_gave_up_another_may_take(preview: Previewer, root: Path) -> None:
     edit(root / "worksheets" / "two.md", "id: two-first", "id: renamed")
     preview.make()
@@ -168,15 +159,24 @@ def test_what_a_page_gave_up_another_may_take(preview: Previewer, root: Path) ->
     assert "carts-author-error" not in "".join(pages(preview.site).values())
 
 
-def test_broken_settings_are_a_sentence_until_they_are_mended(
+def test_broken_settings_are_sentences_as_of_a_build_until_they_are_mended(
     preview: Previewer, root: Path
 ) -> None:
-    edit(root / "mkdocs.yml", "plugins:", "plugins: [")
-    preview.make()
-    assert re.match(r"mkdocs\.yml:\d+:\d+: error: this is not YAML", preview.trouble)
-    edit(root / "mkdocs.yml", "plugins: [", "plugins:")
-    preview.make()
-    assert preview.trouble == ""
+    settings = root / "mkdocs.yml"
+    good = settings.read_text(encoding="utf-8")
+    for bad, said in (
+        (
+            good.replace("plugins:", "plugins: [", 1),
+            r"mkdocs\.yml:\d+:\d+: error: this is not YAML",
+        ),
+        ("", r"mkdocs\.yml:1:1: error: this is no list of settings"),
+    ):
+        settings.write_text(bad, encoding="utf-8")
+        preview.make()
+        assert re.match(said, preview.trouble)
+        settings.write_text(good, encoding="utf-8")
+        preview.make()
+        assert preview.trouble == ""
 
 
 def status_of(address: str, host: str | None) -> int:
@@ -187,11 +187,6 @@ def status_of(address: str, host: str | None) -> int:
             return int(answer.status)
     except urllib.error.HTTPError as error:
         return error.code
-
-
-def test_a_browser_leaves_out_the_port_of_the_web_and_no_other() -> None:
-    assert {"localhost", "127.0.0.1", "localhost:80", "127.0.0.1:80"} == own_names(80)
-    assert {"localhost:8000", "127.0.0.1:8000"} == own_names(8000)
 
 
 def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from typing import Literal
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import Layout, norm
-from sim.classroom.tables.marks import NOTHING, mark
+from sim.classroom.tables.marks import is_nothing, mark
 from sim.classroom.tables.words import (
     FIGURES,
     KEY,
@@ -82,7 +82,7 @@ def parted(rows: Sequence[Row], columns: Columns) -> Parted:
 def _kind(row: Row, columns: Columns, figures: frozenset[str] = FIGURES) -> Kind | None:
     name = columns.named(row)
     word = norm(name)
-    beside = any(row.cell(place).casefold() not in NOTHING for place in columns.beside)
+    beside = any(not is_nothing(row.cell(place)) for place in columns.beside)
     if word in KEY | MOST:
         if beside or (word in NAMES_TOO and name != name.upper()):
             return "student"

@@ -18,6 +18,11 @@ _MARK = re.compile(rf"{_NUMBER}(?:\s*(?:/|of|von)\s*{_NUMBER}|\s*(%))?", re.IGNO
 SHOWN = 24
 
 
+def is_nothing(cell: str) -> bool:
+    """Whether it stands for an empty cell, in whatever letters: `N/A` too."""
+    return cell.casefold() in NOTHING
+
+
 def whole(value: Fraction) -> Exact:
     """A whole number as one: whole numbers add fastest."""
     return value.numerator if value.denominator == 1 else value
@@ -25,7 +30,7 @@ def whole(value: Fraction) -> Exact:
 
 def mark(text: str) -> tuple[Exact | None, Exact | None]:
     """The mark and the most that it could be, each None where it is not there."""
-    if text.casefold() in NOTHING:
+    if is_nothing(text):
         return None, None
     found = _MARK.fullmatch(plain(text))
     if not found or not (found[2] or found[3]):

@@ -26,7 +26,7 @@ from sim.classroom.tables.layout import (
     split_form,
     with_most,
 )
-from sim.classroom.tables.marks import NOTHING, is_mark, mark
+from sim.classroom.tables.marks import is_mark, is_nothing, mark
 from sim.classroom.tables.when import time_of
 from sim.classroom.tables.who import named_by
 from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, TOTAL, WHO
@@ -115,7 +115,7 @@ def _is_item(column: Column, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
     if keys:
         return any(row.cell(column.place) for row in keys)
     cells = [row.cell(column.place) for row in rows]
-    filled = [cell for cell in cells if cell.casefold() not in NOTHING]
+    filled = [cell for cell in cells if not is_nothing(cell)]
     good = sum(is_mark(cell) or (len(cell) == 1 and cell.isalpha()) for cell in filled)
     return bool(filled) and good >= ENOUGH * len(filled)
 

@@ -14,7 +14,7 @@ from sim.classroom.tables.cells import Broken, Row, TableError, rows_of
 from sim.classroom.tables.exports import EXPORTS, canvas
 from sim.classroom.tables.layout import Column, Layout
 from sim.classroom.tables.long import Bad, pivoted
-from sim.classroom.tables.marks import NOTHING, mark
+from sim.classroom.tables.marks import is_nothing, mark
 from sim.classroom.tables.row import RowReader
 from sim.classroom.tables.taken import MarkTable, Taken, place_of
 from sim.classroom.tables.when import time_of
@@ -95,9 +95,9 @@ def _named(layout: Layout, most: Sequence[Row]) -> Layout:
 
 def _most(column: Column, rows: Sequence[Row]) -> Column:
     for row in rows:
-        if column.place < len(row.cells) and row.cells[column.place].casefold() not in NOTHING:
+        if not is_nothing(cell := row.cell(column.place)):
             try:
-                return replace(column, of=mark(row.cells[column.place])[0] or None)
+                return replace(column, of=mark(cell)[0] or None)
             except TableError as error:
                 raise TableError(said(
                     "line {line}, the row of the most marks: {reason}", line=f"{row.line}",
@@ -118,6 +118,5 @@ def _letters(layout: Layout, rows: Parted) -> bool:
 
 def _lettered(column: Column, rows: Sequence[Row]) -> bool:
     """Whether most filled cells are letters: one absent student's do not make marks answers."""
-    cells = [row.cells[column.place] for row in rows if column.place < len(row.cells)]
-    filled = [cell for cell in cells if cell.casefold() not in NOTHING]
+    filled = [cell for row in rows if not is_nothing(cell := row.cell(column.place))]
     return 2 * sum(len(cell) == 1 and cell.isalpha() for cell in filled) > len(filled)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import Column, Layout, form_told, norm
-from sim.classroom.tables.marks import NOTHING, mark, shown
+from sim.classroom.tables.marks import is_nothing, mark, shown
 from sim.classroom.tables.taken import ALONE, Taken
 from sim.classroom.tables.words import ANONYMOUS, UNFINISHED
 from sim.scene.said import reason_of, said, template
@@ -30,7 +30,7 @@ class RowReader:
             column.name: tuple(part.strip().casefold() for part in cell.split("|"))
             for row in keys
             for column in layout.items
-            if (cell := row.cell(column.place)).casefold() not in NOTHING
+            if not is_nothing(cell := row.cell(column.place))
         }
 
     def taken(self, table: str, row: Row) -> Iterator[Taken]:
@@ -55,7 +55,7 @@ class RowReader:
 
     def _student(self, row: Row) -> str:
         for places in self.layout.student:
-            words = [row.cell(k) for k in places if row.cell(k).casefold() not in NOTHING]
+            words = [cell for k in places if not is_nothing(cell := row.cell(k))]
             name = " ".join(words)
             if name and norm(name) not in ANONYMOUS:
                 return _short(name, template("the name of the student"))
@@ -108,7 +108,7 @@ class RowReader:
 
     def _answer(self, cell: str, name: str) -> tuple[Exact | None, str]:
         """The mark, 0 or 1, and the option; without a key for the item there is no mark."""
-        if cell.casefold() in NOTHING:
+        if is_nothing(cell):
             return None, ""
         if len(cell) > LONGEST_OPTION:
             raise TableError(_of(name, said("“{cell}” is no option", cell=shown(cell))))

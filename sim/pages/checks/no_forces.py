@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sim.scene import Fence, Problem
-from sim.scene.reading.effects import listed_effects
+from sim.scene.reading.effects import all_effects
 
 OF_FORCES = ("free-body", "lens")
 """Of the views: those that show the forces between two."""
@@ -37,7 +37,5 @@ def no_forces(fence: Fence) -> list[Problem]:
 def _any_force(fence: Fence) -> bool:
     """Whether two push or pull each other for some time, or could."""
     scene = fence.scene
-    names = [cart.name for cart in scene.carts]
-    listed = listed_effects(fence.plain.get("effects", []), names, scene.track, [])
     lasting = [contact for contact in scene.contacts if contact and not contact.sudden]
-    return bool(lasting) or any(effect.between for effect in listed)
+    return bool(lasting) or any(effect.between for effect in all_effects(fence.plain, scene))

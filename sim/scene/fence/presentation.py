@@ -17,7 +17,7 @@ from sim.scene.model import Scene
 from sim.scene.problem import Problem, SceneError, did_you_mean, meant, nearest
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
-from sim.scene.reading.effects import listed_effects
+from sim.scene.reading.effects import all_effects
 from sim.scene.tables import mapping, unknown_keys
 
 FENCE_KEYS = (
@@ -96,8 +96,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     switches: tuple[Switch, ...] = ()
     presets: dict[str, dict[str, Any]] = {}
     if scene is not None:
-        names = [cart.name for cart in scene.carts]
-        effects = listed_effects(table.get("effects", []), names, scene.track, [])
+        effects = all_effects(table, scene)
         controls = read_controls(table.get("controls", []), scene, problems, effects)
         switches = read_switches(table.get("controls", []), effects, problems)
         presets = read_presets(table.get("presets", {}), scene_part, problems)

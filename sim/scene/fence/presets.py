@@ -9,7 +9,7 @@ from sim.scene.changes import apply_changes, resolve
 from sim.scene.fence.controls import number_of
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.read import collect_scene, read_scene
-from sim.scene.reading.effects import listed_effects
+from sim.scene.reading.effects import all_effects
 from sim.scene.tables import mapping
 
 HINT = "presets: {elastic: {contact.restitution: 1}, heavy hits light: {A.mass: 4 kg}}"
@@ -45,7 +45,6 @@ def numbers_of(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str
     """The numbers of a preset in SI, by their paths: a page looks for them in the run it shows."""
     changed = apply_changes(plain, changes)
     scene = read_scene(changed)
-    names = [cart.name for cart in scene.carts]
-    effects = listed_effects(changed.get("effects", []), names, scene.track, [])
+    effects = all_effects(changed, scene)
     found = {target: number_of(target, scene, effects) for target in changes}
     return {target: number[2] for target, number in found.items() if number is not None}

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from sim.scene.effects import Effect, EffectKind, kinds
-from sim.scene.model import Track
+from sim.scene.model import Scene, Track
 from sim.scene.problem import Path, Problem, did_you_mean
 from sim.scene.tables import mapping, number, unknown_keys
 
@@ -20,7 +20,7 @@ def read_effects(
     value: object, names: list[str], track: Track, problems: list[Problem]
 ) -> tuple[Effect, ...]:
     """The effects that act, in the order listed. Carts and walls they name must exist."""
-    listed = listed_effects(value, names, track, problems)
+    listed = _listed(value, names, track, problems)
     problems.extend(broken_rules(listed))
     return tuple(effect for effect in listed if effect.active)
 
@@ -29,13 +29,19 @@ def read_estimates(
     value: object, names: list[str], track: Track, problems: list[Problem]
 ) -> tuple[Effect, ...]:
     """Sizes of effects that do not act, for the estimate of what they would change."""
-    listed = listed_effects(value, names, track, problems, key="estimate")
+    listed = _listed(value, names, track, problems, key="estimate")
     for one in broken_rules(listed):
         problems.append(replace(one, path=("estimate", *one.path[1:])))
     return listed
 
 
-def listed_effects(
+def all_effects(plain: Mapping[str, Any], scene: Scene) -> tuple[Effect, ...]:
+    """Of a scene that was read from `plain`: those that are switched off too."""
+    names = [cart.name for cart in scene.carts]
+    return _listed(plain.get("effects", []), names, scene.track, [])
+
+
+def _listed(
     value: object,
     names: list[str],
     track: Track,
