@@ -206,9 +206,20 @@ def test_no_module_holds_two_ideas() -> None:
         path.relative_to(ROOT).as_posix(): count
         for pattern in ("**/*.py", "view/*.js", "web/src/**/*.js", "web/site/*.js")
         for path in SIM.glob(pattern)
-        if (count := len(path.read_text(encoding="utf-8").splitlines())) > 300
+        if (count := len(path.read_text(encoding="utf-8").splitlines())) > 250
     }
-    assert not long, f"above 300 lines: {long}"
+    assert not long, f"above 250 lines: {long}"
+
+
+def test_no_function_is_longer_than_one_can_hold_in_the_head() -> None:
+    long = {
+        f"{path.relative_to(ROOT)}:{node.lineno} {node.name}": count
+        for path in SIM.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
+        and (count := (node.end_lineno or 0) - node.lineno + 1) > 60
+    }
+    assert not long, f"above 60 lines: {long}"
 
 
 def test_no_test_module_is_imported_by_another_module() -> None:

@@ -136,9 +136,6 @@ def command(
     carts fit two-carts.csv
     carts fit left.txt right.txt --mass A="0.5 kg" --scene fitted.yml
     """
-    if len(files) > 2:
-        raise click.UsageError("One file with both carts, or two files with one cart each.")
-    needs_scipy()
     units = Units(time=time, length=length, force=force, run=run)
     measured = _read(ctx, files, units, begin, end)
     hints = Hints(
@@ -149,20 +146,13 @@ def command(
         together=together,
         segments=segments("--segment", spans, measured.names),
     )
-    wanted = Wanted(
-        law=cast(Any, law),
-        effect=ASKED.get((friction, tilt)),
-        masses=weighed(masses, measured.names),
-        hints=hints,
-    )
+    effect, weights = ASKED.get((friction, tilt)), weighed(masses, measured.names)
+    wanted = Wanted(law=cast(Any, law), effect=effect, masses=weights, hints=hints)
     found = analysed(measured, wanted) if measured.kind == "length" else None
     report = found.report if found else _forces(files[0], measured)
     _write(ctx, found, scene_file, tracker_file)
-    if as_json:
-        click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
-    else:
-        above = strip(found.story.segments, measured.names) if found else []
-        click.echo(_as_text(report, above))
+    above = strip(found.story.segments, measured.names) if found and not as_json else []
+    click.echo(_as_json(report) if as_json else _as_text(report, above))
     if found and found.refused:
         _fail(f"{files[0]}: error: {found.refused.reason}", found.refused.hint)
     for path in filter(None, (scene_file, tracker_file)) if not as_json else ():
@@ -173,6 +163,9 @@ def _read(
     ctx: click.Context, files: tuple[str, ...], units: Units, begin: str | None, end: str | None
 ) -> Measured:
     """The readings between two times, with what is said of their units."""
+    if len(files) > 2:
+        raise click.UsageError("One file with both carts, or two files with one cart each.")
+    needs_scipy()
     low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
     if low is not None and high is not None and low >= high:
         raise click.UsageError(f"--from {begin} is not before --until {end}.")
@@ -211,6 +204,10 @@ def _forces(name: str, measured: Measured) -> dict[str, Any]:
 def _fail(reason: str, hint: str) -> NoReturn:
     click.echo(reason + (f"\n  hint: {hint}" if hint else ""), err=True)
     sys.exit(1)
+
+
+def _as_json(report: dict[str, Any]) -> str:
+    return json.dumps(report, ensure_ascii=False, allow_nan=False)
 
 
 def _not_printed(untold: Sequence[dict[str, str]]) -> list[str]:

@@ -130,8 +130,9 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
     over = [[o, r] for o, r in zip(row.overlaps, row.rates, strict=True)]
     speed = [[v] for v in row.speeds]
     force: list[Poly] = [[] for _ in branches]
+    pull: list[Poly] = [[0.0] * (ORDER - 1) if links else [] for links in row.links]
     linked = [
-        (k, [link.expansion() for link in links], over[k], [0.0] * (ORDER - 1))
+        (k, [link.expansion() for link in links], over[k], pull[k])
         for k, links in enumerate(row.links)
         if links
     ]
@@ -148,11 +149,7 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
     gaps = [(b.locked, o, own) for b, o, own in zip(branches, over, bodies[1:], strict=True)]
     for n in range(ORDER - 1):
         outside = list(nothing if n else row.steady)
-        for kappa, gamma, rest, o, pushes in contacts:
-            push = kappa * (o[n] if n else o[0] - rest)
-            if gamma:
-                push += gamma * (n + 1) * o[n + 1]
-            pushes.append(push)
+        _add_pushes(contacts, n)
         if dragged:
             add_drag(row, speed, outside, n)
         if linked:
@@ -180,9 +177,6 @@ def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
                 relative = 0.0
             o.append(relative * scale)
             before = after
-    pull: list[Poly] = [[] for _ in branches]
-    for k, _, _, pulls in linked:
-        pull[k] = pulls
     return Expansion(over, force, pull, bodies)
 
 
@@ -195,6 +189,15 @@ press them together."""
 def is_rounding(difference: float, value: float) -> bool:
     """Is that all that the difference of two accelerations like `value` amounts to?"""
     return abs(difference) <= ALIKE * abs(value)
+
+
+def _add_pushes(contacts: list[tuple[float, float, float, Poly, Poly]], n: int) -> None:
+    """The n-th coefficients of the contact forces, from those of the overlaps."""
+    for kappa, gamma, rest, o, pushes in contacts:
+        push = kappa * (o[n] if n else o[0] - rest)
+        if gamma:
+            push += gamma * (n + 1) * o[n + 1]
+        pushes.append(push)
 
 
 def _add_links(
