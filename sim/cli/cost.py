@@ -22,7 +22,6 @@ from sim.dynamics.report.document import FORMAT
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.methods import Way
 from sim.pages.drawing import DrawingError, draw
-from sim.pages.findings import Finding
 from sim.scene import Scene
 
 MOST_CARTS = 10_000
@@ -70,8 +69,7 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
     try:
         truth, rows, not_run = _measured(description)
     except UnsolvedError as error:
-        place = scene_file.shown_name(scene), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+        scene_file.unsolved(scene, error)
     title = description.title or scene
     document = cost_report(title, rows, truth, not_run)
     if picture is not None:

@@ -13,7 +13,6 @@ from sim.cli.tables import table
 from sim.dynamics.report.document import finite, phase_object
 from sim.dynamics.report.plan import not_simulated, plan
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.pages.findings import Finding
 
 if TYPE_CHECKING:
     from sim.scene import Scene
@@ -79,8 +78,7 @@ def _relevance(name: str, description: Scene, *, as_json: bool) -> None:
         with still_computing():
             rungs = ladder(description)
     except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+        scene_file.unsolved(name, error)
     if as_json:
         click.echo(json.dumps(finite(rows(rungs)), ensure_ascii=False))
         return

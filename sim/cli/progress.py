@@ -10,11 +10,10 @@ from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
-from sim.cli.scene_file import fail, shown_name
+from sim.cli.scene_file import unsolved
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.pages.findings import Finding
 from sim.scene import Scene
 
 QUIET = 0.5
@@ -61,7 +60,7 @@ def run_on_terminal(name: str, scene: Scene, **options: Any) -> Run:
         with still_computing(), line() as write:
             return run(scene, progress=write and _of_run(write, scene.until), **options)
     except UnsolvedError as error:
-        fail([Finding(shown_name(name), 1, 1, "unsolved", error.message, error.hint)])
+        unsolved(name, error)
 
 
 def _of_run(write: Write, until: float) -> Callable[[float, int], None]:

@@ -34,8 +34,7 @@ def in_a_world(name: str, wanted: str, *, as_json: bool, as_csv: bool) -> None:
             done = follow(fence.scene, world)
             found = broken(done)
     except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+        scene_file.unsolved(name, error)
     if as_json:
         click.echo(json.dumps(document(done, found), allow_nan=False, ensure_ascii=False))
         return
@@ -73,8 +72,7 @@ def by_own_law(name: str, description: Scene, *, as_json: bool, as_csv: bool) ->
     except WrongLawError as error:
         scene_file.fail([Finding(error.file, error.line, 1, "law", error.message, error.hint)])
     except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+        scene_file.unsolved(name, error)
     if as_json:
         told = {**document(done), "impossible": []}
         click.echo(json.dumps(told, allow_nan=False, ensure_ascii=False))
@@ -128,5 +126,4 @@ def by_method(
         with still_computing():
             return stepped(description, way, keep_events=keep_events)
     except UnsolvedError as error:
-        place = scene_file.shown_name(name), 1, 1
-        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+        scene_file.unsolved(name, error)

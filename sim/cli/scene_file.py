@@ -6,20 +6,24 @@ import re
 import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import click
 
 from sim.cli.named_file import bytes_of
 from sim.cli.scene_of_lesson import scene_in
 from sim.pages.blocks.law_files import with_law_files
-from sim.pages.blocks.scene_block import read_scene_text
+from sim.pages.blocks.scene_block import SceneBlock, read_scene_text
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.text.author_text import decoded
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.yaml.source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
 from sim.scene.fence.presentation import Fence
+from sim.scene.problem import Problem
+
+if TYPE_CHECKING:
+    from sim.dynamics.result.outcome import UnsolvedError
 
 OF_LESSON = re.compile(r"(?P<lesson>.+\.md)(?:#(?P<id>.*))?")
 """A lesson, and after # which of its scenes."""
@@ -43,15 +47,28 @@ def read_shown(name: str, laws: Mapping[str, str] | None = None) -> Fence:
     folder = Path.cwd() if name == "-" else Path(name).parent
     try:
         if of_lesson:
-            lesson = of_lesson["lesson"]
-            bytes_of(lesson, 0, "a scene file")  # is there, or says so
-            return scene_in(Path(lesson), of_lesson["id"], Path.cwd(), f"{lesson}#", laws).fence
+            bytes_of(of_lesson["lesson"], 0, "a scene file")  # is there, or says so
+            return _in_lesson(of_lesson, laws).fence
         plain, places = read_scene_text(without_fence(text_of(name)), shown)
         return read_fence(with_law_files(plain, [folder], laws), named=False)
     except AuthorError as error:
         fail(error.findings)
     except SceneError as error:
         fail(map(places.finding, error.problems))
+
+
+def _in_lesson(named: re.Match[str], laws: Mapping[str, str] | None = None) -> SceneBlock:
+    lesson = named["lesson"]
+    return scene_in(Path(lesson), named["id"], Path.cwd(), f"{lesson}#", laws)
+
+
+def unsolved(name: str, error: UnsolvedError) -> NoReturn:
+    """Say that the scene that was read cannot be solved: at its block, where a lesson has it."""
+    place = Finding(shown_name(name), 1, 1, "unsolved", error.message, error.hint)
+    if of_lesson := OF_LESSON.fullmatch(name):
+        problem = Problem((), place.code, place.message, place.hint)
+        place = _in_lesson(of_lesson).places.finding(problem)
+    fail([place])
 
 
 def shown_name(name: str) -> str:

@@ -9,6 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import main
+from sim.dynamics.result.outcome import UnsolvedError
 
 FIRST = "carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}\n"
 WRONG = "carts: {A: {mass: 1 kg, place: 0.4 m}}\n"
@@ -64,3 +65,19 @@ def test_a_mistake_is_told_at_its_line_of_the_lesson(lesson: str) -> None:
     found = carts("run", f"{lesson}#other")
     assert found.exit_code == 1
     assert "two.md:12:25: error: carts.A.place" in found.output
+
+
+@pytest.mark.parametrize(
+    ("named", "place"), [("one.yml", "one.yml:1:1"), ("two.md#other", "two.md:11:1")]
+)
+def test_what_cannot_be_solved_is_told_where_its_scene_stands(
+    lesson: str, monkeypatch: pytest.MonkeyPatch, named: str, place: str
+) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise UnsolvedError("no solver", "use another law", 0.0, ("A",))
+
+    Path("one.yml").write_text(FIRST, encoding="utf-8")
+    monkeypatch.setattr("sim.cli.progress.run", refuse)
+    found = carts("run", named)
+    assert found.exit_code == 1
+    assert found.stderr == f"{place}: error: no solver\n  hint: use another law\n"

@@ -46,3 +46,12 @@ def test_a_site_may_say_nothing(extra: object) -> None:
     assert facts_of(extra) == {}
     with pytest.raises(SiteError):
         facts_of({"carts": "a"})
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
+def test_a_day_that_no_calendar_has_is_told(
+    command: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    said = told("site_name: A\nextra: {begun: 2026-02-30}\n", command, monkeypatch, tmp_path)
+    assert "mkdocs.yml: error: a value cannot be read: day" in said
+    assert "stands in quotes" in said

@@ -7,7 +7,10 @@ import os
 import time
 import webbrowser
 from collections.abc import Mapping
+from contextlib import suppress
+from os.path import relpath
 from pathlib import Path
+from stat import S_ISREG
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +20,8 @@ from sim.cli.progress import pages_on_terminal
 from sim.cli.site import site_folder
 from sim.cli.site.build import messages_to_stderr
 from sim.cli.write_out import no_place
+from sim.pages.site.settings_file import SETTINGS
+from sim.pages.text.lesson_places import LESSONS
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
@@ -70,11 +75,25 @@ def command(port: int | None, show: bool) -> None:
             previewer.close()
 
 
+def look(*places: Path) -> Seen:
+    """The files at and under these places. One that is gone before it is looked at was none: an
+    editor's own, beside the page that it saves."""
+    seen = {}
+    for path in (inside for place in places for inside in (place, *place.rglob("*"))):
+        with suppress(OSError):
+            fact = path.stat()
+            if S_ISREG(fact.st_mode):
+                seen[path] = fact.st_mtime_ns, fact.st_size
+    return seen
+
+
 class Previewer:
     """Builds `root` into `site` again and again; what cannot be built becomes `trouble`."""
 
     def __init__(self, root: Path, site: Path) -> None:
-        self.root, self.site = root, site
+        self.root, self.site = root.resolve(), site
+        self.docs = site_folder.read(root).handed_out[1]
+        self.folders = {self.root / LESSONS: None, self.docs: None}  # which may be the same
         self.trouble = ""
         self.url = ""
         self.seen: Seen = {}
@@ -86,17 +105,18 @@ class Previewer:
 
         made = PageServer(self.make, lambda: self.trouble, self.site, port)
         self.url = made.url
-        for name in ("mkdocs.yml", "worksheets", "docs"):
-            if (self.root / name).exists():
-                made.watch(str(self.root / name))
+        for path in (self.root / SETTINGS, *self.folders):
+            if path.exists():
+                made.watch(str(path))
         return made
 
     def make(self) -> None:
         """Build what has changed since the last time, and say how long it took."""
         began = time.perf_counter()
-        seen = self._look()
-        changed = {path for path in {*seen, *self.seen} if seen.get(path) != self.seen.get(path)}
         try:
+            seen = look(self.root / SETTINGS, *self.folders)
+            both = {*seen, *self.seen}
+            changed = {path for path in both if seen.get(path) != self.seen.get(path)}
             partial = self._partial(seen, changed)
             self._build(changed, partial=partial)
             self.trouble, self.seen = "", seen
@@ -106,7 +126,7 @@ class Previewer:
             self.seen = {}  # next time everything
             click.echo(self.trouble, err=True)
             return
-        names = ", ".join(sorted(p.relative_to(self.root).as_posix() for p in changed)[:3])
+        names = ", ".join(sorted(Path(relpath(p, self.root)).as_posix() for p in changed)[:3])
         what = names if partial else "The site"
         click.echo(f"{what}: {time.perf_counter() - began:.1f} s")
 
@@ -115,17 +135,10 @@ class Previewer:
         if self.config:
             self.config.plugins.on_shutdown()
 
-    def _look(self) -> Seen:
-        found = [self.root / "mkdocs.yml"]
-        for folder in ("worksheets", "docs"):
-            found += [path for path in (self.root / folder).rglob("*") if path.is_file()]
-        facts = {path: path.stat() for path in found if path.exists()}
-        return {path: (stat.st_mtime_ns, stat.st_size) for path, stat in facts.items()}
-
     def _partial(self, seen: Seen, changed: set[Path]) -> bool:
         """Whether the menu stays as it is, so that only some pages need to be made again."""
         same_files = bool(self.seen) and seen.keys() == self.seen.keys()
-        return same_files and self.root / "mkdocs.yml" not in changed
+        return same_files and self.root / SETTINGS not in changed
 
     def _build(self, changed: set[Path], *, partial: bool) -> None:
         from mkdocs.commands.build import build
@@ -133,7 +146,7 @@ class Previewer:
 
         if wrong := site_folder.findings(self.root):  # in sentences with a line, as of a build
             raise click.ClickException("\n".join(map(str, wrong)))
-        config = load_config(str(self.root / "mkdocs.yml"), site_dir=str(self.site))
+        config = load_config(str(self.root / SETTINGS), site_dir=str(self.site))
         if "carts" not in config.plugins:
             raise click.ClickException("mkdocs.yml: error: “carts” is not listed under plugins:")
         if self.config is None:
@@ -153,8 +166,7 @@ class Previewer:
         from sim.pages.text.lesson_places import page_of
 
         for source in touched(changed, (p for p in self.seen if p.suffix == ".md")):
-            inside = source.relative_to(self.root)
-            docs = inside.relative_to("docs") if inside.parts[0] == "docs" else inside
-            page = self.site / page_of(docs.as_posix())
+            home = self.root if source.is_relative_to(self.root / LESSONS) else self.docs
+            page = self.site / page_of(source.relative_to(home).as_posix())
             if page.exists():
                 os.utime(page, (0, 0))

@@ -33,7 +33,7 @@ from sim.pages.question.quiz import read_bank_text
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
-from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, described, shown
+from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, described, is_hidden, shown
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections
@@ -205,6 +205,8 @@ def files_in(path: Path) -> Iterator[Path]:
     elif path.is_dir():
         # A YAML file counts only in a folder of scenes or of banks: others are settings.
         for file in sorted(path.rglob("*")):
+            if is_hidden(file.relative_to(path)):
+                continue
             ours = file.suffix in SCENE_SUFFIXES and file.parent.name in ("scenes", BANK_FOLDER)
             lesson = file.suffix in LESSON_SUFFIXES or _nearly_lesson(file)
             if file.is_file() and (lesson or ours):

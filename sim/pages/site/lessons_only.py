@@ -100,7 +100,7 @@ def _head(text: str) -> dict[str, Any]:
     top = after_front_matter(lines)
     try:
         head = yaml.safe_load("\n".join(lines[1 : max(1, top - 1)]))
-    except yaml.YAMLError:
+    except (yaml.YAMLError, ValueError):  # a date that no calendar has, too
         head = {}
     title = title_of(lines[top:])
     first = {"title": title} if title else {}

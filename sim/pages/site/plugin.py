@@ -42,7 +42,7 @@ from sim.pages.site.site_id import facts_of
 from sim.pages.teach.doors import Doors
 from sim.pages.text.blocked import blocked
 from sim.pages.text.lesson_list import lessons_in, with_lessons
-from sim.pages.text.lesson_places import JOINING, check_folder
+from sim.pages.text.lesson_places import JOINING, check_folder, is_hidden
 from sim.pages.text.page_meta import tell_theme
 from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
@@ -128,7 +128,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             names = self.named | {lessons_only.HOME}
             put_ready_pages(files, config, self.folder, self.lessons, names)
         pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in JOINING)
-        for path in (*self.lessons, *pictures):
+        shown = (p for p in pictures if not is_hidden(p.relative_to(self.folder)))
+        for path in (*self.lessons, *shown):
             uri = f"{self.config.lessons}/{path.relative_to(self.folder).as_posix()}"
             file = File.generated(config, uri, abs_src_path=str(path))
             file.edit_uri = f"../{uri}"  # from docs/, where the generator believes it to be

@@ -25,7 +25,7 @@ from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
-from sim.pages.text.lesson_places import JOINING, scene_folders
+from sim.pages.text.lesson_places import JOINING, is_hidden, scene_folders
 from sim.scene.reading.written import named_laws
 
 FORMAT = 1
@@ -142,7 +142,7 @@ def _names(root: Path, lessons: Path) -> Sequence[str]:
     """What a lesson may link to: pages and pictures of the site."""
     found = (p for folder in (root / "docs", lessons) for p in folder.rglob("*"))
     kept = (p.relative_to(root) for p in found if p.suffix.lower() in LINKED and p.is_file())
-    return sorted(p.as_posix() for p in kept if not any(part.startswith(".") for part in p.parts))
+    return sorted(p.as_posix() for p in kept if not is_hidden(p))
 
 
 def _plain(configs: Mapping[str, Any]) -> dict[str, Any]:

@@ -92,6 +92,9 @@ def front_matter(text: str) -> Iterator[Found]:
         except YamlError as error:
             at = sum(map(len, lines[: error.line - 1])) + error.col - 1
             yield at, "yaml", error.message, error.hint
+    except ValueError as error:  # a date that no calendar has
+        hint = "for example date: 2026-11-30; a text that only looks like a date stands in quotes"
+        yield _no_value(lines, 1 + len(inside)), "yaml", f"a value cannot be read: {error}", hint
     stated = _ORDER.match(text) if inside else None
     if stated and not _PLACE.fullmatch(stated[1].strip()):
         message = f"order: “{stated[1].strip()}” is not a whole number"
@@ -101,6 +104,22 @@ def front_matter(text: str) -> Iterator[Found]:
         message = f"minutes: “{long[1][:20]}” is not a whole number"
         yield long[0], "not-a-number", message, "for example minutes: 45"
     yield from _misspelt(inside, len(lines[0]) if lines else 0)
+
+
+def _no_value(lines: Sequence[str], end: int) -> int:
+    """Where the first line stands whose value is none: the lines above it can be read."""
+
+    def readable(count: int) -> bool:
+        try:
+            safe_load("".join(lines[1 : 1 + count]))
+        except YAMLError:  # a list, say, that goes on in the next line
+            return True
+        except ValueError:
+            return False
+        return True
+
+    first = next((n for n in range(1, end) if not readable(n)), 1)
+    return sum(map(len, lines[:first]))
 
 
 def _is_no_beginning(found: re.Match[str]) -> bool:

@@ -8,12 +8,17 @@ from typing import Any
 
 from sim.pages.language import LANGUAGES, language_folder
 from sim.pages.text.front_matter import lesson_order
+from sim.pages.text.lesson_places import is_hidden
 
 
 def lessons_in(folder: Path) -> list[Path]:
     """The lessons of a site in their order, then those in the folders of other languages."""
     folders = [folder, *(folder / language for language in sorted(LANGUAGES))]
-    return [path for one in folders for path in sorted(one.glob("*.md"), key=lesson_order)]
+    return [path for one in folders for path in sorted(_pages(one), key=lesson_order)]
+
+
+def _pages(folder: Path) -> list[Path]:
+    return [path for path in folder.glob("*.md") if not is_hidden(path.relative_to(folder))]
 
 
 def with_lessons(nav: list[Any], folder: Path, lessons: Iterable[Path]) -> list[Any]:

@@ -48,6 +48,12 @@ def page_of(name: str) -> str:
     return posixpath.join(folder, f"{'index' if stem == 'README' else stem}.html")
 
 
+def is_hidden(inside: Path) -> bool:
+    """Whether a file of a folder, by its path in it, is there for a program alone: what begins with
+    a dot (`._lesson.md` lies beside lesson.md on a stick that was in a Mac), and packages."""
+    return any(part.startswith(".") or part == "node_modules" for part in inside.parts)
+
+
 def shown(path: Path, root: Path) -> str:
     """A path as messages show it."""
     return (path.relative_to(root) if path.is_relative_to(root) else path).as_posix()

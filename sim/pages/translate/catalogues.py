@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sim.pages.language import ENGLISH, LANGUAGES
-from sim.pages.text.lesson_places import BANK_FOLDER
+from sim.pages.text.lesson_places import BANK_FOLDER, is_hidden
 
 FOLDER = "words"
 OTHERS = tuple(language for language in LANGUAGES if language != ENGLISH)
@@ -55,5 +55,7 @@ def catalogues_in(folder: Path) -> Iterator[Source]:
         place = folder / FOLDER / language
         for catalogue in sorted(place.rglob("*.po")):
             inside = catalogue.relative_to(place)
+            if is_hidden(inside):
+                continue
             suffix = ".yml" if inside.parts[0] == BANK_FOLDER else ".md"
             yield source_of(folder / inside.with_suffix(suffix), folder, language)
