@@ -16,6 +16,7 @@ from typing import Any
 
 from sim.bridge import model_pieces as text_of
 from sim.bridge.protocol import plain_of
+from sim.dynamics.result.outcome import refuse_written
 from sim.effects.plain_model import Piece, piece_of
 from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
@@ -69,9 +70,11 @@ def model_text(scene: Scene) -> str:
 
 
 def model_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
-    """The program of the values that the page shows; raises `SceneError`."""
-    plain = plain_of(request)
-    return {"text": model_text(read_scene(plain))}, array("d")
+    """The program of the values that the page shows; raises `SceneError`, and `UnsolvedError` of
+    a law in a file: its text stands in the page already."""
+    scene = read_scene(plain_of(request))
+    refuse_written(scene)
+    return {"text": model_text(scene)}, array("d")
 
 
 def _contacts(scene: Scene) -> list[tuple[int | None, int | None, str, float, float, float]]:

@@ -116,6 +116,14 @@ def _nothing_to_see(kind: WorldKind, scene: Scene, path: Path) -> Problem | None
         hint = "track: {right: wall, length: 2 m}"
         message = said("{name} is about a wall, and there is none", name=kind.name)
         return Problem(path, "no-wall", message, hint)
+    names = {cart.name for cart in scene.carts}
+    held = [one.kind for one in scene.effects if one.between and not names.issuperset(one.between)]
+    if kind.needs == "wall" and held:  # the world takes the wall away
+        message = said(
+            "{name} leaves no wall that {effect} could hold to", name=kind.name, effect=held[0]
+        )
+        hint = said("remove the world, or put {effect} between two carts", effect=held[0])
+        return Problem(path, "needs-wall", message, hint)
     between = scene.contacts[1:-1]
     lasting = any(contact is not None and contact.stiffness is not None for contact in between)
     if kind.needs == "pair" and not lasting:

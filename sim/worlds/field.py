@@ -61,8 +61,10 @@ class WorldField(Field):
         if pushed == 0.0:
             self.shares.pop(gap, None)
             return EVEN
+        two = (pair.left, pair.right)
+        if None in two:  # a wall has no mass to compare, and nothing that tells what became of it
+            return EVEN
         if gap not in self.shares:
-            two = (pair.left, pair.right)
             masses = tuple(math.inf if k is None else self.mass[k] for k in two)
             speeds = tuple(0.0 if k is None else float(v[k]) for k in two)
             outside = tuple(0.0 if k is None else self._acting_on(k, v) for k in two)

@@ -29,10 +29,10 @@ class Impossible:
         return scene
 
     def shares(self, masses: Two, v: Two, outside: Two) -> Two:
-        """Factors of the push on the left and on the right body, fixed when they touch.
+        """Factors of the push on the left and on the right cart, fixed when they touch; between a
+        cart and a wall all is as in ours.
 
-        `masses` [kg], a wall has infinite mass; `v` [m/s] just before; `outside` [N]: all else that
-        acts on each of the two.
+        `masses` [kg]; `v` [m/s] just before; `outside` [N]: all else that acts on each of the two.
         """
         return EVEN
 

@@ -102,6 +102,21 @@ def test_a_page_asks_for_the_program_of_the_values_it_shows() -> None:
     assert not refused["ok"]
 
 
+def test_a_law_in_a_file_is_refused_with_a_reason() -> None:
+    law = "def force(gap, closing, mass):\n    return 0.0\n"
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.5, "velocity": 1},
+            "B": {"mass": 1, "position": 2},
+        },
+        "contact": {"law": "mine.py", "stiffness": 100},
+        "laws": {"mine.py": law},
+    }
+    refused, _ = answer({"id": 1, "kind": "model", "scene": plain})
+    (problem,) = refused["problems"]
+    assert problem["code"] == "unsolved"
+
+
 def test_the_longest_program_ends_within_seconds() -> None:
     stiff = read_scene(
         {"carts": {"A": {"mass": 1, "position": 0.5, "velocity": 1}}, "track": {"right": "wall",

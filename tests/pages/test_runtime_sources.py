@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import tarfile
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -68,6 +70,22 @@ def test_what_is_missing_is_named_with_what_was_tried(tmp_path: Path) -> None:
     assert "a.whl" in text
     assert "the network: no way out" in text
     assert "What helps" in text
+
+
+@pytest.mark.parametrize("cut", [tarfile.ReadError, zipfile.BadZipFile, StopIteration, EOFError])
+def test_after_a_cut_download_the_next_place_is_asked(tmp_path: Path, cut: type[Exception]) -> None:
+    def fetch(*_: object) -> dict[str, bytes]:
+        raise cut
+
+    found = collect(
+        [Wanted("a", sha256(b"A"))],
+        [Place("one", fetch), place("two", a=b"A")],
+        Cache(tmp_path),
+        quiet,
+    )
+    assert found["a"].read_bytes() == b"A"
+    with pytest.raises(MissingSourceError, match="one: what came is cut or damaged"):
+        collect([Wanted("b", sha256(b"B"))], [Place("one", fetch)], Cache(tmp_path), quiet)
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.scene import Problem, SceneError, apply_changes, read_scene
+from sim.scene import Problem, SceneError, apply_changes, read_fence, read_scene
 from sim.scene.fence.controls import read_controls
 from sim.scene.laws import laws
 
@@ -103,3 +103,11 @@ def test_a_slider_of_the_contact_begins_where_pairs_without_their_own_stand(key:
     assert not problems
     moved = apply_changes(three(contact), {f"contact.{key}": control.value})
     assert read_scene(moved) == scene
+
+
+def test_a_slider_for_a_stiffness_counts_in_the_unit_of_its_law() -> None:
+    limits = {"from": "1e5 N/m^1.5", "to": "1e6 N/m^1.5", "step": "1e5 N/m^1.5"}
+    contact = {"law": "hertz", "stiffness": "4e5 N/m^1.5"}
+    controls = [{"set": "contact.stiffness", **limits}]
+    fence = read_fence({"id": "one", "controls": controls, **three(contact)})
+    assert [one.unit for one in fence.controls] == ["N/m^1.5"]

@@ -100,3 +100,14 @@ def test_the_hint_is_told_in_the_language_of_the_page(more: dict[str, Any]) -> N
     assert in_words(problem.hint, {"did you mean {name}?": "maksudnya {name}?"}).startswith(
         "maksudnya “"
     )
+
+
+@pytest.mark.parametrize("asked", [{"arrows": ["A-B"]}, {"curve": "F.A"}])
+def test_a_force_of_one_instant_is_not_asked_for(asked: dict[str, Any]) -> None:
+    """The page said “In this run nothing touches A” beside a collision."""
+    (problem,) = problems(carts=TWO, contact={"law": "instant"}, predict=asked)
+    assert problem.code == "not-for-this-law"
+    assert "law: bumper" in problem.hint
+    spring = {"spring": {"stiffness": 5, "length": 0.1, "between": ["A", "B"]}}
+    sudden = {"carts": TWO, "contact": {"law": "instant"}, "effects": [spring]}
+    assert read_fence({"id": "one", **sudden, "predict": asked}).predict

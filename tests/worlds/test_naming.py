@@ -19,7 +19,7 @@ from sim.worlds.describe import kinds
 from tests.worlds.scenes import HEAVY_INTO_LIGHT
 
 WALLED = {"right": "wall", "length": 2.4}
-OWN_CODES = ("unknown-world", "no-wall", "no-pair", "twice")
+OWN_CODES = ("unknown-world", "no-wall", "needs-wall", "no-pair", "twice")
 """Of worlds alone; what is said of numbers is said by the reader of all numbers."""
 
 LAW = "def force(overlap, rate, stiffness):\n    return stiffness * overlap\n"
@@ -50,6 +50,15 @@ def test_a_scene_names_its_worlds_with_their_numbers() -> None:
         ([{"reaction-comes-later": {"delay": "-1 s"}}], {}, "out-of-range", "delay"),
         ([{"reaction-comes-later": {"dealy": "1 s"}}], {}, "unknown-key", "delay"),
         (["passive-cannot-push"], {}, "no-wall", "wall"),
+        (
+            ["passive-cannot-push"],
+            {
+                "track": WALLED,
+                "effects": [{"spring": {"stiffness": 5, "length": 0.1, "between": ["B", "right"]}}],
+            },
+            "needs-wall",
+            "between two carts",
+        ),
         (["mover-pushes-more"], {"contact": {"law": "instant"}}, "no-pair", "stiffness"),
         (["mover-pushes-more"] * 2, {}, "twice", "once"),
     ],

@@ -66,6 +66,21 @@ def test_a_mover_feels_nothing_of_a_cart_at_rest_and_throws_it_ahead() -> None:
     assert done.v == pytest.approx((0.4, 0.4 * 1.8), abs=STEPS)
 
 
+@pytest.mark.parametrize("world", ["bigger-pushes-more", "own-mass-own-force", "mover-pushes-more"])
+def test_between_a_cart_and_a_wall_a_world_of_pairs_is_as_ours(world: str) -> None:
+    """A wall stands still and weighs nothing that could be compared: a cart went through it."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.3},
+            "B": {"mass": 1.0, "position": 1.0, "velocity": 0.6},
+        },
+        "track": {"right": "wall", "length": 2.0},
+        "contact": {"law": "bumper", "stiffness": 200.0},
+        "until": 2.0,
+    }
+    assert followed(plain, world).run.v == pytest.approx((0.0, -0.6), abs=STEPS)
+
+
 def test_walls_that_cannot_push_are_walls_that_are_not_there() -> None:
     plain = HEAVY_INTO_LIGHT | {"track": {"right": "wall", "length": 1.6}}
     open_ended, done = run(scene(HEAVY_INTO_LIGHT)), followed(plain, "passive-cannot-push").run

@@ -8,6 +8,9 @@ from __future__ import annotations
 
 import json
 import os
+import tarfile
+import zipfile
+import zlib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -75,6 +78,8 @@ def collect(
                         refused.append(f"{place.what}: {w.name} has the wrong sha256")
             except (OSError, RuntimePackError) as error:
                 refused.append(f"{place.what}: {error}")
+            except (StopIteration, EOFError, zlib.error, tarfile.TarError, zipfile.BadZipFile):
+                refused.append(f"{place.what}: what came is cut or damaged")
     missing = [w for w in wanted if w.name not in found]
     if missing:
         raise MissingSourceError(_complaint(missing, refused, cache))

@@ -9,6 +9,7 @@ from typing import Any
 from sim.scene.effects import Effect, kinds
 from sim.scene.fence.effect_controls import effect_number, is_switch
 from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
+from sim.scene.laws import law_kind
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import QuantityError, read_quantity, unit_of
@@ -203,7 +204,9 @@ def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
     if target == "contact.restitution" and contact is not None and contact.restitution is not None:
         return RESTITUTION, said("bounciness e"), contact.restitution
     if target == "contact.stiffness" and contact is not None and contact.stiffness is not None:
-        return STIFFNESS, said("stiffness k"), contact.stiffness
+        kind = law_kind(contact.law)
+        field = (kind and kind.stiffness) or STIFFNESS
+        return field, said("stiffness k"), contact.stiffness
     if target == "track.length" and scene.track.length is not None:
         return TRACK_LENGTH, said("length of the track"), scene.track.length
     if target == "until":

@@ -143,11 +143,24 @@ def _arrows(
         named = "" if isinstance(strange, (dict, list, tuple)) else str(strange)
         problems.append(_no_pair(named, names, path))
         return None
+    sudden = [pair for pair in pairs if pair not in _for_a_time(scene)]
+    if sudden:
+        a, b = sudden[0] or ("", "")
+        message = f"{a} and {b} push each other at one instant: their force has no size to predict"
+        hint = "predict velocities, or take a contact with a duration: law: bumper"
+        problems.append(Problem(path, "not-for-this-law", message, hint))
+        return None
     return Predict(
         kind="arrows",
         ask=ask or said("How long is each force arrow when the two push hardest on each other?"),
         pairs=tuple(pair for pair in pairs if pair is not None),
     )
+
+
+def _for_a_time(scene: Scene) -> set[tuple[str, str]]:
+    """Neighbours that may push each other for a time, not at one instant alone."""
+    lasting = {scene.names_at(k) for k, one in enumerate(scene.contacts) if one and not one.sudden}
+    return lasting | {effect.between for effect in scene.effects if effect.between}
 
 
 def _no_pair(key: str, names: Mapping[str, tuple[str, str]], path: Path) -> Problem:
@@ -180,6 +193,11 @@ def _curve(
         message = f"nothing can touch {cart}: there is no contact force to predict"
         hint = f"curve: v.{cart}, or another cart or a wall for it to meet"
         problems.append(Problem(path, "no-contact", message, hint))
+        return None
+    if quantity == "F" and not any(cart in two for two in _for_a_time(scene)):
+        message = f"nothing pushes {cart} for a time here: its force has no course to predict"
+        hint = f"curve: v.{cart}, or a contact with a duration: law: bumper"
+        problems.append(Problem(path, "not-for-this-law", message, hint))
         return None
     asks = {
         "F": said("How does the force on {cart} change while they touch?", cart=cart),

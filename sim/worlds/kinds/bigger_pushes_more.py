@@ -7,8 +7,6 @@ The push on the light one is as many times larger as the other is heavier.
 
 from __future__ import annotations
 
-import math
-
 from sim.scene.said import template
 from sim.worlds.describe import WorldKind
 from sim.worlds.force import Impossible, Two, parts
@@ -30,8 +28,8 @@ class BiggerPushesMore(Impossible):
     """The push on each goes with the mass of the other."""
 
     def shares(self, masses: Two, v: Two, outside: Two) -> Two:
-        """(m_B, m_A), 1 on average; between a cart and a wall as in ours."""
-        return (1.0, 1.0) if math.inf in masses else parts(masses[1], masses[0])
+        """(m_B, m_A), 1 on average."""
+        return parts(masses[1], masses[0])
 
 
 act = BiggerPushesMore

@@ -7,8 +7,6 @@ So both change their velocity by the same amount, whatever they are.
 
 from __future__ import annotations
 
-import math
-
 from sim.scene.said import template
 from sim.worlds.describe import WorldKind
 from sim.worlds.force import Impossible, Two, parts
@@ -30,8 +28,8 @@ class OwnMassOwnForce(Impossible):
     """The push on each goes with its own mass."""
 
     def shares(self, masses: Two, v: Two, outside: Two) -> Two:
-        """(m_A, m_B), 1 on average; between a cart and a wall as in ours."""
-        return (1.0, 1.0) if math.inf in masses else parts(masses[0], masses[1])
+        """(m_A, m_B), 1 on average."""
+        return parts(masses[0], masses[1])
 
 
 act = OwnMassOwnForce
