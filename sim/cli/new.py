@@ -95,7 +95,7 @@ def _site(typed: str, title: str | None, like: str | None) -> None:
 
 def _lesson(root: Path, name: str, title: str | None, like: str | None) -> dict[str, str]:
     """The files of a new lesson, its own first."""
-    lessons = (root / WORKSHEETS).glob("*.md")
+    lessons = list((root / WORKSHEETS).glob("*.md"))
     order = 1 + max((n for n, _ in map(lesson_order, lessons) if n < LAST), default=0)
     path = f"{WORKSHEETS}/{name}.md"
     if not like:
@@ -106,12 +106,24 @@ def _lesson(root: Path, name: str, title: str | None, like: str | None) -> dict[
         known = ", ".join(sorted(p.stem for p in ours.glob("*.md")))
         raise click.UsageError(f"There is no lesson “{like}” of ours. There are: {known}")
     text = source.read_text(encoding="utf-8")
+    if same := next(
+        (path for path in lessons if _ids(path.read_text("utf-8", "replace")) & _ids(text)), None
+    ):
+        raise click.UsageError(
+            f"{WORKSHEETS}/{same.name} is that lesson, or has ids of it: each id would be there "
+            "twice. Change it, or take it away first."
+        )
     beside = {
         f"{WORKSHEETS}/{file}": (ours / file).read_text(encoding="utf-8")
         for file in starter.files_of(text)
         if not (root / WORKSHEETS / file).exists()
     }
     return {path: starter.copied(text, title, order), **beside}
+
+
+def _ids(text: str) -> set[str]:
+    """Of the blocks of a lesson."""
+    return set(re.findall(r"^id: *(\S+)", text, re.MULTILINE))
 
 
 def _write(root: Path, files: Mapping[str, str]) -> None:

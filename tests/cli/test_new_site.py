@@ -105,6 +105,18 @@ def test_a_lesson_of_ours_that_is_none_is_answered_with_those_there_are() -> Non
     assert not Path("mine").exists()
 
 
+def test_a_lesson_is_not_taken_over_twice_with_the_same_ids(
+    empty: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each of its ids was then “already used”: 28 findings, and no way out of them."""
+    new("mine", "--like", "newtons-third-law")
+    monkeypatch.chdir(empty / "mine")
+    told = refused("other", "--like", "newtons-third-law")
+    assert "worksheets/newtons-third-law.md is that lesson" in told
+    assert not Path("worksheets/other.md").exists()
+    new("other", "--like", "newtons-second-law")
+
+
 @pytest.mark.parametrize("text", ["A lesson", "No", "a: b", 'say "so"', "C:\\carts", "#1", "1.5"])
 def test_a_title_is_read_back_as_it_was_typed(text: str) -> None:
     assert yaml.safe_load(f"title: {quoted(text)} # x") == {"title": text}
