@@ -6,16 +6,10 @@ import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 from sim.classroom.statistics.spread import Exact
-from sim.classroom.tables.marks import whole
 from sim.classroom.tables.words import TIMES
 
-_MOST = re.compile(
-    r"(.*?)\s*(?:/\s*|[(\[]\s*(?:/|of|m[aá]x\.?|von|sur|sobre|de|daripada|满分|滿分)?\s*)"
-    r"([0-9]{1,6}(?:[.,][0-9]{1,6})?)\s*([)\]])?"
-)
 _PREFIX = re.compile(r"([^\s._:-]+(?:-test)?)[\s._:-]+(.+)")
 _SUFFIX = re.compile(r"(.+?)[\s._:-]+([^\s._:-]+)")
 
@@ -59,15 +53,6 @@ def place_of(heads: Sequence[str], names: Iterable[str]) -> int | None:
     """The first column with one of these headings."""
     wanted = set(names)
     return next((k for k, head in enumerate(heads) if norm(head) in wanted), None)
-
-
-def with_most(heading: str) -> tuple[str, Exact | None]:
-    """`Q. 1 /1.00` is Q. 1 of 1; `pre (30)` is pre of 30."""
-    found = _MOST.fullmatch(heading.strip())
-    if not found or not found[1] or ("(" in heading[len(found[1]) :]) != (found[3] == ")"):
-        return heading.strip(), None
-    most = Fraction(found[2].replace(",", "."))
-    return found[1].strip(), whole(most) if most > 0 else None
 
 
 def form_of(text: str) -> str:

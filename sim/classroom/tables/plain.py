@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.apart import Columns
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import (
@@ -24,9 +25,9 @@ from sim.classroom.tables.layout import (
     norm,
     place_of,
     split_form,
-    with_most,
 )
 from sim.classroom.tables.marks import is_mark, is_nothing, mark
+from sim.classroom.tables.most_told import split_most, too_low, with_most
 from sim.classroom.tables.when import time_of
 from sim.classroom.tables.who import named_by
 from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, TOTAL, WHO
@@ -55,13 +56,13 @@ def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> La
     used |= {time} if time is not None else set()
     rest = [k for k, head in enumerate(heads) if k not in used and norm(head) not in OTHER_NAMES]
     if item is not None:
-        called = {k: norm(with_most(heads[k])[0]) for k in rest}
+        called = {k: norm(split_most(heads[k])[0]) for k in rest}
         marks = [k for names in (MARK, NOTE) for k in rest if called[k] in names]
         if not marks:
             raise TableError("a column of items needs one of marks beside it (mark)")
-        answers = Column(marks[0], "", "", with_most(heads[marks[0]])[1])
+        answers = Column(marks[0], "", "", _told(heads[marks[0]], marks[0], rows)[1])
         return _made(heads, person, group, klass, time, item, (answers,), ())
-    found = _single([_column(k, heads[k]) for k in rest], rows, keys)
+    found = _single([_column(k, heads[k], rows) for k in rest], rows, keys)
     totals = tuple(c for c in found if not c.name)
     items = tuple(c for c in found if c.name and _is_item(c, rows, keys))
     if time is None and any(c.form for c in totals):
@@ -88,15 +89,23 @@ def _made(
     )  # fmt: skip
 
 
-def _column(place: int, heading: str) -> Column:
-    """A total has no name: `pre`, `post (30)`, `total`."""
-    name, of = with_most(heading)
-    if form := form_of(name):
+def _column(place: int, heading: str, rows: Sequence[Row]) -> Column:
+    """A total has no name: `pre`, `post (30)`, `total`; `pre (2024)` neither."""
+    name, of = _told(heading, place, rows)
+    if form := form_of(split_most(heading)[0]):
         return Column(place, "", form, of)
     form, inner = split_form(name)
-    if norm(inner) in TOTAL:
+    if norm(split_most(inner)[0]) in TOTAL:
         return Column(place, "", form, of)
     return Column(place, inner, form, of)
+
+
+def _told(heading: str, place: int, rows: Sequence[Row]) -> tuple[str, Exact | None]:
+    """What a heading names, and the most marks that it tells and its column does not deny."""
+    name, of = with_most(heading)
+    if of is not None and too_low(of, (row.cell(place) for row in rows)):
+        return heading.strip(), None
+    return name, of
 
 
 def _single(

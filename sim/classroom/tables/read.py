@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from sim.classroom.files.archive import shown as safe
@@ -15,6 +15,7 @@ from sim.classroom.tables.exports import EXPORTS, canvas
 from sim.classroom.tables.layout import Column, Layout
 from sim.classroom.tables.long import Bad, pivoted
 from sim.classroom.tables.marks import is_nothing, mark
+from sim.classroom.tables.most_told import split_most
 from sim.classroom.tables.row import RowReader
 from sim.classroom.tables.taken import MarkTable, Taken, place_of
 from sim.classroom.tables.when import time_of
@@ -49,9 +50,24 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
         refused=tuple((place_of(name, line), reason) for line, reason in sorted(refused)),
         left_out=layout.left_out, keyed=reader.keys, letters=reader.letters,
         groups=layout.group is not None, classes=layout.klass is not None,
-        notes=tuple(say.no_student(place_of(name, row.line), word, kind)
-                    for row, word, kind in rows_.notes),
+        notes=(*(say.no_student(place_of(name, row.line), word, kind)
+                 for row, word, kind in rows_.notes), *_of_headings(layout, heads, reader)),
     )  # fmt: skip
+
+
+def _of_headings(layout: Layout, heads: Row, reader: RowReader) -> Iterator[str]:
+    """Which numbers of headings count as the most marks: nobody else knows what they count."""
+    if layout.kind != "plain" or reader.letters:
+        return
+    told: dict[bool, list[str]] = {True: [], False: []}
+    for column in layout.items or layout.totals:
+        heading = heads.cells[column.place]
+        if (number := split_most(heading)[1]) is not None and column.of in (number, None):
+            told[column.of is not None].append(heading)
+    if told[True]:
+        yield say.most_told(told[True])
+    if told[False]:
+        yield say.most_not_told(told[False])
 
 
 def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[Bad]]:

@@ -68,6 +68,17 @@ def no_student(row: str, name: str, kind: str) -> str:
                 row=row, name=shown(name))  # fmt: skip
 
 
+def most_told(headings: Sequence[str]) -> str:
+    """Whose number counts as the most marks."""
+    return said("The headings tell the most marks: {headings}.", headings=_named(headings))
+
+
+def most_not_told(headings: Sequence[str]) -> str:
+    """Whose number is a year, a day, or below the marks that stand there."""
+    return said("The number in a heading is not taken for the most marks: {headings}.",
+                headings=_named(headings))  # fmt: skip
+
+
 def worth_seen(items: Sequence[str]) -> str:
     """Where the most marks of a question are only guessed."""
     return said(

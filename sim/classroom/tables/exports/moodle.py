@@ -10,7 +10,8 @@ import re
 from collections.abc import Sequence
 
 from sim.classroom.statistics.spread import Exact
-from sim.classroom.tables.layout import Column, Layout, norm, place_of, with_most
+from sim.classroom.tables.layout import Column, Layout, norm, place_of
+from sim.classroom.tables.most_told import split_most
 from sim.classroom.tables.words import CLASS, FAMILY, GIVEN, GROUP, ID_NUMBER, words
 
 _QUESTION = re.compile(r"\D{1,12}?[.\s]*[0-9]{1,3}\s*/\s*[0-9]+(?:[.,][0-9]+)?")
@@ -43,7 +44,7 @@ def layout(heads: Sequence[str]) -> Layout | None:
         group=place_of(heads, GROUP),
         klass=place_of(heads, CLASS),
         items=tuple(Column(k, name, "", of) for k in questions for name, of in [_named(heads[k])]),
-        totals=(Column(grade, "total", "", with_most(heads[grade])[1]),),
+        totals=(Column(grade, "total", "", split_most(heads[grade])[1]),),
         state=state,
         needs=tuple(k for k in (state, begun) if k is not None),
     )
@@ -59,5 +60,5 @@ def person_of(heads: Sequence[str]) -> tuple[tuple[int, ...], ...]:
 
 
 def _named(heading: str) -> tuple[str, Exact | None]:
-    name, of = with_most(heading)
+    name, of = split_most(heading)
     return norm(name).replace(" ", "").replace(".", "").upper() or name, of
