@@ -63,12 +63,12 @@ def _notes(tables: Sequence[MarkTable], lesson: LessonSums, counted: Sequence[Ta
     notes = [note for table in tables for note in table.notes]
     notes += [say.left_out(table.left_out) for table in tables
               if table.left_out and table.kind == "plain"]  # fmt: skip
-    told = {name for row in counted for name in row.most}
+    told = {most for row in counted for most in row.most.items()}
     guessed = [
         str(meta["id"])
         for form in lesson.forms.values()
         for meta in form.items
-        if meta["id"] not in told and meta["worth"] > WORTH_SEEN
+        if (meta["id"], meta["worth"]) not in told and meta["worth"] > WORTH_SEEN
     ]
     if guessed:
         notes.append(say.worth_seen(list(dict.fromkeys(guessed))))

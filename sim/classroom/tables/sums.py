@@ -27,7 +27,7 @@ def lesson_of(
 ) -> LessonSums:
     """All sums. `taken`: what counts, one for each student and form; `most`: of totals."""
     forms = {
-        form: _form(form, mine, groups, keys, letters=letters, most=most)
+        form: _form(form, mine, taken, groups, keys, letters=letters, most=most)
         for form in FORMS
         if (mine := [row for row in taken if row.form == form])
     }
@@ -44,13 +44,13 @@ def lesson_of(
 
 
 def _form(
-    form: str, taken: Sequence[Taken], groups: Sequence[str],
+    form: str, taken: Sequence[Taken], everything: Sequence[Taken], groups: Sequence[str],
     keys: Mapping[str, tuple[str, ...]], *, letters: bool, most: Exact | None,
 ) -> FormSums:  # fmt: skip
     names = list(dict.fromkeys(name for row in taken for name in row.items))
     names = [n for n in names if any(row.items.get(n) is not None or n in row.chosen
                                      for row in taken)]  # fmt: skip
-    worth = {name: _worth(name, taken, keys, letters=letters) for name in names}
+    worth = {name: _worth(name, taken, everything, keys, letters=letters) for name in names}
     counted = tuple(name for name in names if worth[name])
     options = {
         name: sorted({row.chosen[name] for row in taken if name in row.chosen}, key=str.casefold)
@@ -79,12 +79,17 @@ def _form(
     )  # fmt: skip
 
 
-def _worth(name: str, taken: Sequence[Taken], keys: Mapping[str, Any], *, letters: bool) -> Exact:
-    """The most marks: told by the table, or 1 for marks up to 1, or the highest mark given."""
+def _worth(
+    name: str, taken: Sequence[Taken], everything: Sequence[Taken], keys: Mapping[str, Any], *,
+    letters: bool,
+) -> Exact:  # fmt: skip
+    """The most marks: told by the table, or 1 for marks up to 1, or the highest mark given in any
+    test of the lesson: that nobody was quite right before makes no question worth less."""
     if letters:
         return int(name in keys)
-    told = [row.most[name] for row in taken if name in row.most]
-    return max([1, *told, *(row.items.get(name) or 0 for row in taken)]) if not told else max(told)
+    if told := [row.most[name] for row in taken if name in row.most]:
+        return max(told)
+    return max(1, *(max(row.items.get(name) or 0, row.most.get(name, 0)) for row in everything))
 
 
 def _most(taken: Sequence[Taken], most: Exact | None) -> Exact | None:
