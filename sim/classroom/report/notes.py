@@ -28,10 +28,27 @@ def notes_of(tables: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def _apart(lesson: Mapping[str, Any]) -> str:
-    """Why a lesson has no gains, where the tests before and after are of different marks."""
+    """Why a lesson has no gains, where the tests before and after are of different marks, or nobody
+    knows whether they are."""
     worth = {form["form"]: form["of"] for form in lesson["forms"]}
-    before, after = worth.get("pre"), worth.get("post")
-    return tests_apart(before, after) if before and after and before != after else ""
+    if not {"pre", "post"} <= worth.keys():
+        return ""
+    before, after = worth["pre"], worth["post"]
+    if before == after or 0 in (before, after):
+        return ""
+    if before is None:
+        return said(
+            "The most marks of the test before are not known, those of the test after are {marks}: "
+            "no gain is computed.",
+            marks=f"{after:g}",
+        )
+    if after is None:
+        return said(
+            "The most marks of the test after are not known, those of the test before are {marks}: "
+            "no gain is computed.",
+            marks=f"{before:g}",
+        )
+    return tests_apart(before, after)
 
 
 def tests_apart(before: float, after: float) -> str:
