@@ -16,13 +16,13 @@ from sim.classroom.statistics.gain import EDGE
 from sim.classroom.statistics.ranks import SignedRanks
 from sim.classroom.statistics.spread import Spread
 from sim.scene.notation import number
-from sim.scene.said import counted, joined, said, template
+from sim.scene.said import commas, counted, joined, said, template
 
 ONE_ITEM = template(
     "One item is no diagnosis. The tables say which answers were chosen, and what students who "
     "choose them often think."
 )
-NO_MOST = template("the most marks of this test are not known (--max N tells them)")
+NO_MOST = template("the most marks of this test are not known")
 NO_ITEMS = template("it needs the marks of each question")
 NO_LEVELS = template("the answers of strong and of weak students apart were not handed on")
 FEW_QUESTIONS = template(
@@ -81,9 +81,21 @@ def left_open(items: Iterable[Mapping[str, Any]]) -> str:
     )  # fmt: skip
 
 
-def unmarked(form: str) -> str:
-    """That a form's key is missing; what to do is up to who shows it."""
-    return said("Form {form}: there is no key for it, so nothing is marked.", form=form)
+def unmarked(form: str, files: Mapping[str, Any], *, name_it: str) -> str:
+    """That a form's key is missing, and where it can come from; `name_it`: how files of answers get
+    one, where the report is shown. To a summary no key can be added any more."""
+    row = template("A row KEY in the table gives the right answers.")
+    advice = {"files": name_it, "rows": row}.get(files.get("unit", "files"), "")
+    return joined(said("Form {form}: there is no key for it, so nothing is marked.", form=form),
+                  advice)  # fmt: skip
+
+
+def waiting(form: Mapping[str, Any]) -> str:
+    """Answers in words that nobody has marked yet."""
+    labels = {item["id"]: item["label"] for item in form["items"]}
+    questions = commas([label for name, label in labels.items() if name in form["unread"]])
+    return said("Form {form}, to be read by you and in no total yet: {questions}.",
+                form=form["form"], questions=questions)  # fmt: skip
 
 
 def too_few(n: int, fewest: int) -> str:

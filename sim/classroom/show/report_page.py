@@ -10,12 +10,12 @@ from typing import Any
 
 from sim.classroom.report import sentences as say
 from sim.classroom.report.numerals import mean_and_sd, signed
-from sim.classroom.report.sentences import TITLES, unmarked
+from sim.classroom.report.sentences import TITLES
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import Tell, listed, person, table, telling, text
 from sim.classroom.show.questions import form_html
 from sim.scene.notation import number
-from sim.scene.said import Said, commas, counted, joined, said, template
+from sim.scene.said import Said, commas, counted, said, template
 
 Row = Mapping[str, Any]
 MOST_LOST = 5  # names of files that could not be read, in the first lines; all stand below
@@ -140,9 +140,9 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
             says.append(of_group(TITLES.get(form["form"], form["form"]), left))
         if not form["has_key"]:
             choose = template("Choose the key file as well.")
-            says.append(joined(unmarked(form["form"]), choose))
+            says.append(say.unmarked(form["form"], report["files"], name_it=choose))
         elif form["unread"]:
-            says.append(_waiting(form))
+            says.append(say.waiting(form))
     head = [template("form"), template("group"), template("students"),
             template("mean ± standard deviation"), template("95 % interval"),
             template("marks")]  # fmt: skip
@@ -157,14 +157,6 @@ def interval(group: Row, of: float | None) -> str:
     return said("{low} to {high}", low=number(low), high=number(high))
 
 
-def _waiting(form: Row) -> str:
-    """Answers in words that nobody has marked yet."""
-    labels = {item["id"]: item["label"] for item in form["items"]}
-    waiting = commas([label for name, label in labels.items() if name in form["unread"]])
-    return said("Form {form}, to be read by you and in no total yet: {questions}.",
-                form=form["form"], questions=waiting)  # fmt: skip
-
-
 def _plot(lesson: Row, tell: Tell) -> str:
     rows: list[tuple[str, list[float], float, float | None]] = []
     highest = 0.0
@@ -177,7 +169,9 @@ def _plot(lesson: Row, tell: Tell) -> str:
                 name = group_in_form(form["form"], group["group"]) if several else form["form"]
                 rows.append((name, group["totals"], group["mean"], half))
                 highest = max(highest, form["of"] or group["most"])
-    return f'<figure tabindex="0">{dots(rows, highest, tell)}</figure>' if rows else ""
+    if not highest:  # nobody has a mark, and nobody knows how many there are: no scale
+        return ""
+    return f'<figure tabindex="0">{dots(rows, highest, tell)}</figure>'
 
 
 ALONE = {

@@ -70,6 +70,8 @@ def _notes(tables: Sequence[MarkTable], lesson: LessonSums, counted: Sequence[Ta
         for meta in form.items
         if (meta["id"], meta["worth"]) not in told and meta["worth"] > WORTH_SEEN
     ]
+    if any(form.of is None for form in lesson.forms.values()):
+        notes.append(say.WHERE_MOST)
     if guessed:
         notes.append(say.worth_seen(list(dict.fromkeys(guessed))))
     return notes

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sim.classroom.tables.marks import shown
-from sim.scene.said import counted, said
+from sim.scene.said import counted, said, template
 
 MOST_NAMED = 8
 """Columns that a note names."""
 TESTS_NAMED = 4
+WHERE_MOST = template(
+    "The most marks of a test can stand in its heading, as in “pre (30)”, or in a row MAX."
+)
 
 
 def which_is_before(tests: Sequence[str]) -> str:

@@ -13,7 +13,7 @@ from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
 from sim.scene.notation import number
-from sim.scene.said import counted, in_words, joined, said, template
+from sim.scene.said import counted, in_words, said, template
 
 Tell = Callable[[str], str]
 """A sentence in the language of the report, safe for a terminal."""
@@ -51,11 +51,18 @@ def _parts(report: Mapping[str, Any], tell: Tell) -> Iterator[str]:
         for f in report["flags"]
     )
     for lesson in report["lessons"]:
-        yield from _lesson(lesson, tell)
-    yield _lines(report["notes"], tell)
+        yield from _lesson(lesson, report["files"], tell)
+    yield _lines([*report["notes"], *_options(report)], tell)
 
 
-def _lesson(lesson: Mapping[str, Any], tell: Tell) -> Iterator[str]:
+def _options(report: Mapping[str, Any]) -> Iterator[str]:
+    """What an option of the command can tell, beside a note that says where a table can."""
+    forms = (form for lesson in report["lessons"] for form in lesson["forms"])
+    if report["files"].get("unit") == "rows" and any(form["of"] is None for form in forms):
+        yield template("--max N tells the most marks too.")
+
+
+def _lesson(lesson: Mapping[str, Any], files: Mapping[str, Any], tell: Tell) -> Iterator[str]:
     title = _safe(lesson["title"])
     yield f"{title}\n{'=' * len(title)}"
     yield _means(lesson, tell)
@@ -63,7 +70,7 @@ def _lesson(lesson: Mapping[str, Any], tell: Tell) -> Iterator[str]:
     says += [of_group(form["form"], left) for form in lesson["forms"]
              if form["of"] is not None and (left := left_open(form["items"]))]  # fmt: skip
     name_it = template("Name the key file too: --key FILE")
-    says += [joined(unmarked(form["form"]), name_it) for form in lesson["forms"]
+    says += [unmarked(form["form"], files, name_it=name_it) for form in lesson["forms"]
              if not form["has_key"]]  # fmt: skip
     yield _lines(says, tell)
     if lesson["comparison"]:

@@ -6,6 +6,7 @@ import pytest
 
 from sim.classroom.tables.most_told import with_most
 from sim.classroom.tables.read import read_table
+from tests.classroom.given.exported_tables import WIDE
 from tests.classroom.given.tables import csv, reported
 
 NO_MOST = ["pre (2024)", "Test 3/2025", "Klausur 12/05", "Test 31/1", "Quiz (12.05)", "vor 25/26",
@@ -60,3 +61,15 @@ def test_the_numbers_that_are_taken_for_the_most_marks_are_named() -> None:
     assert note == "The headings tell the most marks: “pre (30)”, “post /30”."
     told = reported(csv(("student", "pre (30)", "post (30)"), [["MAX", 40, 40], *rows]))
     assert not any("headings" in one for one in told["notes"])
+
+
+def test_marks_that_a_table_does_not_tell_are_asked_for() -> None:
+    report = reported(WIDE)
+    gain = report["lessons"][0]["gains"][0]
+    assert gain["gain"] is None
+    assert gain["refusals"][0] == "gain: the most marks of this test are not known"
+    assert any("“pre (30)”, or in a row MAX" in note for note in report["notes"])
+    assert reported(WIDE, most=10)["lessons"][0]["gains"][0]["gain"] is not None
+    head, line = ("student", "pre", "post"), ["MAX", 10, 10]
+    told = csv(head, [line, *([f"s{k}", k % 5, k % 7] for k in range(14))])
+    assert reported(told)["lessons"][0]["gains"][0]["of"] == 10

@@ -18,7 +18,6 @@ from tests.classroom.given.exported_tables import (
     MICROSOFT,
     MOODLE,
     MOODLE_GERMAN,
-    WIDE,
 )
 from tests.classroom.given.tables import csv, judged, reported
 
@@ -185,16 +184,6 @@ def test_letters_without_a_key_are_counted_and_not_marked() -> None:
     form = reported(csv(("student", "Q1", "Q2"), rows_))["lessons"][0]["forms"][0]
     assert (form["has_key"], form["of"]) == (False, 0)
     assert [c["count"] for c in form["items"][0]["choices"]] == [4, 4]
-
-
-def test_marks_that_a_table_does_not_tell_are_asked_for() -> None:
-    gain = reported(WIDE)["lessons"][0]["gains"][0]
-    assert gain["gain"] is None
-    assert any("--max N" in reason for reason in gain["refusals"])
-    assert reported(WIDE, most=10)["lessons"][0]["gains"][0]["gain"] is not None
-    head, line = ("student", "pre", "post"), ["MAX", 10, 10]
-    told = csv(head, [line, *([f"s{k}", k % 5, k % 7] for k in range(14))])
-    assert reported(told)["lessons"][0]["gains"][0]["of"] == 10
 
 
 def test_one_column_for_each_test_is_its_total_whatever_it_is_called() -> None:
