@@ -102,7 +102,7 @@ def _lesson(lesson: Row, report: Row, tell: Tell) -> str:
                   _topics(lesson, tell)]  # fmt: skip
     for row in lesson["later"]:
         parts.append(f"<h3>{tell(said('Form {form}', form=row['form']))}</h3>")
-        parts.append(listed(row["sentences"], tell))
+        parts.append(listed([*row["sentences"], *row["refusals"]], tell))
     parts.append(_items(lesson, tell))
     parts += [form_html(form, tell) for form in lesson["forms"]]
     return f'<section class="carts-class-lesson">{"".join(parts)}</section>'

@@ -8,7 +8,8 @@ from typing import Any
 
 from sim.classroom.report.items.second_thoughts import thoughts
 from sim.classroom.report.items.typed_numbers import typed_sentence
-from sim.classroom.report.sentences import left_open, of_files, unmarked
+from sim.classroom.report.numerals import mean_and_sd
+from sim.classroom.report.sentences import FEW_QUESTIONS, left_open, of_files, unmarked, waiting
 from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
@@ -26,6 +27,10 @@ ITEMS = (
     template("question"), template("answered right"), template("partly right"), template("wrong"),
     template("left open"), template("to read"), template("difficulty"), template("discr."), "r",
     template("chosen"),
+)  # fmt: skip
+TOPICS = (
+    template("topic"), template("questions"), template("group"), template("took both"),
+    template("before"), template("after"), template("gain g"),
 )  # fmt: skip
 MOST_FILES = 8
 """Files beside a question to the teacher."""
@@ -72,6 +77,7 @@ def _lesson(lesson: Mapping[str, Any], files: Mapping[str, Any], tell: Tell) -> 
     name_it = template("Name the key file too: --key FILE")
     says += [unmarked(form["form"], files, name_it=name_it) for form in lesson["forms"]
              if not form["has_key"]]  # fmt: skip
+    says += [waiting(form) for form in lesson["forms"] if form["has_key"] and form["unread"]]
     yield _lines(says, tell)
     if lesson["comparison"]:
         yield _lines([*lesson["comparison"]["sentences"], *lesson["comparison"]["refusals"]], tell)
@@ -81,6 +87,10 @@ def _lesson(lesson: Mapping[str, Any], files: Mapping[str, Any], tell: Tell) -> 
     for row in lesson["gains"]:
         yield tell(said("Before and after, {group}:", group=row["group"]))
         yield _lines([*row["sentences"], *row["refusals"]], tell)
+    yield _topics(lesson, tell)
+    for row in lesson["later"]:
+        title = tell(said("Form {form}", form=row["form"]))
+        yield f"{title}:\n{_lines([*row['sentences'], *row['refusals']], tell)}"
     for form in lesson["forms"]:
         yield _items(form, tell)
 
@@ -98,6 +108,23 @@ def _means(lesson: Mapping[str, Any], tell: Tell) -> str:
         if "mean" in group
     ]  # fmt: skip
     return table(tuple(map(tell, MEANS)), rows) if rows else ""
+
+
+def _topics(lesson: Mapping[str, Any], tell: Tell) -> str:
+    """Gains topic by topic, and by how much two groups differ in each."""
+    rows = [
+        (
+            _safe(row["topic"]), str(row["questions"]), tell(row["group"]), str(row["n"]),
+            mean_and_sd(row["pre"]), mean_and_sd(row["post"]),
+            "–" if row["gain"] is None else number(row["gain"]),
+        )
+        for row in lesson["topics"]
+    ]  # fmt: skip
+    if not rows:
+        return ""
+    says = [*(row["sentence"] for row in lesson["topic_differences"]), FEW_QUESTIONS]
+    title = tell(template("By topic"))
+    return f"{title}:\n{table(tuple(map(tell, TOPICS)), rows)}\n{_lines(says, tell)}"
 
 
 def _items(form: Mapping[str, Any], tell: Tell) -> str:
