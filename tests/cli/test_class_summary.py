@@ -119,3 +119,15 @@ def test_what_is_no_summary_is_named_and_the_others_are_added(schools: Path) -> 
 def test_calls_that_cannot_be_meant_end_with_2(schools: Path, words: tuple[str, ...]) -> None:
     key = str(schools / "key.json")
     assert carts(*(key if word == "KEY" else word for word in words)).exit_code == 2
+
+
+def test_students_whose_class_keeps_them_out_of_the_gains_are_counted(tmp_path: Path) -> None:
+    classes = ["7a"] * 9 + ["7b"] * 3 + [""]
+    rows = "".join(f"s{k},{name},{k % 5},{k % 7}\n" for k, name in enumerate(classes))
+    (tmp_path / "m.csv").write_text(f"student,class,pre (9),post (9)\n{rows}")
+    target = tmp_path / "s.json"
+    result = carts("--table", tmp_path / "m.csv", "--lesson", "x", "--summary", target)
+    assert "s.json: 3 students with both tests are in no gain: fewer than 5" in result.stderr
+    assert "s.json: 1 student with both tests is in no gain: no class is given" in result.stderr
+    (lesson,) = json.loads(carts("--merge", target, "--json").stdout)["lessons"]
+    assert (lesson["forms"][0]["n"], lesson["gains"][0]["n"]) == (13, 9)

@@ -22,25 +22,45 @@ OTHER = "other"
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """Sums that may leave a school. `withheld`: how many groups were too small."""
+    """Sums that may leave a school. `withheld`: how many groups were too small. Of students with
+    both tests who are in no pair: how many are of classes too small, and how many of none.
+    """
 
     groups: tuple[str, ...]
     lessons: tuple[LessonSums, ...]
     withheld: int
+    of_small_classes: int = 0
+    of_no_class: int = 0
 
 
 def handed_on(
     lessons: Iterable[LessonSums], groups: Iterable[str], *, by_total: bool = False
 ) -> Summary:
     """The summary; `by_total`: with the marks by total, which discrimination and curves need."""
-    kept, withheld = [], 0
+    lessons, kept, withheld = list(lessons), [], 0
     for lesson in lessons:
         made, count = _lesson(lesson, by_total=by_total)
         withheld += count
         if made.forms:
             kept.append(made)
     named = {group for lesson in kept for form in lesson.forms.values() for group in form.groups}
-    return Summary(tuple(g for g in groups if g in named), tuple(kept), withheld)
+    small = sum(map(_of_small_classes, lessons))
+    none = sum(map(_of_no_class, lessons))
+    return Summary(tuple(g for g in groups if g in named), tuple(kept), withheld, small, none)
+
+
+def _of_small_classes(lesson: LessonSums) -> int:
+    pairs = (sums for cluster in lesson.clusters for sums in cluster.values())
+    return sum(sums.n for sums in pairs if sums.n < FEWEST)
+
+
+def _of_no_class(lesson: LessonSums) -> int:
+    """Students whose class nobody told, where that of others is. Their pairs would not fit into the
+    sums by classes, and those of classes too small could be taken from them."""
+    if not lesson.clusters:
+        return 0
+    known = sum(sums.n for cluster in lesson.clusters for sums in cluster.values())
+    return sum(sums.n for sums in lesson.pairs.values()) - known
 
 
 def _lesson(lesson: LessonSums, *, by_total: bool) -> tuple[LessonSums, int]:

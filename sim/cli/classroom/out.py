@@ -45,9 +45,8 @@ class Out:
     def sums(self, lessons: Sequence[LessonSums], groups: Sequence[str]) -> None:
         """Writes the sums that may be handed on, where that was asked for."""
         if self.summary:
-            withheld = write_summary(self.summary, lessons, groups, by_total=self.by_total)
-            if withheld:
-                self.say(withheld, err=True)
+            for left_out in write_summary(self.summary, lessons, groups, by_total=self.by_total):
+                self.say(left_out, err=True)
 
     def report(
         self, report: dict[str, Any], refused: Sequence[tuple[str, str]], *, anything: bool

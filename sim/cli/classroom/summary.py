@@ -25,15 +25,34 @@ from sim.scene.said import counted, reason_of
 
 def write_summary(
     path: Path, lessons: Sequence[LessonSums], groups: Sequence[str], *, by_total: bool
-) -> str:
-    """Writes what may be handed on; gives the sentence on groups that were too small, or ""."""
+) -> list[str]:
+    """Writes what may be handed on; gives sentences on what was left out of it."""
     summary = handed_on(lessons, groups, by_total=by_total)
     write_whole(path, summary)
-    if not summary.withheld:
-        return ""
-    return counted("{file}: 1 group is too small and withheld (fewer than 5 students)",
-                   "{file}: {n} groups are too small and withheld (fewer than 5 students)",
-                   n=summary.withheld, file=str(path))  # fmt: skip
+    file = str(path)
+    says: list[str] = []
+    if summary.withheld:
+        says.append(counted(
+            "{file}: 1 group is too small and withheld (fewer than 5 students)",
+            "{file}: {n} groups are too small and withheld (fewer than 5 students)",
+            n=summary.withheld, file=file,
+        ))  # fmt: skip
+    if summary.of_small_classes:
+        says.append(counted(
+            "{file}: 1 student with both tests is in no gain: fewer than 5 of the class have both",
+            "{file}: {n} students with both tests are in no gain: fewer than 5 of their class have "
+            "both",
+            n=summary.of_small_classes, file=file,
+        ))  # fmt: skip
+    if summary.of_no_class:
+        says.append(counted(
+            "{file}: 1 student with both tests is in no gain: no class is given, while others have "
+            "one",
+            "{file}: {n} students with both tests are in no gain: no class is given, while others "
+            "have one",
+            n=summary.of_no_class, file=file,
+        ))  # fmt: skip
+    return says
 
 
 def write_whole(path: Path, summary: Summary) -> None:
