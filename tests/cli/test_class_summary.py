@@ -83,8 +83,8 @@ def test_small_groups_are_withheld_and_said_to_be(schools: Path) -> None:
 
 
 def test_a_table_hands_on_sums_too(tmp_path: Path) -> None:
-    for name in "ab":
-        lines = [f"{name}{k},{k % 4},{k % 6}" for k in range(9)]
+    for name, step in (("a", 1), ("b", 5)):
+        lines = [f"{name}{k},{k % 4},{step * k % 6}" for k in range(9)]
         (tmp_path / f"{name}.csv").write_text("\n".join(["student,pre (9),post (9)", *lines]))
         assert carts("--table", tmp_path / f"{name}.csv", "--lesson", "force", "--summary",
                      tmp_path / f"{name}.json").exit_code == 0  # fmt: skip

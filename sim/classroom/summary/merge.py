@@ -14,11 +14,9 @@ from typing import Any
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.handed_on import Summary
+from sim.classroom.summary.once import Named, Place
 from sim.classroom.summary.sums import FORMS, FormSums, LessonSums, all_added
 from sim.scene.said import said
-
-Named = tuple[str, Summary]
-Place = tuple[str, str]
 
 
 def merged(summaries: Sequence[Named]) -> tuple[Summary, list[tuple[str, str]]]:
@@ -54,13 +52,14 @@ def merged(summaries: Sequence[Named]) -> tuple[Summary, list[tuple[str, str]]]:
 
 
 def _without(lesson: LessonSums, forms: Mapping[str, FormSums]) -> LessonSums:
-    """Pairs count where both of their forms do."""
+    """Pairs count where both of their forms do, and a lesson is in the sum with any form."""
     whole = {"pre", "post"} <= forms.keys()
     return replace(
         lesson,
         forms=forms,
         pairs=lesson.pairs if whole else {},
         clusters=lesson.clusters if whole else (),
+        holds=lesson.holds if forms else (),
     )
 
 
@@ -115,6 +114,7 @@ def _lesson(lessons: Sequence[LessonSums], groups: Sequence[str]) -> LessonSums:
         clusters=tuple(cluster for lesson in lessons for cluster in lesson.clusters),
         classes=all_added(lesson.classes for lesson in lessons),
         table=any(lesson.table for lesson in lessons),
+        holds=tuple(sorted({one for lesson in lessons for one in lesson.holds})),
     )
 
 

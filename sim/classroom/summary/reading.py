@@ -13,6 +13,7 @@ from sim.classroom.statistics.pair_sums import PairSums
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.handed_on import Summary
 from sim.classroom.summary.numbers import SummaryError, count, exact
+from sim.classroom.summary.once import fingerprint
 from sim.classroom.summary.sums import COUNTS, FORMS, FormSums, GroupSums, ItemSums, LessonSums
 from sim.classroom.summary.written import FORMAT, KIND, PAIR_NUMBERS
 from sim.scene.said import said, template
@@ -21,6 +22,7 @@ MOST_BYTES = 20_000_000
 MOST_PARTS = 2_000
 """Lessons, forms, groups, items, options, or different totals: of each in one place."""
 
+MOST_SUMMARIES = 100_000
 LONGEST = 5_000
 DAMAGED = template("this summary is damaged")
 T = TypeVar("T")
@@ -80,7 +82,16 @@ def _lesson(row: Mapping[str, Any]) -> LessonSums:
         pairs_of=None if row["pairs_of"] is None else exact(row["pairs_of"]),
         same_items=bool(row["same_items"]), classes=_map(row["classes"], count),
         clusters=tuple(_map(cluster, _pair) for cluster in row["clusters"]),
+        holds=_holds(row["holds"]) if "holds" in row else (fingerprint(row),),
     )  # fmt: skip
+
+
+def _holds(value: object) -> tuple[str, ...]:
+    """Of a whole country: more than there may be of anything else in one place."""
+    found = value if isinstance(value, list) else []
+    if not 0 < len(found) <= MOST_SUMMARIES:
+        raise SummaryError(DAMAGED)
+    return tuple(map(_text, found))
 
 
 def _pair(row: Mapping[str, Any]) -> PairSums:

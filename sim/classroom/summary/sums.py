@@ -151,7 +151,8 @@ class LessonSums:
     """A lesson. `pairs`: by group; `clusters`: the same class by class, where classes are known.
 
     `classes`: how many classes a group holds; `pairs_of`: marks of both tests of the pairs.
-    `table`: it tells itself which classes there are.
+    `table`: it tells itself which classes there are. `holds`: fingerprints of the summaries that it
+    was added from, or its own.
     """
 
     site: str
@@ -163,3 +164,4 @@ class LessonSums:
     clusters: tuple[Cluster, ...] = ()
     classes: Mapping[str, int] = field(default_factory=dict)
     table: bool = False
+    holds: tuple[str, ...] = ()

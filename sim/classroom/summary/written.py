@@ -35,6 +35,7 @@ def _lesson(lesson: LessonSums) -> dict[str, Any]:
     clusters = [_pairs(cluster) for cluster in lesson.clusters]
     return {
         "site": lesson.site, "lesson": lesson.lesson, "table": lesson.table,
+        **({"holds": list(lesson.holds)} if lesson.holds else {}),
         "classes": dict(lesson.classes),
         "pairs_of": None if lesson.pairs_of is None else written(lesson.pairs_of),
         "same_items": lesson.same_items, "pairs": _pairs(lesson.pairs),

@@ -13,9 +13,10 @@ from sim.classroom.report.marked import Keys
 from sim.classroom.report.report import Asked, sorted_files
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.handed_on import Summary, handed_on
-from sim.classroom.summary.merge import Named, merged
+from sim.classroom.summary.merge import merged
 from sim.classroom.summary.numbers import SummaryError
 from sim.classroom.summary.of_answers import lessons_of
+from sim.classroom.summary.once import Named, once
 from sim.classroom.summary.reading import MOST_BYTES, read_summary
 from sim.classroom.summary.sums import LessonSums
 from sim.classroom.summary.written import summary_file
@@ -77,11 +78,12 @@ def merged_report(
     gc.disable()  # a million small numbers, none in a circle: looking for circles takes 4 of 10 s
     try:
         named, refused = _read(paths)
+        named, doubled, notes = once(named)
         summary, left_out = merged(named)
     finally:
         gc.enable()
-    refused = sorted([*refused, *left_out])
-    read = Read(unit="summaries", read=len(paths), counted=len(named), refused=refused)
+    refused = sorted([*refused, *doubled, *left_out])
+    read = Read(unit="summaries", read=len(paths), counted=len(named), refused=refused, notes=notes)
     return document(summary.lessons, summary.groups, read), summary, refused
 
 

@@ -36,7 +36,7 @@ NOT_IN_CLASS = (
     *("lesson/goal.py", "lesson/schema.py", "classroom/paper.py"),
     *(
         f"classroom/summary/{name}.py"
-        for name in ("handed_on", "merge", "numbers", "of_answers", "reading", "written")
+        for name in ("handed_on", "merge", "numbers", "of_answers", "once", "reading", "written")
     ),
 )
 """What checks and builds lessons, and joins what schools hand on: only commands do."""
