@@ -54,6 +54,21 @@ def test_without_a_key_answers_are_counted_and_nothing_is_marked(school: Path) -
     assert "no key for it, so nothing is marked" in carts(school / "7a").stdout
 
 
+def test_tables_for_a_spreadsheet_with_decimal_commas_hold_the_same(school: Path) -> None:
+    cells: dict[str, list[list[str]]] = {}
+    for separator in (",", ";"):
+        paths = [school / "students.csv", school / "items.csv"]
+        call = (school / "7a", "--key", school / "carts.key.json", "--separator", separator)
+        assert carts(*call, "--csv", paths[0], "--items", paths[1]).exit_code == 0
+        texts = [path.read_text(encoding="utf-8-sig") for path in paths]
+        lines = [line for text in texts for line in text.splitlines()]
+        cells[separator] = [*csv.reader(lines, delimiter=separator)]
+    assert any("0." in cell for row in cells[","] for cell in row)
+    assert [[cell.replace(",", ".") for cell in row] for row in cells[";"]] == [
+        [cell.replace(",", ".") for cell in row] for row in cells[","]
+    ]
+
+
 def test_a_file_of_answers_is_no_key(school: Path) -> None:
     """Before, it was one more file of a student, and nothing said why no answer was marked."""
     answers = next((school / "7b").iterdir())

@@ -34,6 +34,7 @@ def school(tmp_path: Path) -> Path:
     ("words", "reason"),
     [
         (("7a", "--answers"), "--answers belongs to --slips"),
+        (("7a", "--separator", ";"), "--separator belongs to --csv and --items"),
         (("7a", "--student", "x.json=RED"), "--student x.json=RED: no file of this name was read"),
         (("--merge", "key.json", "--group", "a=*"), "the summaries name their groups"),
         (("--merge", "key.json", "--csv", "x.csv"), "a summary has none"),

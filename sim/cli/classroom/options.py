@@ -10,6 +10,7 @@ import click
 from sim.cli.classroom.calls import Given, group, student
 from sim.cli.classroom.out import Out
 from sim.cli.classroom.papers import Papers
+from sim.cli.classroom.spreadsheet import COMMA
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,6 +25,7 @@ class Options:
     answers: bool
     csv_file: Path | None
     items_file: Path | None
+    separator: str | None
     keys: tuple[Path, ...]
     marks: Path | None
     codes: Path | None
@@ -42,7 +44,7 @@ class Options:
         """Where the report goes."""
         return Out(
             ctx, self.as_json, self.html, self.csv_file, self.items_file, self.summary,
-            self.by_total, self.language,
+            self.by_total, self.language, self.separator or COMMA,
         )  # fmt: skip
 
     def given(self, files: tuple[Path, ...]) -> Given:

@@ -13,6 +13,7 @@ import click
 from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.standalone import standalone
 from sim.classroom.summary.sums import LessonSums
+from sim.cli.classroom.spreadsheet import parted_by
 from sim.cli.classroom.summary import write_summary
 from sim.cli.classroom.text import report_as_text, teller
 from sim.cli.write_out import write_out
@@ -32,6 +33,7 @@ class Out:
     summary: Path | None
     by_total: bool
     language: str
+    separator: str
 
     @property
     def words(self) -> Mapping[str, str]:
@@ -63,9 +65,11 @@ class Out:
         if self.html:
             write_out(self.html, standalone([report], self.words, self.language), "--html FILE")
         if self.csv_file:
-            write_out(self.csv_file, students_csv(report, self.words), "--csv FILE")
+            table = parted_by(self.separator, students_csv(report, self.words))
+            write_out(self.csv_file, table, "--csv FILE")
         if self.items_file:
-            write_out(self.items_file, items_csv(report, self.words), "--items FILE")
+            table = parted_by(self.separator, items_csv(report, self.words))
+            write_out(self.items_file, table, "--items FILE")
         if self.as_json:
             click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
             return

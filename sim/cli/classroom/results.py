@@ -28,6 +28,7 @@ from sim.cli.classroom.files import sources
 from sim.cli.classroom.options import Options
 from sim.cli.classroom.out import Out
 from sim.cli.classroom.papers import Papers
+from sim.cli.classroom.spreadsheet import COMMA, SEMICOLON
 from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_whole
 from sim.cli.classroom.tables import tables_of
 from sim.cli.named_file import GivenFile
@@ -52,6 +53,12 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
 @click.option("--answers", is_flag=True, help="Slips with the right answers.")
 @click.option("--csv", "csv_file", type=FILE, help="Write marks by student as a table.")
 @click.option("--items", "items_file", type=FILE, help="Write numbers by question as a table.")
+@click.option(
+    "--separator",
+    type=click.Choice([COMMA, SEMICOLON]),
+    help='Between cells of --csv and --items: "," (as without it), or ";" with decimal commas, for '
+    "a spreadsheet that writes 0,5.",
+)
 @click.option("--key", "keys", type=EXISTING, multiple=True, help="Key file of `carts key`.")
 @click.option("--marks", type=EXISTING, help="Your marks for answers in words, a file of the page.")
 @click.option("--codes", type=EXISTING, help="Typed hand-in codes, a line each: WORD FORM CODE.")
@@ -133,6 +140,8 @@ def command(ctx: click.Context, /, files: tuple[Path, ...], **options: Any) -> N
         raise click.UsageError("--by-total belongs to --summary")
     if wanted.answers and not wanted.slips:
         raise click.UsageError("--answers belongs to --slips")
+    if wanted.separator and not (wanted.csv_file or wanted.items_file):
+        raise click.UsageError("--separator belongs to --csv and --items")
     if wanted.parquet or (wanted.tables and of_country(wanted.tables, wanted.backend)):
         only_country(ctx, wanted.parquet, wanted.tables)
         if wanted.parquet:

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from sim.classroom.tables.read import read_table as read_marks
+from sim.cli.classroom.spreadsheet import parted_by
 from sim.measured.sheet.table import read_table
 from tests.web.scene.given.widget_site import in_node
 
@@ -32,6 +33,11 @@ def test_a_text_stays_as_it_was_written() -> None:
     text = '\ufeffname,said,n\r\n"1.5","a, ""b"", 2.5",2.5\r\nv.A;w,"=1+1",\r\n'
     (german,) = saved(text, "de-AT")
     assert german == '\ufeffname;said;n\r\n"1.5";"a, ""b"", 2.5";2,5\r\n"v.A;w";"=1+1";\r\n'
+
+
+@pytest.mark.parametrize("text", [READINGS, '\ufeffa,"b;c"\n"1.5",v;w\n-1.5e+3,1.5.2\n,\n', ""])
+def test_the_command_writes_a_table_as_the_page_does(text: str) -> None:
+    assert [parted_by(sign, text) for sign in ",;"] == saved(text, "en", "de")
 
 
 @pytest.mark.parametrize("language", ["en", "de", "id"])
