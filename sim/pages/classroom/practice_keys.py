@@ -16,8 +16,12 @@ from sim.pages.language import LANGUAGES, words_of
 
 FILE = "class-keys.js"
 FOR_TEACHERS = ("rubric", "note")
-OF_PAPERS = ("sim/classroom/", "sim/lesson/")
-"""Where the sentences of slips and sheets stand, and the beliefs in them."""
+OF_PAPERS = (
+    *(f"sim/classroom/{folder}/" for folder in ("files", "handouts", "report", "show")),
+    *("sim/classroom/refusal.py", "sim/lesson/"),
+)
+"""Where the sentences of slips and sheets stand, and the beliefs in them. They are made from answer
+files: what is said of tables and summaries is in none."""
 
 
 def practice_key(site_id: str, lesson: str, page: Page) -> dict[str, Any] | None:
