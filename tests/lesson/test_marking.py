@@ -141,4 +141,6 @@ def test_no_answer_whatever_breaks_the_marking(value: Any, own: float | None) ->
         mark = read_question(vectors["question"]).mark(value, own)
         assert (mark.verdict == "empty") == is_empty(value)
         assert mark.marks is None or 0 <= mark.marks <= mark.of
+        # A question without marks waits for a person, who can read only what is open.
+        assert mark.marks is not None or mark.verdict == "open" or not mark.of
         assert mark.verdict != "right" or mark.marks == mark.of

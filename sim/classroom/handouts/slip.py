@@ -111,8 +111,8 @@ def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
     marked = [(k, key.items[name], file.answers[name]) for k, name in enumerate(key.items, 1)]
     worth = [(k, item, a) for k, item, a in marked if a.mark and a.mark.of and not a.foreign
              and not (a.optional and _verdict(a) == "empty")]  # fmt: skip
-    wrong = [one for one in worth if _verdict(one[2]) in ("wrong", "partly", "unclear")
-             and not one[1].question.free]  # fmt: skip
+    wrong = [(k, item, a) for k, item, a in worth if _verdict(a) == "unclear"
+             or (_verdict(a) in ("wrong", "partly") and not item.question.free)]  # fmt: skip
     wrong.sort(key=lambda one: (one[2].sure != "sure", one[0]))
     answered = [(item, a) for _, item, a in worth if _verdict(a) not in ("empty", "open")]
     sure = [a for item, a in answered if item.question.common.sure and a.sure == "sure"]

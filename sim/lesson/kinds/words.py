@@ -93,7 +93,9 @@ class Long(Question):
         del own
         if is_empty(value):
             return Mark("empty", 0, self.worth)
-        return Mark("open" if isinstance(value, str) else "unclear", None, self.worth, ("explain",))
+        if not isinstance(value, str):  # nobody can read it: no question may wait for that
+            return Mark("unclear", 0, self.worth)
+        return Mark("open", None, self.worth, ("explain",))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

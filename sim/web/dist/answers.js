@@ -2217,7 +2217,7 @@
     return whole(right, some, of, shown, beliefs);
   }
   function written2(value, of) {
-    return typeof value === "string" ? made("open", null, of, ["explain"]) : made("unclear", null, of, ["explain"]);
+    return typeof value === "string" ? made("open", null, of, ["explain"]) : made("unclear", 0, of);
   }
   function known(key, k, of) {
     if (k < 0) return whole(false, false, of);

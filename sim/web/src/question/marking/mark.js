@@ -166,7 +166,7 @@ function chosen(picked, key, right, some, of) {
 function written(value, of) {
   return typeof value === "string"
     ? made("open", null, of, ["explain"])
-    : made("unclear", null, of, ["explain"]);
+    : made("unclear", 0, of); // nobody can read it: no question may wait for that
 }
 
 /** A wrong answer that is known, or not (k = −1). @param {any} key @param {number} k @param {number} of */
