@@ -139,6 +139,7 @@ def _chosen(answer: Answer, keyed: KeyedItem | None) -> Iterator[str]:
         return
     question = keyed.question
     if isinstance(question, Number):
-        yield from (shown_wrong(w, question) for w in question.wrong if typed_wrong(answer, w))
+        if wrong := typed_wrong(answer, question):
+            yield shown_wrong(wrong, question)
     elif question.KIND in OPTIONS:
         yield from (o for o in question.asked()["options"] if chose_option(answer, o))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar, Self
@@ -169,12 +169,18 @@ def mark_number(
         return Mark("unclear", 0, of)
     if abs(value - answer) <= tolerance * NEAR + LAST_BITS * abs(answer):
         return all_or_nothing(True, False, of)
-    for k, known in enumerate(wrong):
-        if abs(value - known.value) <= known.tolerance * NEAR:
-            shown = (f"wrong-{k}",) if known.feedback else ()
-            beliefs = (known.belief,) if known.belief else ()
-            return all_or_nothing(False, False, of, shown=shown, beliefs=beliefs)
-    return all_or_nothing(False, False, of)
+    k = known_wrong(value, wrong)
+    if k is None:
+        return all_or_nothing(False, False, of)
+    shown = (f"wrong-{k}",) if wrong[k].feedback else ()
+    beliefs = (wrong[k].belief,) if wrong[k].belief else ()
+    return all_or_nothing(False, False, of, shown=shown, beliefs=beliefs)
+
+
+def known_wrong(value: float, wrong: Sequence[Wrong]) -> int | None:
+    """Which known wrong number this one is, from 0: the first that is near enough."""
+    near = (k for k, w in enumerate(wrong) if abs(value - w.value) <= w.tolerance * NEAR)
+    return next(near, None)
 
 
 def _without(unit: str, value: object) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from sim.classroom.files.keyed import KeyedItem
 from sim.classroom.report.items.foreseen import Foreseen
 from sim.classroom.report.marked import Answer
-from sim.lesson.kinds.number import NEAR, Number, Wrong
+from sim.lesson.kinds.number import Number, Wrong, known_wrong
 from sim.scene.said import listed, said
 
 OFTEN = 2
@@ -19,10 +19,10 @@ MOST = 3
 """Other numbers that are told of a question."""
 
 
-def typed_wrong(answer: Answer, wrong: Wrong) -> bool:
-    """Whether this known wrong number was typed."""
-    near = wrong.tolerance * NEAR
-    return is_wrong_number(answer) and abs(answer.value - wrong.value) <= near
+def typed_wrong(answer: Answer, question: Number) -> Wrong | None:
+    """The known wrong number that was typed: the one that marking takes it for."""
+    k = known_wrong(answer.value, question.wrong) if is_wrong_number(answer) else None
+    return None if k is None else question.wrong[k]
 
 
 def is_wrong_number(answer: Answer) -> bool:
@@ -42,7 +42,7 @@ def told_numbers(answers: Sequence[Answer], question: Number) -> list[Foreseen]:
         Foreseen(
             shown := shown_wrong(wrong, question),
             shown,
-            [a for a in answers if typed_wrong(a, wrong)],
+            [a for a in answers if typed_wrong(a, question) is wrong],
             wrong.belief,
         )
         for wrong in question.wrong
@@ -59,7 +59,7 @@ def other_numbers(
     typed = Counter(
         float(a.value)
         for a in answers
-        if is_wrong_number(a) and not any(typed_wrong(a, w) for w in question.wrong)
+        if is_wrong_number(a) and typed_wrong(a, question) is None
     )
     often = [(value, count) for value, count in typed.most_common(MOST) if count >= OFTEN]
     return [{"label": _shown(value, question), "count": count} for value, count in often]
