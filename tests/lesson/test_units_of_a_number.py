@@ -141,3 +141,36 @@ def test_a_tolerance_that_is_missing_is_answered_with_a_narrow_one(answer: str, 
     assert (str(problem.message), problem.hint) == (
         "tolerance is missing", f"tolerance: {hint}",
     )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("answer", "tolerance", "told"),
+    [
+        ("0.66667 m/s", "0.0001 m/s", "no number of 3 figures lies within the tolerance"),
+        ("12.34 cm/s", "0.01 %", "no number of 3 figures lies within the tolerance"),
+        ("0.667 m/s", "0.0001 m/s", ""),
+        ("0.5 m/s", "0.5 m/s", "with this tolerance 0 is right too"),
+        ("0 m/s", "5 %", "5 % of 0 is 0"),
+    ],
+)
+def test_a_cell_of_a_table_asks_for_a_number_as_a_question_of_its_own_does(
+    answer: str, tolerance: str, told: str
+) -> None:
+    """Else a student's 0.667 in a cell was wrong, beside 0.66667 that nobody types."""
+    right = {"answer": answer, "tolerance": tolerance}
+    of_number = problems_of({**SPEED, **right})
+    of_cell = problems_of(
+        {"id": "q", "type": "table", "ask": "How fast?", "columns": ["a", "b"],
+         "rows": [["1", right]]}
+    )  # fmt: skip
+    assert of_cell == of_number
+    assert len(of_cell) == bool(told)
+    assert told in "".join(str(message) for _, message, _ in of_cell)
+
+
+def problems_of(question: dict[str, Any]) -> list[tuple[object, object, str]]:
+    try:
+        read_question(question)
+    except LessonError as error:
+        return [(p.path[-1], p.message, p.hint) for p in error.problems]
+    return []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -23,6 +24,42 @@ TOLERANCE = Key(
     NUMBER_OR_TEXT,
     True,
 )
+
+
+@dataclass(frozen=True, slots=True)
+class Right:
+    """The right number and how far from it is still right, SI; `unit`: that it was written in."""
+
+    exact: Fraction
+    tolerance: Fraction
+    unit: str
+    dimension: Dimension
+
+    def as_asked(self) -> dict[str, Any]:
+        """In its unit, and all units that may be typed instead."""
+        return {
+            "answer": units.tidy(self.exact, self.unit, self.dimension),
+            "tolerance": units.tidy(self.tolerance, self.unit, self.dimension),
+            "unit": self.unit,
+            "units": units.factors(self.unit, self.dimension),
+        }
+
+
+def read_right(
+    table: Mapping[str, Any],
+    measured: tuple[str, Dimension],
+    path: Path,
+    problems: list[Problem],
+) -> Right:
+    """`answer` and `tolerance`, wherever a number is to be typed; a tolerance that nobody can meet
+    is a problem. `measured`: what `read_unit` says of the answer."""
+    before = len(problems)
+    exact = read_number(table, "answer", measured[1], path, problems)
+    tolerance = read_tolerance(table, exact, measured, path, problems)
+    right = Right(exact, tolerance, *measured)
+    if len(problems) == before:
+        _check_tolerance(table, right, path, problems)
+    return right
 
 
 def read_unit(
@@ -119,19 +156,13 @@ def _relative(table: Mapping[str, Any], unit: str) -> bool:
     return str(table.get("tolerance", "")).strip().endswith("%") and unit != "%"
 
 
-def check_tolerance(
-    table: Mapping[str, Any],
-    right: tuple[Fraction, Fraction],
-    measured: tuple[str, Dimension],
-    path: Path,
-    problems: list[Problem],
+def _check_tolerance(
+    table: Mapping[str, Any], right: Right, path: Path, problems: list[Problem]
 ) -> None:
-    """Tells of a tolerance that allows nothing, in percent of 0, or 0 and the other direction too.
-
-    `right`: the answer and its tolerance, SI, where both could be read.
-    """
-    exact, tolerance = right
-    unit, dimension = measured
+    """Tells of a tolerance that allows nothing, in percent of 0, or no number that students type,
+    or 0 and the other direction too."""
+    exact, tolerance, unit, dimension = right.exact, right.tolerance, right.unit, right.dimension
+    before = len(problems)
     shown = str(table.get("tolerance", "")).strip()
     here = (*path, "tolerance")
     if not exact and _relative(table, unit) and read_quantity(shown, units.RATIO):
@@ -143,6 +174,10 @@ def check_tolerance(
         message = "with this tolerance 0 is right too, and so is nearly every answer"
         hint = f"tolerance: 5 %, or tolerance: {float(part):.2g} {unit}".rstrip()
         problems.append(Problem(here, "out-of-range", message, hint))
+    if len(problems) == before and not _reachable(exact, tolerance, units.size_of(unit, dimension)):
+        message = f"no number of {FIGURES} figures lies within the tolerance"
+        hint = "allow at least half of the last figure: tolerance: 1 %"
+        problems.append(Problem(here, "unreachable-tolerance", message, hint))
 
 
 def lacks_unit(
@@ -171,7 +206,7 @@ def _plain(value: str) -> bool:
         return False
 
 
-def reachable(exact: Fraction, tolerance: Fraction, unit: Fraction) -> bool:
+def _reachable(exact: Fraction, tolerance: Fraction, unit: Fraction) -> bool:
     """Whether a number of three figures, in this unit, lies within the tolerance."""
     answer = float(exact / unit)
     shown = float(f"{answer:.{FIGURES}g}")

@@ -5,20 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
-    FIGURES,
     TOLERANCE,
-    check_tolerance,
+    Right,
     is_number,
     lacks_unit,
-    reachable,
     read_number,
+    read_right,
     read_tolerance,
     read_unit,
 )
@@ -26,7 +24,6 @@ from sim.lesson.kinds.options import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
-from sim.scene.quantity import Dimension
 
 WRONG_KEYS = (
     Key("value", "a wrong answer that is often given", "0.60 m/s", NUMBER_OR_TEXT, True),
@@ -86,30 +83,9 @@ class Number(Question):
             problems.append(Problem((*path, "answer"), "wrong-unit", message, hint))
         if len(problems) > before:  # whatever is said about the rest would follow from this
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
-        exact = read_number(table, "answer", dimension, path, problems)
-        tolerance = read_tolerance(table, exact, (unit, dimension), path, problems)
-        if len(problems) == before:
-            check_tolerance(table, (exact, tolerance), (unit, dimension), path, problems)
-        wrong = _wrong(table, (exact, tolerance), (unit, dimension), path, problems)
-        if len(problems) == before and not reachable(
-            exact, tolerance, units.size_of(unit, dimension)
-        ):
-            problems.append(
-                Problem(
-                    (*path, "tolerance") if "tolerance" in table else path,
-                    "unreachable-tolerance",
-                    f"no number of {FIGURES} figures lies within the tolerance",
-                    "allow at least half of the last figure: tolerance: 1 %",
-                )
-            )
-        return cls(
-            common=common,
-            answer=units.tidy(exact, unit, dimension),
-            tolerance=units.tidy(tolerance, unit, dimension),
-            unit=unit,
-            units=units.factors(unit, dimension),
-            wrong=wrong,
-        )
+        right = read_right(table, (unit, dimension), path, problems)
+        wrong = _wrong(table, right, path, problems)
+        return cls(common=common, **right.as_asked(), wrong=wrong)
 
     @classmethod
     def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
@@ -196,12 +172,11 @@ def _numbers(table: Mapping[str, Any]) -> list[Any]:
 
 def _wrong(
     table: Mapping[str, Any],
-    right: tuple[Fraction, Fraction],
-    measured: tuple[str, Dimension],
+    right: Right,
     path: Path,
     problems: list[Problem],
 ) -> tuple[Wrong, ...]:
-    unit, dimension = measured
+    measured = unit, dimension = right.unit, right.dimension
     hint = "wrong:\n    - {value: 0.60 m/s, feedback: That is the speed before.}"
     found = []
     for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
@@ -210,9 +185,11 @@ def _wrong(
         if dimension is not units.RATIO:  # beside 50 % a plain 0.2 is 20 %, and is meant
             lacks_unit(row, measured, here, problems, "value")
         tolerance = (
-            read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[1]
+            read_tolerance(row, value, measured, here, problems)
+            if "tolerance" in row
+            else right.tolerance
         )
-        if len(problems) == before and abs(value - right[0]) <= right[1]:
+        if len(problems) == before and abs(value - right.exact) <= right.tolerance:
             message = "this wrong answer lies within the tolerance of the right one"
             problems.append(Problem((*here, "value"), "unreachable", message, "narrow it"))
         found.append(

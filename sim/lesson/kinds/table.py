@@ -15,13 +15,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
-from sim.lesson import keys, units
+from sim.lesson import keys
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
     TOLERANCE,
-    check_tolerance,
-    read_number,
-    read_tolerance,
+    read_right,
     read_unit,
 )
 from sim.lesson.kinds.number import mark_number
@@ -202,19 +200,10 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
     before = len(problems)
     elsewhere = {"value": meant("answer")}
     unknown_keys(cell, keys.names(CELL_KEYS), path, problems, elsewhere=elsewhere)
-    unit, dimension = read_unit(cell, "answer", path, problems)
+    measured = read_unit(cell, "answer", path, problems)
     if len(problems) > before:  # whatever is said about the rest would follow from this
         return Open(answer=0, tolerance=0, unit="", units={})
-    exact = read_number(cell, "answer", dimension, path, problems)
-    tolerance = read_tolerance(cell, exact, (unit, dimension), path, problems)
-    if len(problems) == before:
-        check_tolerance(cell, (exact, tolerance), (unit, dimension), path, problems)
-    return Open(
-        answer=units.tidy(exact, unit, dimension),
-        tolerance=units.tidy(tolerance, unit, dimension),
-        unit=unit,
-        units=units.factors(unit, dimension),
-    )
+    return Open(**read_right(cell, measured, path, problems).as_asked())
 
 
 def _plain(text: str) -> float | None:

@@ -57,9 +57,7 @@ def other_numbers(
     if not isinstance(question, Number):
         return None
     typed = Counter(
-        float(a.value)
-        for a in answers
-        if is_wrong_number(a) and typed_wrong(a, question) is None
+        float(a.value) for a in answers if is_wrong_number(a) and typed_wrong(a, question) is None
     )
     often = [(value, count) for value, count in typed.most_common(MOST) if count >= OFTEN]
     return [{"label": _shown(value, question), "count": count} for value, count in often]
