@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from dataclasses import replace
+from itertools import count
+
 from sim.bridge.protocol import answer
 from sim.classroom.files.codes import MOST_LINES, read_codes
+from sim.classroom.files.keyed import KeyedForm, read_key_file
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
-from sim.lesson.handin import encode
+from sim.lesson.handin import HandInError, decode, encode
 from tests.classroom.given.makers import bank, form, keys
 
 BANK = bank(10)
@@ -59,6 +64,51 @@ def test_a_code_tells_which_form_it_is_of() -> None:
     read, refused = read_codes(f"FOX pre {code}", reading.keys)
     assert not read
     assert "another form" in refused[0].reason
+
+
+def test_a_form_whose_key_is_there_twice_is_one_form() -> None:
+    """As of the page's own keys and a key file beside them, or of two copies of a site."""
+    once = read_key_file(keys(BANK, ["pre"]))
+    copied = [replace(key, site="copy") for key in once]
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    for line in (f"FOX {code}", f"FOX pre {code}"):
+        for forms in ([*once, *once], [*copied, *once]):
+            (read,), refused = read_codes(line, forms)
+            assert not refused
+            assert (read.answers.student, read.answers.site) == ("FOX", "tests")
+
+
+def test_of_two_lessons_with_the_same_questions_one_can_be_named() -> None:
+    (once,) = read_key_file(keys(BANK, ["pre"]))
+    forms = [once, replace(once, lesson="carts-again")]
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    read, (refused,) = read_codes(f"FOX pre {code}", forms)
+    assert not read
+    assert refused.reason == (
+        "this code fits several forms: write carts pre or carts-again pre in front of it"
+    )
+    for named in ("carts", "carts-again"):
+        (found,), none = read_codes(f"BLUE FOX {named} pre {code}", forms)
+        assert not none
+        assert (found.answers.student, found.answers.lesson) == ("BLUE FOX", named)
+
+
+def test_a_code_that_two_texts_of_a_form_have_by_chance_says_which_key_to_choose() -> None:
+    first, second = (read_key_file(keys(bank(n), ["pre"]))[0] for n in (3, 4))
+    code = encode([n for _, n in first.options], [1] * 3, f"pre:{first.hash}")
+    read, (refused,) = read_codes(f"FOX {code}", [first, also_of(code, second)])
+    assert not read
+    assert "choose only the key of the text that was answered" in refused.reason
+
+
+def also_of(code: str, form: KeyedForm) -> KeyedForm:
+    """The form with a hash that the code is right for too."""
+    for k in count():
+        changed = replace(form, hash=f"{k:012x}")
+        with suppress(HandInError):
+            decode([n for _, n in form.options], code, f"pre:{changed.hash}")
+            break
+    return changed
 
 
 def test_more_typed_lines_than_are_read_are_told() -> None:

@@ -1,6 +1,7 @@
 """Hand-in codes that a teacher typed from paper: answers like those of a file, without times.
 
-One line each: the code word, the form, the code. The form may be left out where only one fits.
+One line each: the code word, the form, the code. The form may be left out where only one fits; of
+two lessons with the same questions the one that is meant is written in front of the form.
 
     BLUE-FOX-27 pre 7K2M-Q9ZD-03HX
 """
@@ -20,6 +21,9 @@ from sim.scene.said import listed_or, reason_of, said, template
 
 _CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
 MOST_LINES = 2000
+
+Fit = tuple[KeyedForm, Sequence[int]]
+"""A form that a code can be of, and what was chosen then."""
 
 
 def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[Refused]]:
@@ -51,9 +55,10 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
         )
     words = line[: match.start()].replace(",", " ").replace(";", " ").split()
     wanted = words.pop().lower() if words and words[-1].lower() in FORMS else ""
-    if not words:
+    student = " ".join(words)
+    if not student:
         return template("the student's code word is missing in front of the code")
-    fitting = []
+    fitting: dict[tuple[str, str, str], Fit] = {}
     problem = template("there is no key for it: choose the key file as well")
     for form in forms:
         if wanted and form.form != wanted:
@@ -65,13 +70,40 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
         except HandInError as error:
             problem = reason_of(error)
         else:
-            fitting.append((form, chosen))
-    if not fitting:
+            # A form whose key is there twice, or in two copies of a site, is one: the later counts.
+            fitting[form.lesson, form.form, form.hash] = form, chosen
+    fits = list(fitting.values())
+    if not fits:
         return problem
-    if len(fitting) > 1:
-        names = listed_or([form.form for form, _ in fitting])
-        return said("this code fits several forms: write {forms} in front of it", forms=names)
-    return _read(" ".join(words), match.group().strip(), *fitting[0])
+    if len(fits) > 1:
+        fits, student = _of_lesson(fits, student)
+    if len(fits) > 1:
+        return _which(fits)
+    return _read(student, match.group().strip(), *fits[0])
+
+
+def _of_lesson(fits: list[Fit], student: str) -> tuple[list[Fit], str]:
+    """Forms of the lesson that is written behind the code word, and the code word alone."""
+    for form, _ in fits:
+        if student.lower().endswith(f" {form.lesson.lower()}"):
+            mine = [one for one in fits if one[0].lesson == form.lesson]
+            return mine, student[: -len(form.lesson) - 1]
+    return fits, student
+
+
+def _which(fits: Sequence[Fit]) -> str:
+    """What to write so that one of these forms is meant."""
+    lessons = {form.lesson for form, _ in fits}
+    names = dict.fromkeys(
+        f"{form.lesson} {form.form}" if len(lessons) > 1 else form.form for form, _ in fits
+    )
+    if len(names) < 2:
+        return template(
+            "this code fits several texts of this form: choose only the key of the text that was "
+            "answered"
+        )
+    forms = listed_or(list(names))
+    return said("this code fits several forms: write {forms} in front of it", forms=forms)
 
 
 def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> Read:
