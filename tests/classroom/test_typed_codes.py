@@ -88,9 +88,10 @@ def test_of_two_lessons_with_the_same_questions_one_can_be_named() -> None:
         "this code fits several forms: write carts pre or carts-again pre in front of it"
     )
     for named in ("carts", "carts-again"):
-        (found,), none = read_codes(f"BLUE FOX {named} pre {code}", forms)
-        assert not none
-        assert (found.answers.student, found.answers.lesson) == ("BLUE FOX", named)
+        for line in (f"BLUE FOX {named} pre {code}", f"BLUE FOX {named} {code}"):
+            (found,), none = read_codes(line, forms)
+            assert not none
+            assert (found.answers.student, found.answers.lesson) == ("BLUE FOX", named)
 
 
 def test_a_code_that_two_texts_of_a_form_have_by_chance_says_which_key_to_choose() -> None:

@@ -22,9 +22,6 @@ from sim.scene.said import listed_or, reason_of, said, template
 _CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
 MOST_LINES = 2000
 
-Fit = tuple[KeyedForm, Sequence[int]]
-"""A form that a code can be of, and what was chosen then."""
-
 
 def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[Refused]]:
     """The answers behind each line, and the lines that hold none, with the reason."""
@@ -58,52 +55,34 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
     student = " ".join(words)
     if not student:
         return template("the student's code word is missing in front of the code")
-    fitting: dict[tuple[str, str, str], Fit] = {}
+    fits: dict[tuple[str, str, str], tuple[KeyedForm, Sequence[int]]] = {}
     problem = template("there is no key for it: choose the key file as well")
     for form in forms:
-        if wanted and form.form != wanted:
-            continue
         try:
             chosen = decode(
                 [count for _, count in form.options], match.group(), f"{form.form}:{form.hash}"
             )
         except HandInError as error:
-            problem = reason_of(error)
+            problem = reason_of(error) if wanted in ("", form.form) else problem
         else:
             # A form whose key is there twice, or in two copies of a site, is one: the later counts.
-            fitting[form.lesson, form.form, form.hash] = form, chosen
-    fits = list(fitting.values())
-    if not fits:
-        return problem
-    if len(fits) > 1:
-        fits, student = _of_lesson(fits, student)
-    if len(fits) > 1:
-        return _which(fits)
-    return _read(student, match.group().strip(), *fits[0])
-
-
-def _of_lesson(fits: list[Fit], student: str) -> tuple[list[Fit], str]:
-    """Forms of the lesson that is written behind the code word, and the code word alone."""
-    for form, _ in fits:
-        if student.lower().endswith(f" {form.lesson.lower()}"):
-            mine = [one for one in fits if one[0].lesson == form.lesson]
-            return mine, student[: -len(form.lesson) - 1]
-    return fits, student
-
-
-def _which(fits: Sequence[Fit]) -> str:
-    """What to write so that one of these forms is meant."""
-    lessons = {form.lesson for form, _ in fits}
-    names = dict.fromkeys(
-        f"{form.lesson} {form.form}" if len(lessons) > 1 else form.form for form, _ in fits
-    )
-    if len(names) < 2:
+            fits[form.lesson, form.form, form.hash] = form, chosen
+    named = [one for one in fits if len(fits) > 1 and student.endswith(f" {one[0]}")]
+    if named:
+        student = student.removesuffix(f" {named[0][0]}")
+    meant = [one for one in named or fits if wanted in ("", one[1])]
+    if len(meant) == 1:
+        return _read(student, match.group().strip(), *fits[meant[0]])
+    names = list(dict.fromkeys(f"{lesson} {form}" for lesson, form, _ in meant))
+    if len(names) > 1:
+        forms_ = listed_or(names)
+        return said("this code fits several forms: write {forms} in front of it", forms=forms_)
+    if names:
         return template(
             "this code fits several texts of this form: choose only the key of the text that was "
             "answered"
         )
-    forms = listed_or(list(names))
-    return said("this code fits several forms: write {forms} in front of it", forms=forms)
+    return problem
 
 
 def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> Read:
