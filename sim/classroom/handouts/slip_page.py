@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from sim.classroom.handouts.slip import FormSlip, Given, Look, Slip
 from sim.classroom.handouts.wording import FORMS, cut
+from sim.classroom.report.flags.times import moment_of
 from sim.classroom.report.numerals import numbers
 from sim.classroom.show.html_parts import Tell, text, who
 from sim.scene.said import counted, said, template
@@ -34,9 +35,18 @@ def _slip(slip: Slip, tell: Tell, *, answers: bool) -> str:
 
 
 def _form(form: FormSlip, tell: Tell, *, answers: bool) -> str:
-    day = form.saved[:10]
-    head = f"<h3>{tell(FORMS[form.form])} <small>{text(day)}</small></h3>"
+    head = f"<h3>{tell(FORMS[form.form])} <small>{text(day_of(form.saved))}</small></h3>"
     return head + "".join(_lines(form, tell, answers=answers))
+
+
+def day_of(saved: str) -> str:
+    """The day here of a moment that a file tells in UTC: in Singapore a lesson at 7:30 is still of
+    the day before there."""
+    moment = moment_of(saved)
+    try:
+        return f"{moment.astimezone():%Y-%m-%d}" if moment else saved[:10]
+    except (ValueError, OverflowError, OSError):  # a year that this computer's clock does not know
+        return saved[:10]
 
 
 def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
