@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from pathlib import Path
 
 from sim.classroom.files.archive import entries, is_zip
+from sim.classroom.files.beside import Beside, no_group, student_of
 from sim.classroom.files.codes import read_codes
 from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.files.marks_file import KIND as MARKS
@@ -44,17 +46,31 @@ def write_table(
     group: Group,
     *,
     students: Mapping[str, str] | None = None,
-    codes: str = "",
+    codes: Sequence[tuple[str, str]] = (),
 ) -> Written:
-    """Reads the sources twice, for keys and for answers; raises `CountryError`."""
+    """Reads the sources twice, for keys and for answers; raises `CountryError`.
+
+    `codes`: files of typed ones by name, with what stands in them.
+    """
     new_folder(folder)
     keys, given = _of_the_teacher(sources())
     of_files, done = Keys(keys), Written()
+    typed: list[Read] = []
+    for where, text in codes:
+        found, bad = read_codes(text, keys, where)
+        typed += found
+        done.refused += bad
+    beside = Beside[tuple[str, int, str]](only={student_of(read) for read in typed})
     with TableWriter(folder) as table:
-        for read in _reads(sources, keys, students or {}, codes, done):
-            name, order, klass = group(read.name)
+        for read in chain(_reads(sources, students or {}, done), typed):
+            place = group(read.name)
+            if place[0]:
+                beside.add(read, place)
+            else:
+                place = beside.of(read) or place
+            name, order, klass = place
             if not name:
-                done.refused.append(Refused(read.name, "this file is in none of the groups"))
+                done.refused.append(Refused(read.name, no_group(read)))
                 continue
             done.files += 1
             key = of_files.of(read.answers)
@@ -67,9 +83,7 @@ def write_table(
 
 def _reads(
     sources: Callable[[], Iterable[Source]],
-    keys: list[KeyedForm],
     students: Mapping[str, str],
-    codes: str,
     done: Written,
 ) -> Iterator[Read]:
     for outcome in outcomes(sources(), MOST_FILES):
@@ -77,9 +91,6 @@ def _reads(
             yield named(outcome, students)
         elif isinstance(outcome, Refused):
             done.refused.append(outcome)
-    typed, bad = read_codes(codes, keys)
-    done.refused += bad
-    yield from typed
 
 
 def _of_the_teacher(

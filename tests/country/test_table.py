@@ -23,6 +23,8 @@ from sim.country.rows import rows_of
 from sim.country.schema import COLUMNS, NAMES, arrow_schema, reference
 from sim.country.write import TableWriter
 from sim.lesson.csv_text import safe_text
+from sim.lesson.handin import encode
+from tests.classroom.given.makers import bank, form, keys
 from tests.country.school import BANK, KEY, files_of, school_files
 
 ROOT = Path(__file__).parents[2]
@@ -185,18 +187,27 @@ def test_the_rows_of_a_file_do_not_depend_on_the_others() -> None:
 
 
 def test_groups_and_typed_codes_stand_in_the_table(tmp_path: Path) -> None:
+    """A code is in the group of its student's file; of nobody's else it is named by its line."""
     for folder, seed in (("new", 1), ("old", 2)):
         (tmp_path / folder).mkdir()
         for source in school_files(seed, 6, prefix=folder):
             (tmp_path / folder / source.name).write_bytes(source.content)
     (tmp_path / "key.json").write_bytes(KEY.content)
+    typed = bank(4)
+    (tmp_path / "typed.json").write_text(keys(typed, ["delayed"]), encoding="utf-8")
+    code = encode([4] * 4, [1] * 4, f"delayed:{form('delayed', typed).hash}")
+    codes = tmp_path / "codes.txt"
+    codes.write_text(f"old-1 {code}\nBEE {code}\n", encoding="utf-8")
     words = ["class", str(tmp_path), "--group", "old=old/*", "--group", "new=new/*",
-             "--parquet", str(tmp_path / "table")]  # fmt: skip
+             "--codes", str(codes), "--parquet", str(tmp_path / "table")]  # fmt: skip
     result = CliRunner().invoke(main, words)
-    assert result.exit_code == 0, result.output
+    assert result.exit_code == 1, result.output
+    assert f"{codes.as_posix()}/line 2: BEE delayed: this code is in none of" in result.stderr
     table = pq.read_table(tmp_path / "table" / "answers-0001.parquet").to_pylist()
     assert {(r["group"], r["group_order"], r["class"]) for r in table} == {
         ("old", 1, "old/*"), ("new", 2, "new/*")}  # fmt: skip
+    assert {(r["student"], r["group"]) for r in table if "/line " in r["file"]} == {
+        ("old-1", "old")}  # fmt: skip
 
 
 @pytest.mark.parametrize(("kind", "to_read"), [("long", 2), ("idea", 0)])

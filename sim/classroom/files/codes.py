@@ -23,28 +23,37 @@ _CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
 MOST_LINES = 2000
 
 
-def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[Refused]]:
-    """The answers behind each line, and the lines that hold none, with the reason."""
+def read_codes(
+    text: str, forms: Sequence[KeyedForm], file: str = ""
+) -> tuple[list[Read], list[Refused]]:
+    """The answers behind each line, and the lines that hold none, with the reason.
+
+    `file`: where the text is from; each line is then called like a file in this one.
+    """
     read: list[Read] = []
     refused: list[Refused] = []
-    lines = [line for one in text.splitlines() if (line := one.strip())]
-    for line in lines[:MOST_LINES]:
+    lines = [(n, line) for n, one in enumerate(text.splitlines(), 1) if (line := one.strip())]
+    for n, line in lines[:MOST_LINES]:
         found = _line(line, forms)
         if isinstance(found, str):
-            refused.append(Refused(_typed(line), found))
+            refused.append(Refused(_name(line, n, file), found))
         else:
-            read.append(found)
+            told = f"{found.student} {found.form}"
+            read.append(Read(_name(told, n, file), found))
     if rest := lines[MOST_LINES:]:
         reason = said("more than {most} lines: the rest was not read", most=f"{MOST_LINES:,}")
-        refused.append(Refused(_typed(rest[0]), reason))
+        refused.append(Refused(_name(rest[0][1], rest[0][0], file), reason))
     return read, refused
 
 
-def _typed(line: str) -> str:
-    return said("typed: {line}", line=shown(line)[:60])
+def _name(line: str, n: int, file: str) -> str:
+    told = shown(line)[:60]
+    if file:
+        return said("{file}/line {n}: {line}", file=shown(file), n=f"{n}", line=told)
+    return said("typed: {line}", line=told)
 
 
-def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
+def _line(line: str, forms: Sequence[KeyedForm]) -> AnswerFile | str:
     match = _CODE.search(line)
     if not match:
         return template(
@@ -85,7 +94,7 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
     return problem
 
 
-def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> Read:
+def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> AnswerFile:
     items = []
     for (name, _), choice in zip(form.options, chosen, strict=True):
         keyed = form.items[name]
@@ -95,9 +104,7 @@ def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> Re
                 Item(id=name, hash=keyed.hash, type=keyed.question.KIND, value=value, first=None,
                      last=None, tries=0, more={})
             )  # fmt: skip
-    answers = AnswerFile(
+    return AnswerFile(
         site=form.site, lesson=form.lesson, lesson_hash="", student=shown(student)[:60],
         form=form.form, created="", saved="", handed=None, code=code, items=tuple(items),
     )  # fmt: skip
-    line = f"{shown(student)[:60]} {form.form}"
-    return Read(said("typed: {line}", line=line), answers)

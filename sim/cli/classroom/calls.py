@@ -11,10 +11,10 @@ from typing import Any
 
 import click
 
+from sim.classroom.files.beside import Beside, no_group
 from sim.classroom.files.reading import Read, Reading, Refused
 from sim.classroom.report.report import WHOLE, Asked
 from sim.cli.classroom.files import group_of, with_slashes
-from sim.scene.said import template
 
 OF_ANSWERS = ("keys", "students", "marks", "codes")
 """Options that are made for answer files."""
@@ -25,12 +25,13 @@ READ_BEFORE = ("students", "marks", "codes", "groups")
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """Answer files as they were named. `groups`: name and pattern; `codes`: typed ones."""
+    """Answer files as they were named. `groups`: name and pattern; `codes`: files of typed ones
+    with what stands in them."""
 
     files: Sequence[Path]
     groups: list[tuple[str, str]]
     students: Mapping[str, str]
-    codes: str
+    codes: Sequence[tuple[str, str]]
 
 
 def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[str]) -> None:
@@ -129,15 +130,17 @@ def warn_of_empty(groups: Sequence[tuple[str, str]], names: Sequence[str]) -> No
 def placed(
     reading: Reading, groups: list[tuple[str, str]]
 ) -> tuple[list[tuple[Read, str]], Any, list[Refused]]:
-    """Files with their groups; what is in no group is refused in words."""
+    """Files with their groups; what is in no group is refused in words. A typed code is where the
+    pattern of its file puts it, else where its student's other files are."""
     if not groups:
         return [(file, WHOLE) for file in reading.files], reading.keys, reading.refused
     found = [(file, group_of(file.name, groups)) for file in reading.files]
-    reading.refused += [
-        Refused(file.name, template("this file is in none of the groups"))
-        for file, name in found
-        if not name
-    ]
+    beside = Beside[str]()
+    for file, name in found:
+        if name:
+            beside.add(file, name)
+    found = [(file, name or beside.of(file) or "") for file, name in found]
+    reading.refused += [Refused(file.name, no_group(file)) for file, name in found if not name]
     return [(f, name) for f, name in found if name], reading.keys, reading.refused
 
 

@@ -28,7 +28,7 @@ class Options:
     separator: str | None
     keys: tuple[Path, ...]
     marks: Path | None
-    codes: Path | None
+    codes: tuple[Path, ...]
     groups: tuple[str, ...]
     students: tuple[str, ...]
     tables: tuple[str, ...]
@@ -50,14 +50,18 @@ class Options:
     def given(self, files: tuple[Path, ...]) -> Given:
         """The answer files, and what belongs to them."""
         marked = [*files, *self.keys, *([self.marks] if self.marks else [])]
-        try:
-            typed = self.codes.read_text(encoding="utf-8-sig") if self.codes else ""
-        except UnicodeDecodeError:
-            raise click.UsageError(f"--codes {self.codes}: save this file as UTF-8") from None
         groups, students = list(map(group, self.groups)), dict(map(student, self.students))
-        return Given(marked, groups, students, typed)
+        return Given(marked, groups, students, list(map(_typed, self.codes)))
 
     @property
     def papers(self) -> Papers:
         """Slips and the sheet."""
         return Papers(self.slips, self.sheet, self.answers)
+
+
+def _typed(path: Path) -> tuple[str, str]:
+    """A file of typed codes as it is called, and its text."""
+    try:
+        return path.as_posix(), path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError:
+        raise click.UsageError(f"--codes {path}: save this file as UTF-8") from None

@@ -61,7 +61,13 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
 )
 @click.option("--key", "keys", type=EXISTING, multiple=True, help="Key file of `carts key`.")
 @click.option("--marks", type=EXISTING, help="Your marks for answers in words, a file of the page.")
-@click.option("--codes", type=EXISTING, help="Typed hand-in codes, a line each: WORD FORM CODE.")
+@click.option(
+    "--codes",
+    type=EXISTING,
+    multiple=True,
+    help="Typed hand-in codes, a line each: WORD FORM CODE. With --group they are in the group "
+    "whose GLOB this file fits, else where their student's other files are.",
+)
 @click.option(
     "--group",
     "groups",
@@ -183,9 +189,10 @@ def _answers(out: Out, papers: Papers, given: Given, keys: Sequence[Path]) -> No
     for outcome in outcomes(sources(given.files)):
         reading.add(outcome)
     no_answers_as_keys(keys, reading.files)
-    typed, bad = read_codes(given.codes, reading.keys)
-    reading.files += typed
-    reading.refused += bad
+    for name, text in given.codes:
+        typed, bad = read_codes(text, reading.keys, name)
+        reading.files += typed
+        reading.refused += bad
     known(given.students, reading.files)
     reading.name(given.students)
     warn_of_empty(given.groups, [file.name for file in reading.files])
