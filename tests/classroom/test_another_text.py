@@ -80,6 +80,21 @@ def test_tables_slips_and_the_page_of_the_class_say_the_same() -> None:
     assert "6 of 6 marks" in slips_html(made_slips[1:], tell)
 
 
+def test_who_answered_another_text_took_both_tests_and_is_named_apart() -> None:
+    """And who took one test only is named for that, whatever text it was."""
+    other = [of_another_text(), {**of_another_text(), "student": "EMU"}]
+    both = [answers(BANK, f"OWL-{k}", name, RIGHT) for k in range(5) for name in ("pre", "post")]
+    after = [answers(BANK, name, "post", RIGHT) for name in ("FOX", "BEE")]
+    made = its_report([*other, *both, *after], keys(BANK))
+    (gain,) = made["lessons"][0]["gains"]
+    assert gain["n"] == 5
+    assert (gain["without_before"], gain["without_after"]) == (["BEE"], ["EMU"])
+    assert gain["of_another_text"] == ["FOX"]
+    html = report_html(made)
+    assert "only after, so in no pair: BEE<" in html
+    assert "answered another text, so in no pair: FOX<" in html
+
+
 OLD = {"p": "How did it go?", "q": "Unchanged?", "gone": "Left out later?"}
 NEW = {"p": "How did it go then?", "q": "Unchanged?", "new": "Asked later?"}
 

@@ -18,7 +18,8 @@ from tests.country.class_command import carts, table
 from tests.country.school import KEY, lay, school_files
 
 SMALL = bank(4)
-WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
+WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after",
+       "of_another_text")  # fmt: skip
 NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered", "typed")
 """What is one student's, and what only reports on sums hold."""
 

@@ -83,6 +83,7 @@ def gain_table(pairs: Pairs, *, inference: bool) -> dict[str, Any]:
         "students": list(pairs.students),
         "before": list(pairs.before), "after": list(pairs.after),
         "without_before": list(pairs.without_before), "without_after": list(pairs.without_after),
+        "of_another_text": list(pairs.of_another_text),
     }  # fmt: skip
     return gain_row(
         pairs.group, pairs.sums, pairs.of, same_items=pairs.same_items, inference=inference,
@@ -102,7 +103,8 @@ def gain_row(
     """The same from sums; `lists`: who it is, where that is known. `of` None: nobody knows it."""
     told = Told()
     n = sums.n
-    row: dict[str, Any] = {"group": group, "n": n, "of": of, **lists, "pre": None, "post": None}
+    row: dict[str, Any] = {"group": group, "n": n, "of": of, "of_another_text": [], **lists,
+                           "pre": None, "post": None}  # fmt: skip
     if n < FEWEST:
         missing = say.too_few_pairs(n, FEWEST)
         return {**row, **told.numbers, "sentences": [missing], "refusals": []}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sim.classroom.report.marked import Marked, counted_items, worth
@@ -11,7 +11,8 @@ from sim.classroom.statistics.pair_sums import PairSums, pair_sums
 
 @dataclass(frozen=True, slots=True)
 class Pairs:
-    """Totals of students who took both forms, in one order; and who took only one of them."""
+    """Totals of students who took both forms, in one order; and who took only one of them, or
+    answered another text in one: these have no total."""
 
     group: str
     students: tuple[str, ...]
@@ -20,6 +21,7 @@ class Pairs:
     of: float
     without_before: tuple[str, ...]
     without_after: tuple[str, ...]
+    of_another_text: tuple[str, ...]
     same_items: bool
 
     @property
@@ -38,9 +40,9 @@ def pair_up(
 
     A file that answers another version of the lesson is not paired. `only`: items to count.
     """
+    took = [{f.student: f for f in files if f.group == group} for files in (earlier, later)]
     earlier, later = ([f for f in files if not f.foreign] for files in (earlier, later))
-    first = {f.student: f for f in earlier if f.group == group}
-    second = {f.student: f for f in later if f.group == group}
+    first, second = ({n: f for n, f in files.items() if not f.foreign} for files in took)
     # What counts must not depend on the group: all files of the form decide.
     items = _counted(earlier, only)
     others = _counted(later, only)
@@ -55,10 +57,15 @@ def pair_up(
         before=tuple(float(first[name].total(items)) for name in both),
         after=tuple(float(second[name].total(others)) for name in both),
         of=float(of),
-        without_before=tuple(second[n].who for n in sorted(second.keys() - first.keys())),
-        without_after=tuple(first[n].who for n in sorted(first.keys() - second.keys())),
+        without_before=_named(took[1], took[1].keys() - took[0].keys()),
+        without_after=_named(took[0], took[0].keys() - took[1].keys()),
+        of_another_text=_named(took[1], (took[0].keys() & took[1].keys()).difference(both)),
         same_items=same,
     )
+
+
+def _named(files: Mapping[str, Marked], students: Iterable[str]) -> tuple[str, ...]:
+    return tuple(files[student].who for student in sorted(students))
 
 
 def _counted(files: Sequence[Marked], only: Collection[str] | None) -> tuple[str, ...]:

@@ -177,6 +177,7 @@ def _plot(lesson: Row, tell: Tell) -> str:
 ALONE = {
     "without_before": template("only after, so in no pair: {names}"),
     "without_after": template("only before, so in no pair: {names}"),
+    "of_another_text": template("answered another text, so in no pair: {names}"),
 }
 
 

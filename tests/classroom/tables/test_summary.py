@@ -62,7 +62,8 @@ def without(value: Any, names: Sequence[str]) -> Any:
     return [without(one, names) for one in value] if isinstance(value, list) else value
 
 
-WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
+WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after",
+       "of_another_text")  # fmt: skip
 
 
 def test_the_report_of_a_table_and_that_of_its_summaries_have_the_same_numbers() -> None:
