@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.classroom.report.items.statistics import add_difficulty
 from sim.classroom.statistics.item_numbers import ItemMarks
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.sums import ItemSums
@@ -21,15 +22,34 @@ UNMARKED = frozenset(name for name, kind in KINDS.items() if not kind.MARKED)
 def item_sums_of(
     cells: Sequence[Cell], meta: Mapping[str, Any], listed: int, *, counted: bool, keyed: bool
 ) -> ItemSums:
-    """`listed`: students of the group; `counted`: the item is part of the total."""
+    """`listed`: students of the group; `counted`: the item is part of the total.
+
+    Marks are of those who have a total: what the others had, `difficulty_of_all` says.
+    """
+    with_total = [cell for cell in cells if counted and not cell["sheet_foreign"]]
     return ItemSums(
         counts=_counts(cells, meta, listed, keyed=keyed),
         chosen=_chosen(cells, meta),
         sure=_chosen([cell for cell in cells if cell["certain"]], meta),
-        marks=_marks(cells if counted else []),
-        levels=_levels(cells if counted else []),
+        marks=_marks(with_total),
+        levels=_levels(with_total),
         options=None,
     )
+
+
+def difficulty_of_all(
+    rows: Sequence[dict[str, Any]], counted: Sequence[str], cells: Sequence[Cell]
+) -> None:
+    """Says the difficulty of items anew, of everybody who answered."""
+    for row in rows:
+        if row["id"] not in counted:
+            continue
+        mine = [c for c in cells if c["keyed"] and c["item"] == row["id"]]
+        n, m = sum(c["n"] for c in mine), sum(c["n"] * (c["marks"] or 0) for c in mine)
+        others = row["notes"][row["difficulty"] is None :]  # its own is the first
+        row |= {"difficulty": None, "notes": []}
+        add_difficulty(row, n, m, row["worth"])
+        row["notes"] += others
 
 
 def _counts(

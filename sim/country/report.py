@@ -13,6 +13,7 @@ from sim.classroom.report.topics import topic_differences, topic_rows
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.sums import LessonSums
 from sim.country.cells import Cell, Counts, counts_of
+from sim.country.item_cells import difficulty_of_all
 from sim.country.refusal import CountryError
 from sim.country.said import belief_rows_of, prediction_rows_of
 from sim.country.sums import cells_of, groups_of, lessons_of, of_counted
@@ -83,6 +84,8 @@ def _read(
         for form in row["forms"]:
             place = (lesson.site, lesson.lesson, form["form"])
             key = of_forms.get(place)
+            difficulty_of_all(form["items"], lesson.forms[form["form"]].counted,
+                              cells_of(counts.cells, place))  # fmt: skip
             form["beliefs"] = belief_rows_of(cells_of(counts.beliefs, place), key)
             form["predictions"] = prediction_rows_of(cells_of(counts.predictions, place))
     return report, lessons_of(of_counted(counts), of_forms), groups

@@ -119,16 +119,7 @@ def _group(
             )
             for meta in asked.items
         },
-        parts={name: _part(by_item[name]) for name in counted}
-        if any(cell["sheet_foreign"] for cell in cells)
-        else None,
     )  # fmt: skip
-
-
-def _part(cells: Sequence[Cell]) -> tuple[Exact, Exact]:
-    """Σm and Σm² of an item, without files that are foreign elsewhere."""
-    rows = [(c["n"], c["marks"] or 0) for c in cells if not c["sheet_foreign"]]
-    return sum(n * m for n, m in rows), sum(n * m * m for n, m in rows)
 
 
 def _lesson(

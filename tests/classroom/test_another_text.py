@@ -16,7 +16,7 @@ from sim.classroom.report.report import Asked, class_report, sorted_files
 from sim.classroom.show.html_parts import telling
 from sim.classroom.show.report_page import report_html
 from sim.lesson.bank import Bank, read_bank
-from tests.classroom.given.makers import answers, bank, keys, sources
+from tests.classroom.given.makers import answers, bank, keys, random_class, sources
 
 BANK = bank(6)
 RIGHT = {f"item-{k}": "abcd"[k % 4] for k in range(6)}
@@ -93,6 +93,23 @@ def test_who_answered_another_text_took_both_tests_and_is_named_apart() -> None:
     html = report_html(made)
     assert "only after, so in no pair: BEE<" in html
     assert "answered another text, so in no pair: FOX<" in html
+
+
+OF_TOTALS = ("discrimination", "point_biserial", "point_biserial_total", "discrimination_quarter",
+             "curve")  # fmt: skip
+
+
+def test_who_has_no_total_is_compared_with_none_and_counts_in_the_difficulty() -> None:
+    whole = [file for file in random_class(BANK, 30) if file["form"] == "pre"]
+    partly = [{**of_another_text(), "student": f"EMU-{k}"} for k in range(12)]
+    (alone,) = its_report(whole, keys(BANK))["lessons"][0]["forms"]
+    (form,) = its_report([*whole, *partly], keys(BANK))["lessons"][0]["forms"]
+    for one, other in zip(form["items"], alone["items"], strict=True):
+        assert {name: one[name] for name in OF_TOTALS} == {name: other[name] for name in OF_TOTALS}
+        assert one["point_biserial"] is not None
+        more = 0 if one["id"] in CHANGED else 12
+        assert (one["n"], one["right"]) == (other["n"] + more, other["right"] + more)
+        assert one["difficulty"] == pytest.approx(one["right"] / one["n"])
 
 
 OLD = {"p": "How did it go?", "q": "Unchanged?", "gone": "Left out later?"}

@@ -79,8 +79,13 @@ def _row(
         "notes": [],
     }
     if keyed and totals is not None and row["worth"]:
-        marks, whole = [a.marks for a in answers], [totals[k] for k in mine]
-        add_numbers(row, item_marks(marks, whole), levels_of(marks, whole), row["worth"])
+        # What is compared with a total is of those who have one: a part of it would pull it down.
+        with_total = [
+            (files[k].answers[name].marks, totals[k]) for k in mine if not files[k].foreign
+        ]
+        marks, whole = [m for m, _ in with_total], [t for _, t in with_total]
+        everybody = len(answers), sum(a.marks for a in answers)
+        add_numbers(row, item_marks(marks, whole), levels_of(marks, whole), row["worth"], everybody)
     row["sentence"] = item_sentence(row)
     return row
 

@@ -36,9 +36,18 @@ NO_NUMBERS: Mapping[str, None] = {
 """Further numbers of an item, for who compares with published tables; they make no notes."""
 
 
-def add_numbers(row: dict[str, Any], sums: ItemMarks, levels: Levels | None, of: Exact) -> None:
-    """Adds what the marks say to the row of an item; `levels` None: they were not handed on."""
-    _add(row, "difficulty", lambda: _difficulty(sums, of))
+def add_numbers(
+    row: dict[str, Any],
+    sums: ItemMarks,
+    levels: Levels | None,
+    of: Exact,
+    everybody: tuple[int, Exact] | None = None,
+) -> None:
+    """Adds what the marks say to the row of an item; `levels` None: they were not handed on.
+
+    `everybody`: how many answered and Σm, where some have no total and are in no other sum.
+    """
+    add_difficulty(row, *(everybody or (sums.n, sums.m)), of)
     _add(row, "discrimination", lambda: upper_minus_lower(_known(levels), of))
     _add(row, "point_biserial", lambda: with_others(sums))
     quiet: dict[str, Callable[[], Any]] = {
@@ -76,9 +85,14 @@ def _known(levels: Levels | None) -> Levels:
     return levels
 
 
-def _difficulty(sums: ItemMarks, of: Exact) -> float:
-    at_least(sums.n, FEWEST)
-    return share_of_marks(sums.n, sums.m, of)
+def add_difficulty(row: dict[str, Any], n: int, m: Exact, of: Exact) -> None:
+    """Adds the difficulty alone, from Σm of n students, or why there is none."""
+    _add(row, "difficulty", lambda: _difficulty(n, m, of))
+
+
+def _difficulty(n: int, m: Exact, of: Exact) -> float:
+    at_least(n, FEWEST)
+    return share_of_marks(n, m, of)
 
 
 def _add(row: dict[str, Any], name: str, statistic: Callable[[], float]) -> None:
