@@ -1,6 +1,7 @@
 """The files of a class, as the wire delivers them: read in slices, then asked about.
 
-    {"id": 8, "kind": "class", "do": "read", "files": [{"name": "a.zip", "base64": "…"}], "from": 0}
+    {"id": 7, "kind": "class", "do": "read", "files": [{"name": "a.zip", "base64": "…"}], "from": 0}
+    {"id": 8, "kind": "class", "do": "read", "from": 250}
     {"id": 9, "kind": "class", "do": "report", "records": [[record, "7a"], …], "keys": […], …}
     {"id": 10, "kind": "class", "do": "save", "what": "html", "language": "ms", …as for a report}
     {"id": 11, "kind": "class", "do": "paper", "what": "slips", "language": "ms", "words": {…}, …}
@@ -10,8 +11,10 @@ marks; a save is about them and about `records`, as far as each is there. `codes
 a text for each of `groups`. `words`, of a report, a save and a paper: each English sentence in the
 language of the page.
 
-Reading answers with what is in the files, as rows that the page keeps: this side forgets
-everything. A slice ends after SLICE seconds; `next` says where to go on, or is null.
+Reading answers with what is in the files, as rows that the page keeps: this side forgets them. A
+slice ends after SLICE seconds; `next` says where to go on, or is null. Until then the files are
+held here and not sent again. A Python that has come in the place of another has none: it says
+`lost`, and gets them with the number of files that are known.
 """
 
 from __future__ import annotations
@@ -20,7 +23,7 @@ import time
 from array import array
 from base64 import b64decode
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import islice
+from dataclasses import dataclass, field
 from typing import Any
 
 from sim.classroom.files.codes import read_codes
@@ -41,6 +44,17 @@ from sim.scene.said import from_wire, in_words, wire
 SLICE = 0.4
 """s. How long a page waits for a slice of files."""
 
+
+@dataclass(slots=True)
+class _Intake:
+    """The files that are being read, and how many outcomes of them were handed on."""
+
+    coming: Iterator[Outcome] = field(default_factory=lambda: iter(()))
+    done: int = 0
+
+
+_intake = _Intake()
+
 Report = dict[str, Any]
 
 
@@ -59,14 +73,21 @@ def class_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[floa
 def _read(request: Mapping[str, Any]) -> dict[str, Any]:
     """Records, keys, marks and refusals of the next slice."""
     start = int(request.get("from") or 0)
-    reading, done, end = Reading.of([]), start, time.monotonic() + SLICE
-    following: int | None = None
-    for outcome in islice(_outcomes(request["files"]), start, None):
+    if "files" in request:
+        _intake.coming, _intake.done = _outcomes(request["files"], start), start
+    elif start != _intake.done:
+        return {"lost": True}
+    reading, end, following = Reading.of([]), 0.0, None
+    for outcome in _intake.coming:
         reading.add(outcome)
-        done += 1
-        if time.monotonic() > end:
-            following = done
+        _intake.done += 1
+        now = time.monotonic()
+        end = end or now + SLICE  # what is known and skipped is in no slice
+        if now > end:
+            following = _intake.done
             break
+    else:
+        _intake.coming = iter(())
     return {
         "records": [as_record(read) for read in reading.files],
         "keys": [key.as_file() for key in reading.keys],
@@ -83,8 +104,8 @@ def _ready(_: Mapping[str, Any]) -> dict[str, Any]:
     return {"ready": t_two_sided(t_quantile(0.975, 9), 9) < 0.06}
 
 
-def _outcomes(files: Sequence[Mapping[str, str]]) -> Iterator[Outcome]:
-    return outcomes(Source(str(f["name"]), b64decode(f["base64"])) for f in files)
+def _outcomes(files: Sequence[Mapping[str, str]], skip: int) -> Iterator[Outcome]:
+    return outcomes([Source(str(f["name"]), b64decode(f["base64"])) for f in files], skip=skip)
 
 
 def _keys(texts: Sequence[str]) -> list[KeyedForm]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from sys import intern
 from typing import TypeGuard
 
-from sim.classroom.files.archive import LARGEST, TOO_LARGE, entries, is_zip, shown
+from sim.classroom.files.archive import LARGEST, TOO_LARGE, Entry, entries, is_zip, shown
 from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
@@ -112,28 +112,31 @@ def named(read: Read, students: Mapping[str, str]) -> Read:
     return replace(read, answers=replace(read.answers, student=code))
 
 
-def outcomes(sources: Iterable[Source], most: int = MOST_FILES) -> Iterator[Outcome]:
-    """One outcome for each file, zips entry by entry; `most`: files that are read."""
+def outcomes(sources: Iterable[Source], most: int = MOST_FILES, skip: int = 0) -> Iterator[Outcome]:
+    """One outcome for each file, zips entry by entry; `most`: files that are read.
+
+    `skip`: outcomes that are known; what these files hold is not looked at again.
+    """
     count = 0
     for source in sources:
-        for outcome in _of_source(source):
+        for entry in _entries_of(source):
             count += 1
             if count > most:
                 reason = said("more than {most} files: the rest was not read", most=f"{most:,}")
                 yield Refused(shown(source.name), reason)
                 return
-            yield outcome
+            if count <= skip:
+                continue
+            if entry.content is None:
+                yield Refused(entry.name, entry.reason)
+            else:
+                yield of_file(entry.name, entry.content)
 
 
-def _of_source(source: Source) -> Iterator[Outcome]:
-    if not is_zip(source.content):
-        yield of_file(source.name, source.content)
-        return
-    for entry in entries(source.name, source.content):
-        if entry.content is None:
-            yield Refused(entry.name, entry.reason)
-        else:
-            yield of_file(entry.name, entry.content)
+def _entries_of(source: Source) -> Iterator[Entry]:
+    if is_zip(source.content):
+        return entries(source.name, source.content)
+    return iter([Entry(source.name, source.content)])
 
 
 def of_file(name: str, content: bytes) -> Outcome:

@@ -435,10 +435,19 @@
         await found({ records: [], keys: [], marks: [], refused, next: null }, done);
       }
       let from = sent.length ? 0 : null;
-      while (from !== null) {
-        const answer = await ask({ kind: "class", do: "read", files: sent, from });
-        from = answer.next;
-        await found(answer, done);
+      let held = false;
+      try {
+        while (from !== null) {
+          const files2 = held ? {} : { files: sent };
+          const answer = await ask({ kind: "class", do: "read", from, ...files2 });
+          held = !answer.lost;
+          if (!held) continue;
+          from = answer.next;
+          await found(answer, done);
+        }
+      } finally {
+        if (from) void ask({ kind: "class", do: "read", files: [] }).catch(() => {
+        });
       }
     }
   }

@@ -51,12 +51,20 @@ export async function readAll(files, ask, found) {
     }
     /** @type {number | null} */
     let from = sent.length ? 0 : null;
-    while (from !== null) {
-      const answer = /** @type {any} */ (
-        await ask({ kind: "class", do: "read", files: sent, from })
-      );
-      from = answer.next;
-      await found(answer, done);
+    let held = false; // by Python: the files of a parcel are sent once
+    try {
+      while (from !== null) {
+        const files = held ? {} : { files: sent };
+        const answer = /** @type {any} */ (
+          await ask({ kind: "class", do: "read", from, ...files })
+        );
+        held = !answer.lost; // by a Python that came in the place of another
+        if (!held) continue;
+        from = answer.next;
+        await found(answer, done);
+      }
+    } finally {
+      if (from) void ask({ kind: "class", do: "read", files: [] }).catch(() => {}); // deleted: there too
     }
   }
 }

@@ -162,11 +162,9 @@ function chosen(picked, key, right, some, of) {
   return whole(right, some, of, shown, beliefs);
 }
 
-/** @param {any} value @param {number} of */
+/** What is no text nobody can read: no question may wait for that. @param {any} value @param {number} of */
 function written(value, of) {
-  return typeof value === "string"
-    ? made("open", null, of, ["explain"])
-    : made("unclear", 0, of); // nobody can read it: no question may wait for that
+  return typeof value === "string" ? made("open", null, of, ["explain"]) : made("unclear", 0, of);
 }
 
 /** A wrong answer that is known, or not (k = −1). @param {any} key @param {number} k @param {number} of */
