@@ -23,7 +23,6 @@ import time
 from array import array
 from base64 import b64decode
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from sim.classroom.files.codes import read_codes
@@ -45,12 +44,11 @@ SLICE = 0.4
 """s. How long a page waits for a slice of files."""
 
 
-@dataclass(slots=True)
 class _Intake:
     """The files that are being read, and how many outcomes of them were handed on."""
 
-    coming: Iterator[Outcome] = field(default_factory=lambda: iter(()))
-    done: int = 0
+    coming: Iterator[Outcome] = iter(())
+    done = 0
 
 
 _intake = _Intake()

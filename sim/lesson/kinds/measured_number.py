@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -26,40 +25,30 @@ TOLERANCE = Key(
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Right:
-    """The right number and how far from it is still right, SI; `unit`: that it was written in."""
-
-    exact: Fraction
-    tolerance: Fraction
-    unit: str
-    dimension: Dimension
-
-    def as_asked(self) -> dict[str, Any]:
-        """In its unit, and all units that may be typed instead."""
-        return {
-            "answer": units.tidy(self.exact, self.unit, self.dimension),
-            "tolerance": units.tidy(self.tolerance, self.unit, self.dimension),
-            "unit": self.unit,
-            "units": units.factors(self.unit, self.dimension),
-        }
-
-
 def read_right(
     table: Mapping[str, Any],
     measured: tuple[str, Dimension],
     path: Path,
     problems: list[Problem],
-) -> Right:
-    """`answer` and `tolerance`, wherever a number is to be typed; a tolerance that nobody can meet
-    is a problem. `measured`: what `read_unit` says of the answer."""
+) -> tuple[Fraction, Fraction]:
+    """`answer` and `tolerance`, SI, wherever a number is to be typed; a tolerance that nobody can
+    meet is a problem. `measured`: what `read_unit` says of the answer."""
     before = len(problems)
     exact = read_number(table, "answer", measured[1], path, problems)
     tolerance = read_tolerance(table, exact, measured, path, problems)
-    right = Right(exact, tolerance, *measured)
     if len(problems) == before:
-        _check_tolerance(table, right, path, problems)
-    return right
+        _check_tolerance(table, (exact, tolerance), measured, path, problems)
+    return exact, tolerance
+
+
+def as_asked(right: tuple[Fraction, Fraction], measured: tuple[str, Dimension]) -> dict[str, Any]:
+    """The right number and its tolerance in the unit of the answer, and all that may be typed."""
+    return {
+        "answer": units.tidy(right[0], *measured),
+        "tolerance": units.tidy(right[1], *measured),
+        "unit": measured[0],
+        "units": units.factors(*measured),
+    }
 
 
 def read_unit(
@@ -157,11 +146,16 @@ def _relative(table: Mapping[str, Any], unit: str) -> bool:
 
 
 def _check_tolerance(
-    table: Mapping[str, Any], right: Right, path: Path, problems: list[Problem]
+    table: Mapping[str, Any],
+    right: tuple[Fraction, Fraction],
+    measured: tuple[str, Dimension],
+    path: Path,
+    problems: list[Problem],
 ) -> None:
     """Tells of a tolerance that allows nothing, in percent of 0, or no number that students type,
     or 0 and the other direction too."""
-    exact, tolerance, unit, dimension = right.exact, right.tolerance, right.unit, right.dimension
+    exact, tolerance = right
+    unit, dimension = measured
     before = len(problems)
     shown = str(table.get("tolerance", "")).strip()
     here = (*path, "tolerance")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
@@ -12,7 +13,7 @@ from sim.lesson.beliefs import BELIEFS
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
     TOLERANCE,
-    Right,
+    as_asked,
     is_number,
     lacks_unit,
     read_number,
@@ -24,6 +25,7 @@ from sim.lesson.kinds.options import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
+from sim.scene.quantity import Dimension
 
 WRONG_KEYS = (
     Key("value", "a wrong answer that is often given", "0.60 m/s", NUMBER_OR_TEXT, True),
@@ -83,9 +85,10 @@ class Number(Question):
             problems.append(Problem((*path, "answer"), "wrong-unit", message, hint))
         if len(problems) > before:  # whatever is said about the rest would follow from this
             return cls(common=common, answer=0, tolerance=0, unit="", units={})
-        right = read_right(table, (unit, dimension), path, problems)
-        wrong = _wrong(table, right, path, problems)
-        return cls(common=common, **right.as_asked(), wrong=wrong)
+        measured = unit, dimension
+        right = read_right(table, measured, path, problems)
+        wrong = _wrong(table, right, measured, path, problems)
+        return cls(common=common, **as_asked(right, measured), wrong=wrong)
 
     @classmethod
     def from_key(cls, row: Mapping[str, Any], common: Common) -> Self:
@@ -172,11 +175,12 @@ def _numbers(table: Mapping[str, Any]) -> list[Any]:
 
 def _wrong(
     table: Mapping[str, Any],
-    right: Right,
+    right: tuple[Fraction, Fraction],
+    measured: tuple[str, Dimension],
     path: Path,
     problems: list[Problem],
 ) -> tuple[Wrong, ...]:
-    measured = unit, dimension = right.unit, right.dimension
+    unit, dimension = measured
     hint = "wrong:\n    - {value: 0.60 m/s, feedback: That is the speed before.}"
     found = []
     for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
@@ -185,11 +189,9 @@ def _wrong(
         if dimension is not units.RATIO:  # beside 50 % a plain 0.2 is 20 %, and is meant
             lacks_unit(row, measured, here, problems, "value")
         tolerance = (
-            read_tolerance(row, value, measured, here, problems)
-            if "tolerance" in row
-            else right.tolerance
+            read_tolerance(row, value, measured, here, problems) if "tolerance" in row else right[1]
         )
-        if len(problems) == before and abs(value - right.exact) <= right.tolerance:
+        if len(problems) == before and abs(value - right[0]) <= right[1]:
             message = "this wrong answer lies within the tolerance of the right one"
             problems.append(Problem((*here, "value"), "unreachable", message, "narrow it"))
         found.append(

@@ -19,6 +19,7 @@ from sim.lesson import keys
 from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.measured_number import (
     TOLERANCE,
+    as_asked,
     read_right,
     read_unit,
 )
@@ -203,7 +204,7 @@ def _cell(cell: object, path: Path, problems: list[Problem]) -> Cell:
     measured = read_unit(cell, "answer", path, problems)
     if len(problems) > before:  # whatever is said about the rest would follow from this
         return Open(answer=0, tolerance=0, unit="", units={})
-    return Open(**read_right(cell, measured, path, problems).as_asked())
+    return Open(**as_asked(read_right(cell, measured, path, problems), measured))
 
 
 def _plain(text: str) -> float | None:
