@@ -6,6 +6,7 @@ import { shown } from "../../../view/map/words.js";
 import { px } from "../../../view/numbers.js";
 import { span } from "../../../view/scales.js";
 import { html, need, put } from "../shared/dom.js";
+import { onPointed } from "../shared/follow.js";
 import { paint } from "./paint.js";
 
 /** @typedef {import("../../../view/map/types.js").MapFacts} MapFacts */
@@ -25,14 +26,8 @@ export class MapFigure {
     this.over = need(root, ".carts-map-over");
     /** @type {number[][]} */
     this.axes = facts.axes.map(({ values }) => values);
-    const pointed = (/** @type {PointerEvent} */ event) => point(this.#placesAt(event));
-    this.over.addEventListener("pointerdown", (event) => {
-      if (!this.#canvas && facts.axes.length === 2) return;
-      this.over.setPointerCapture(event.pointerId);
-      pointed(event);
-    });
-    this.over.addEventListener("pointermove", (event) => {
-      if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
+    onPointed(this.over, (event) => {
+      if (this.#canvas || facts.axes.length < 2) point(this.#placesAt(event));
     });
   }
 
@@ -79,7 +74,7 @@ export class MapFigure {
     return draw(value, span(along.low, along.high, 1));
   }
 
-  /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
+  /** @param {MouseEvent} event @returns {number[]} the point of the grid under the pointer */
   #placesAt(event) {
     const box = this.over.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * g.WIDTH;

@@ -32,7 +32,7 @@ export class CurveForm {
       });
     });
     this.pad.addEventListener("pointerdown", (event) => {
-      if (!this.#enabled) return;
+      if (!this.#enabled || event.button > 0) return;
       this.pad.setPointerCapture(event.pointerId);
       this.#point(event);
     });

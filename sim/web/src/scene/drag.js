@@ -3,13 +3,12 @@
  * slider for that value: the pointer is a second handle of the slider, with its limits and steps.
  */
 
+import { followPointer } from "../shared/follow.js";
+
 /** @typedef {import("../../../view/types.js").Control} Control */
 /** @typedef {import("../../../view/types.js").Layout} Layout */
 
 export class Drag {
-  /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
-  #held = null;
-
   /**
    * @param {SVGElement} stage @param {Layout} layout @param {import("../../../view/types.js").Baked} baked
    * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
@@ -23,34 +22,26 @@ export class Drag {
         ["velocity", "carts-velocity", baked.view.velocity / layout.velocity],
       ])) {
         const control = controls.find(({ set }) => set === `${name}.${key}`);
-        const group = stage.querySelector(`.${part}[data-body="${name}"]`);
+        const group = /** @type {SVGElement | null} */ (
+          stage.querySelector(`.${part}[data-body="${name}"]`)
+        );
         if (!control || !group) continue;
         group.classList.add("carts-draggable");
         group.addEventListener("pointerdown", (event) => {
           const value = acts.value(control.set);
           if (!acts.ready() || value === null) return;
-          const down = /** @type {PointerEvent} */ (event);
           const unit = layout.width / stage.getBoundingClientRect().width;
           const from = value / control.per;
           const perUnit = (metres * unit) / control.per;
-          this.#held = { control, from, x: down.clientX, perUnit, sent: from };
-          group.setPointerCapture(down.pointerId);
+          let sent = from;
           event.preventDefault();
-        });
-        group.addEventListener("pointermove", (event) => {
-          const held = this.#held;
-          if (held?.control !== control) return;
-          const move = /** @type {PointerEvent} */ (event);
-          const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
-          if (value === held.sent) return;
-          held.sent = value;
-          acts.change(control, value, event.timeStamp);
-        });
-        for (const end of ["pointerup", "pointercancel"]) {
-          group.addEventListener(end, () => {
-            this.#held = null;
+          followPointer(event, (pixels, { timeStamp }) => {
+            const to = onStep(from + pixels * perUnit, control);
+            if (to === sent) return;
+            sent = to;
+            acts.change(control, to, timeStamp);
           });
-        }
+        });
       }
     }
   }

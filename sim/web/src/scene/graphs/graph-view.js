@@ -9,6 +9,7 @@ import { seriesOf } from "../../../../view/series.js";
 import { isTold, valueAt } from "../../../../view/trajectory.js";
 import { graphNote } from "../../../../view/words.js";
 import { fit, need, put, svg } from "../../shared/dom.js";
+import { onPointed } from "../../shared/follow.js";
 import { ghostCurves } from "../how/ghost.js";
 import { drawAxes } from "./axes.js";
 import { ImpulseLayer } from "./impulse-layer.js";
@@ -61,16 +62,13 @@ export class GraphView {
       this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
     if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
     this.button?.addEventListener("click", () => this.#toggle());
-    const point = (/** @type {PointerEvent} */ event) => {
-      if (event.type === "pointermove" && !(event.buttons & 1)) return;
+    onPointed(this.plot, (event) => {
       const frame = this.plot.getBoundingClientRect();
       const x = ((event.clientX - frame.left) / frame.width) * g.WIDTH;
       const part = Math.min(1, Math.max(0, (x - g.LEFT) / (g.RIGHT - g.LEFT)));
       const { low, high } = this.#plane.time;
       seek(low + part * (high - low));
-    };
-    this.plot.addEventListener("pointerdown", point);
-    this.plot.addEventListener("pointermove", point);
+    });
   }
 
   enable() {
