@@ -3,11 +3,14 @@
 import { axisDecimals, shown } from "../../../view/map/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
+import { onEnter } from "../shared/enter.js";
 import { readTyped } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/map/types.js").Axis} Axis */
 
 export class AxisControl {
+  #read = ""; // the text in the box that was taken, or shown
+
   /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
   constructor(root, axis, chosen) {
     this.root = root;
@@ -20,9 +23,7 @@ export class AxisControl {
     this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
     const typed = () => this.#typed(chosen);
     this.box.addEventListener("change", typed);
-    this.box.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") typed();
-    });
+    onEnter(this.box, typed);
   }
 
   /** @param {boolean} on */
@@ -36,7 +37,8 @@ export class AxisControl {
     this.values = values;
     put(this.slider, "max", String(values.length - 1));
     this.slider.valueAsNumber = place;
-    this.box.value = this.text(place).replace("−", "-");
+    this.#read = this.text(place).replace("−", "-");
+    this.box.value = this.#read;
     this.#complain("");
   }
 
@@ -61,6 +63,8 @@ export class AxisControl {
 
   /** @param {(place: number) => void} chosen */
   #typed(chosen) {
+    if (this.box.value === this.#read) return; // of Enter and the change that follows it, one asks
+    this.#read = this.box.value;
     const { low, high, unit, label, per } = this.axis;
     const { decimals } = this;
     const read = readTyped(this.box.value);

@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { decimalsOf, fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
+import { onEnter } from "../shared/enter.js";
 import { readTyped } from "../shared/typed.js";
 import { effectValue, Switches } from "./switches.js";
 
@@ -90,10 +91,9 @@ class ControlView {
       const to = nearest(values, this.slider.valueAsNumber) + by;
       this.take(values[Math.max(0, Math.min(to, values.length - 1))] ?? 0, event.timeStamp);
     });
-    this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
-    this.box.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") this.#typed(change, event.timeStamp);
-    });
+    const typed = () => this.#typed();
+    this.box.addEventListener("change", typed);
+    onEnter(this.box, typed);
   }
 
   /** @param {boolean} on */
@@ -143,14 +143,15 @@ class ControlView {
     this.box.removeAttribute("aria-invalid");
   }
 
-  /** @param {Change} change @param {number} at */
-  #typed(change, at) {
+  #typed() {
+    if (this.box.value === this.#sent) return; // of Enter and the change that follows it, one asks
+    const at = performance.now();
     const { low, high, unit, label } = this.control;
     const read = readTyped(withoutUnit(this.box.value, unit));
     if ("problem" in read) return this.complain(read.problem);
     if ("text" in read) {
       this.#sent = this.box.value;
-      return change(this.control.set, read.text, at);
+      return this.change(this.control.set, read.text, at);
     }
     if (read.value < low || read.value > high) {
       const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
@@ -158,8 +159,7 @@ class ControlView {
         tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() }),
       );
     }
-    this.#accept(read.value);
-    return change(this.control.set, this.#asked(read.value), at);
+    return this.take(read.value, at);
   }
 
   /** @param {number} value */

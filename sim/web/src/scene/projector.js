@@ -40,7 +40,7 @@ export function offerProjector(scene) {
     const typing = /** @type {Element} */ (event.target).matches(
       "input:not([type=range]), textarea, select",
     );
-    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (typing || event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
   });
 }

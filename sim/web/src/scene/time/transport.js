@@ -69,7 +69,7 @@ export class Transport {
   #key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const act = {
-      " ": () => this.player.toggle(),
+      " ": () => event.repeat || this.player.toggle(),
       ArrowLeft: () => this.player.step(-1),
       ArrowDown: () => this.player.step(-1),
       ArrowRight: () => this.player.step(1),
