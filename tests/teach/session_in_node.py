@@ -106,6 +106,13 @@ const stored = {
   put: async (key, value) => void kept.set(key, value),
   remove: async (key) => void kept.delete(key),
   entries: async () => [...kept],
+  hear: (act) => void hearing.push(act),
+};
+const hearing = [];
+/** Another tab keeps a draft. */
+const otherKeeps = async (key, draft) => {
+  kept.set(key, draft);
+  for (const hear of hearing) await hear(key, false);
 };
 const page = () => place().page;
 

@@ -1,12 +1,14 @@
 /**
  * Drafts of a lesson, kept in this browser in a store of their own, apart from answers. A draft belongs to
  * the version of the lesson that it began from (`hash`): when the lesson is published anew, the older draft
- * is still there and is offered.
+ * is still there and is offered. Of two tabs, each keeps a draft of its own: the newest comes back, others are
+ * offered.
  */
 
 import { openAll, place } from "../shared/storage.js";
 
-/** @typedef {{text: string, base: string, last: string, hash: string}} Draft `base`: what it began from */
+/** @typedef {{text: string, base: string, last: string, hash: string}} Kept `base`: what it began from */
+/** @typedef {Kept & {key: string}} Draft where it is kept */
 
 export class Drafts {
   /** @param {import("./source.js").Told} told */
@@ -14,23 +16,29 @@ export class Drafts {
     const { site, page } = place();
     this.hash = told.hash;
     this.before = `${page}#`;
+    this.key = this.before + this.hash;
+    /** @type {string | null} the teacher's file, where the site has no text of the lesson */
+    this.own = null;
+    /** @type {Kept | null} what this tab kept last */
+    this.kept = null;
     this.store = openAll(`${site}~teacher`);
   }
 
-  /** @returns {Promise<Draft | null>} of this version of the lesson */
-  async current() {
-    const found = await (await this.store).get(this.before + this.hash).catch(() => null);
-    return isDraft(found) ? found : null;
-  }
-
-  /** @returns {Promise<Draft[]>} of earlier versions, the newest first */
-  async earlier() {
+  /** @returns {Promise<Draft[]>} the newest first */
+  async #all() {
     const all = await (await this.store).entries().catch(() => []);
     return all
       .filter(([key, value]) => key.startsWith(this.before) && isDraft(value))
-      .map(([, value]) => /** @type {Draft} */ (value))
-      .filter((draft) => draft.hash !== this.hash)
+      .map(([key, value]) => ({ .../** @type {Kept} */ (value), key }))
       .sort((a, b) => (a.last < b.last ? 1 : -1));
+  }
+
+  /** @returns {Promise<{draft: Draft | null, earlier: Draft[]}>} of this version of the lesson, and all others */
+  async found() {
+    const all = await this.#all();
+    const draft = all.find(({ hash }) => hash === this.hash) ?? null;
+    this.key = draft?.key ?? this.key;
+    return { draft, earlier: all.filter((one) => one !== draft) };
   }
 
   /**
@@ -42,26 +50,52 @@ export class Drafts {
    */
   async ofFile(own, hash) {
     const published = hash !== "" && hash === this.hash;
-    const found = [await this.current(), ...(await this.earlier())].filter((one) => one !== null);
+    const found = await this.#all();
     const draft =
       found.find(({ base }) => base === own) ??
       found.find((one) => published && one.hash === hash) ??
       null;
-    this.hash = draft?.hash ?? (hash || sumOf(own)); // what is kept now leaves the others as they are
+    this.hash = draft?.hash ?? (hash || sumOf(own));
+    this.key = draft?.key ?? this.before + this.hash; // what is kept now leaves the others as they are
+    this.own = own;
     return { draft, earlier: found.filter((one) => one !== draft && holds(own, one)) };
   }
 
   /** Resolves with whether the browser keeps it beyond this visit. @param {string} text @param {string} base */
   async keep(text, base) {
     const store = await this.store;
-    const draft = { text, base, last: new Date().toISOString(), hash: this.hash };
-    await store.put(this.before + this.hash, draft, true);
+    this.kept = { text, base, last: new Date().toISOString(), hash: this.hash };
+    await store.put(this.key, this.kept, true);
     return store.kind === "kept";
   }
 
-  /** @param {string} hash */
-  async forget(hash = this.hash) {
-    await (await this.store).remove(this.before + hash);
+  /**
+   * Another tab that keeps a draft where this one does has that place: what this tab kept there, and keeps from
+   * now on, goes to a place of its own. @param {(draft: Draft) => void} act with the other's, once for each place: it is kept up to date
+   */
+  async hear(act) {
+    const store = await this.store;
+    /** @type {Map<string, Draft>} */
+    const others = new Map();
+    store.hear(async (key, gone) => {
+      if (gone || (key !== this.key && !others.has(key))) return;
+      if (key === this.key) {
+        this.key = `${this.before}${this.hash}~${Math.random().toString(36).slice(2)}`;
+        if (this.kept) await store.put(this.key, this.kept, true).catch(() => {});
+      }
+      const found = await store.get(key).catch(() => null);
+      if (!isDraft(found) || (this.own !== null && !holds(this.own, found))) return;
+      const known = others.get(key);
+      if (known) return void Object.assign(known, found);
+      const draft = { ...found, key };
+      others.set(key, draft);
+      act(draft);
+    });
+  }
+
+  async forget(key = this.key) {
+    if (key === this.key) this.kept = null;
+    await (await this.store).remove(key);
   }
 }
 
@@ -72,7 +106,7 @@ function sumOf(text) {
   return `${text.length}-${sum.toString(16)}`;
 }
 
-/** @param {any} value @returns {value is Draft} */
+/** @param {any} value @returns {value is Kept} */
 function isDraft(value) {
   return typeof value?.text === "string" && typeof value?.base === "string";
 }
@@ -80,7 +114,7 @@ function isDraft(value) {
 /**
  * Whether a file holds the lesson of a draft: the same heading, every word that opens or ends a test, and half
  * of what stands in its blocks. A page shows its heading, never those words.
- * @param {string} own @param {Draft} draft
+ * @param {string} own @param {Kept} draft
  */
 function holds(own, { base }) {
   const lines = new Set(linesOf(own));
