@@ -8,7 +8,7 @@ const PAUSE = 300; // ms without a key until a value is taken over
 let made = 0;
 
 export class Fields {
-  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, wrong: boolean, refused: boolean, take: () => void}>} wrong: the note is a finding; take: its value now */
+  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number, asked: number, wrong: boolean, refused: boolean, take: () => void}>} asked: values on their way; wrong: the note is a finding; take: its value now */
   #rows = new Map();
   #form = "";
 
@@ -26,14 +26,16 @@ export class Fields {
     for (const field of fields) {
       const row = this.#rows.get(JSON.stringify(field.path));
       if (!row) continue;
+      if (row.field.value !== field.value) row.refused = false; // the text has gone on without it
       row.field = field;
       const [line, col] = field.place;
       const wrong = findings.find((one) => one.line === line && one.col === col);
       if (wrong) this.#say(row, [withoutPath(wrong), wrong.hint].filter(Boolean).join(" – "));
       else if (row.wrong) this.#say(row, "");
       row.wrong = wrong !== undefined;
-      // What is being typed is not overwritten.
-      if (row.control !== document.activeElement && row.control.value !== field.value) {
+      // What is being typed, is on its way or was refused is not overwritten.
+      const held = row.refused || row.timer || row.asked || row.control === document.activeElement;
+      if (!held && row.control.value !== field.value) {
         row.control.value = field.value;
         this.#say(row, "");
       }
@@ -45,8 +47,19 @@ export class Fields {
     for (const { timer, refused, take } of this.#rows.values()) if (timer || refused) take();
   }
 
+  /** An undone change takes what was refused along. */
+  undo() {
+    for (const row of this.#rows.values()) {
+      if (!row.refused) continue;
+      row.refused = false;
+      row.control.value = row.field.value;
+      this.#say(row, "");
+    }
+  }
+
   /** @param {Field[]} fields */
   #build(fields) {
+    const before = new Map(this.#rows);
     const focused = [...this.#rows].find(([, { control }]) => control === document.activeElement);
     this.#rows.clear();
     this.root.replaceChildren();
@@ -62,13 +75,13 @@ export class Fields {
           this.root.append(place);
         }
       }
-      place.append(this.#row(field));
+      place.append(this.#row(field, before.get(JSON.stringify(field.path))));
     }
     if (focused) this.#rows.get(focused[0])?.control.focus();
   }
 
-  /** @param {Field} field */
-  #row(field) {
+  /** @param {Field} field @param {{control: {value: string}, note: HTMLElement, refused: boolean}} [before] the same field, before others came or went */
+  #row(field, before) {
     const line = html("label", field.kind === "area" ? "carts-teach-wide" : "");
     const control = controlFor(field);
     control.value = field.value;
@@ -81,9 +94,16 @@ export class Fields {
     const take = () => {
       clearTimeout(row.timer);
       row.timer = 0;
-      if (control.value !== row.field.value) void this.#take(row);
+      if (control.value !== row.field.value) return void this.#take(row);
+      if (row.refused) this.#say(row, "");
+      row.refused = false;
     };
-    const row = { control, note, field, timer: 0, wrong: false, refused: false, take };
+    const row = { control, note, field, timer: 0, asked: 0, wrong: false, refused: false, take };
+    if (before?.refused) {
+      control.value = before.control.value;
+      row.refused = true;
+      this.#say(row, before.note.textContent ?? "");
+    }
     control.addEventListener("input", () => {
       clearTimeout(row.timer);
       row.timer = setTimeout(take, PAUSE);
@@ -95,8 +115,9 @@ export class Fields {
     return whole;
   }
 
-  /** @param {{control: any, note: HTMLElement, field: Field, refused: boolean}} row */
+  /** @param {{control: any, note: HTMLElement, field: Field, asked: number, refused: boolean}} row */
   async #take(row) {
+    row.asked += 1;
     try {
       const why = await this.set(row.field, row.control.value, row);
       row.refused = why !== "";
@@ -104,6 +125,8 @@ export class Fields {
     } catch (error) {
       row.refused = true;
       this.#say(row, /** @type {Error} */ (error).message);
+    } finally {
+      row.asked -= 1;
     }
   }
 

@@ -67,6 +67,11 @@ export class Panel {
     for (const editor of this.#editors) editor.flush();
   }
 
+  /** An undone change takes what was refused along. */
+  undo() {
+    for (const editor of this.#editors) editor.undo();
+  }
+
   /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
   status(text, faulty = false) {
     this.#faulty = faulty;
@@ -87,11 +92,6 @@ export class Panel {
     this.root.dataset.state = this.#whole ? "unchecked" : "looking";
     this.#whole?.show(whole(this.session.text), [], false);
     this.tools.draw();
-    this.followOwn();
-  }
-
-  /** Whether the teacher's own file is asked for. */
-  followOwn() {
     this.own.follow();
   }
 

@@ -64,6 +64,11 @@ export class PieceEditor {
     this.#fields.flush();
   }
 
+  /** An undone change takes what was refused along. */
+  undo() {
+    this.#fields.undo();
+  }
+
   /** @param {Piece} piece @param {Finding[]} findings @param {boolean} changed */
   show(piece, findings, changed) {
     this.piece = piece;

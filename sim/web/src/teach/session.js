@@ -65,9 +65,7 @@ export class Session {
     scrollTo(0, 0); // the link is at the foot, the panel begins with the first part
     if (this.told.text === null) return this.panel.askForFile();
     this.panel.status("Starting Python …");
-    const { drafts } = this;
-    const [draft, earlier] = [await drafts.current(), await drafts.earlier()];
-    await this.#begin({ published: true, draft, earlier });
+    await this.#begin({ published: true, ...(await this.drafts.found()) });
   }
 
   /**
@@ -78,6 +76,7 @@ export class Session {
   async #begin({ published, draft, earlier }) {
     const built = this.text;
     const back = this.#takeBack(draft);
+    void this.drafts.hear((other) => this.panel.offerEarlier([other]));
     this.#working = true;
     try {
       for (let more = true; more; ) {
@@ -108,7 +107,7 @@ export class Session {
     if (this.told.text !== null) this.base = draft.base; // else it is the file that was opened
     this.history.change(draft.text, "");
     this.panel.kept(true);
-    this.panel.followOwn();
+    this.panel.own.follow();
     return draft;
   }
 
@@ -135,17 +134,20 @@ export class Session {
   }
 
   undo() {
+    this.panel.undo();
     this.history.undo();
     this.#changed();
   }
 
   redo() {
+    this.panel.undo();
     this.history.redo();
     this.#changed();
   }
 
   /** Back to the text as it was published, as a change that can be undone. */
   reset() {
+    this.panel.undo();
     this.change(this.base, "");
     void this.drafts.forget().catch(() => {});
   }
