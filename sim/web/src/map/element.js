@@ -3,16 +3,16 @@
 import { valueText } from "../../../view/map/words.js";
 import { Controls } from "../scene/controls.js";
 import { need, say } from "../shared/dom.js";
-import { frame, refusal, waited } from "../shared/waiting.js";
+import { frame, waited } from "../shared/waiting.js";
 import { AxisControl } from "./axis.js";
 import { MapFigure } from "./figure.js";
+import { Filling } from "./filling.js";
 import { runPoint } from "./run-point.js";
 import { offerOpening, showProgress, showSettings } from "./settings.js";
 import { fillTable } from "./table.js";
 
 /** @typedef {import("../../../view/map/types.js").MapFacts} MapFacts */
 /** @typedef {import("../../../view/map/types.js").Grid} Grid */
-/** @typedef {{header: any, numbers: Float64Array}} Reply */
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function mapElement(client) {
@@ -31,11 +31,20 @@ export function mapElement(client) {
     #places = [];
     /** @type {Record<string, number | string>} what the further sliders set */
     #settings = {};
-    #generation = 0;
     /** @type {Promise<void> | null} */
     #opening = null;
-    /** @type {Promise<void>} */
-    #filling = Promise.resolve();
+    #filling = new Filling(
+      (set, from) => client.ask(this, () => ({ kind: "map", map: this.#facts?.map, set, from })),
+      {
+        slice: (numbers) => this.#take(numbers),
+        progress: (done, all) => showProgress(this, done, all),
+        complete: (detail) => {
+          showProgress(this, 1, 1);
+          this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+        },
+        failed: (error) => this.#fail(error),
+      },
+    );
 
     #leaving = new AbortController(); // ends what it hears of the page
 
@@ -97,7 +106,7 @@ export function mapElement(client) {
 
     /** Resolves when no point is left to be run. */
     get complete() {
-      return this.#filling;
+      return this.#filling.whole;
     }
 
     /** Resolves when the map is live; never rejects: a failure is told in the map, and it may be opened again. */
@@ -158,46 +167,25 @@ export function mapElement(client) {
     }
 
     /** Asks for the whole map and draws it; what has to be run point by point comes afterwards. @param {Record<string, number | string>} settings @param {number} at */
-    async #compute(settings, at) {
-      this.#generation += 1;
-      const generation = this.#generation;
-      const first = await this.#ask(settings, 0);
-      if (generation !== this.#generation) return;
-      if (!first.header.ok) throw refusal(first.header.problems ?? []);
-      this.#settings = settings;
-      showSettings(this, this.#facts?.controls ?? [], settings);
-      const { axes, rows, columns, why, runs } = first.header;
-      this.#draw({ axes, rows, columns, why, values: first.numbers });
-      await frame();
-      waited("carts:map", at);
-      const filling = this.#fill(settings, first.header.done, runs, generation);
-      this.#filling = filling.catch((error) => this.#fail(error));
+    #compute(settings, at) {
+      return this.#filling.map(settings, async ({ header, numbers }) => {
+        this.#settings = settings;
+        showSettings(this, this.#facts?.controls ?? [], settings);
+        const { axes, rows, columns, why } = header;
+        this.#draw({ axes, rows, columns, why, values: numbers });
+        await frame();
+        waited("carts:map", at);
+      });
     }
 
-    /**
-     * The points that have to be run one by one, slice after slice, drawn as they come.
-     * @param {Record<string, number | string>} settings @param {number} done @param {number} runs @param {number} generation
-     */
-    async #fill(settings, done, runs, generation) {
-      while (done < runs) {
-        showProgress(this, done, runs);
-        const { header, numbers } = await this.#ask(settings, done);
-        if (generation !== this.#generation || !this.#grid) return;
-        if (!header.ok) throw refusal(header.problems ?? []);
-        const half = numbers.length / 2;
-        for (let k = 0; k < half; k += 1) {
-          this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
-        }
-        done = header.done;
-        this.#draw(this.#grid);
+    /** Some points, and behind them their values, drawn as they come. @param {Float64Array} numbers */
+    #take(numbers) {
+      if (!this.#grid) return;
+      const half = numbers.length / 2;
+      for (let k = 0; k < half; k += 1) {
+        this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
       }
-      showProgress(this, 1, 1);
-      this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
-    }
-
-    /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
-    #ask(settings, from) {
-      return client.ask(this, () => ({ kind: "map", map: this.#facts?.map, set: settings, from }));
+      this.#draw(this.#grid);
     }
 
     /** @param {Grid} grid */
