@@ -117,7 +117,7 @@ export function classElement(client) {
       const answers = files.filter((file) => !isTable(file));
       const begun = performance.now();
       say(this.#status, client.state === "ready" ? tr("Reading …") : tr("Starting Python …"));
-      Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
+      Object.assign(this.#bar, { hidden: false, max: answers.length, value: 0 });
       let soon = 0;
       try {
         await readAll(
@@ -128,7 +128,7 @@ export function classElement(client) {
             soon ||= performance.now() + SOON;
             this.classroom.take(found, group);
             this.#bar.value = done;
-            say(this.#status, tr("{done} of {all} files read", { done, all: files.length }));
+            say(this.#status, tr("{done} of {all} files read", { done, all: answers.length }));
             if (!this.#drawn && this.classroom.files.length && performance.now() > soon)
               await this.show();
           },

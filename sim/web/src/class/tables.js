@@ -2,8 +2,10 @@
 
 import { tr } from "../../../view/language.js";
 import { button } from "../answers/parts.js";
-import { html } from "../shared/dom.js";
+import { html, say } from "../shared/dom.js";
 import { typedIn } from "./list.js";
+
+/** @typedef {import("./classroom.js").Table} Table */
 
 const TIMES = /** @type {[string, string][]} */ ([
   ["", tr("as the table says")],
@@ -29,18 +31,26 @@ export function tableList(classroom, changed) {
   typedIn(most, take, changed);
   label.append(most);
   root.append(html("p", "carts-class-tables-title", tr("Tables of marks")), rows, label);
+  /** @type {Table[]} that have a row */
+  let shown = [];
   const draw = () => {
     root.hidden = classroom.tables.length === 0;
     if (most.value !== classroom.most) most.value = classroom.most;
-    if (rows.childElementCount === classroom.tables.length && !root.hidden) return;
-    rows.replaceChildren(...classroom.tables.map((table) => row(classroom, table, changed)));
+    const { tables } = classroom;
+    if (tables.length !== shown.length || tables.some((table, k) => table !== shown[k]))
+      rows.replaceChildren(...tables.map((table) => row(classroom, table, changed)));
+    shown = [...tables];
+    for (const [k, name] of rows.querySelectorAll("bdi").entries()) {
+      const { name: own, group } = /** @type {Table} */ (tables[k]);
+      say(name, classroom.two ? `${own} · ${classroom.groups[group]}` : own);
+    }
   };
   return { root, draw };
 }
 
 /**
  * @param {import("./classroom.js").Classroom} classroom
- * @param {import("./classroom.js").Table} table @param {() => void} changed
+ * @param {Table} table @param {() => void} changed
  */
 function row(classroom, table, changed) {
   const line = html("li");
@@ -56,7 +66,6 @@ function row(classroom, table, changed) {
     classroom.tables = classroom.tables.filter((other) => other !== table);
     changed();
   });
-  const whose = classroom.two ? ` · ${classroom.groups[table.group]}` : "";
-  line.append(html("bdi", "", table.name + whose), " ", when, " ", remove);
+  line.append(html("bdi"), " ", when, " ", remove);
   return line;
 }
