@@ -24,8 +24,8 @@ let python;
 let answer;
 /** Of the request under way, 0 while Python starts. */
 let current = 0;
-/** When the page last heard of `alive`, in ms. */
-let seen = 0;
+/** When the page last heard of `alive`, in ms of a clock that nobody sets. */
+let seen = Number.NEGATIVE_INFINITY;
 
 /** @param {object} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => scope.postMessage(message, transfer);
@@ -166,8 +166,8 @@ if "random" in sys.modules:
 
 /** A sign of life while an answer or an import takes long, told once a second at most. */
 function alive() {
-  if (Date.now() - seen < 1000) return;
-  seen = Date.now();
+  if (performance.now() - seen < 1000) return;
+  seen = performance.now();
   if (current) tell({ tell: "alive", number: current });
   else progress("packages");
 }

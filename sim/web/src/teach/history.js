@@ -26,7 +26,7 @@ export class History {
   /** @param {string} text @param {string} where it was changed: further changes there are the same step */
   change(text, where) {
     if (text === this.text) return false;
-    const now = Date.now();
+    const now = performance.now();
     if (!where || where !== this.#where || now - this.#when > ONE_GO) this.#past.push(this.text);
     this.#where = where;
     this.#when = now;
