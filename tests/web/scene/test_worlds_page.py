@@ -53,7 +53,7 @@ def test_a_belief_is_taken_at_its_word_beside_the_real_run(site: Path, open_page
     expect(worlds.locator(".carts-worlds-yours")).to_have_text("This is the world of your arrows.")
     rows = worlds.locator(".carts-worlds-ends tr").all_inner_texts()
     assert any(row.split("\t")[1:] == ["2.53 N", "0.87 N"] for row in rows), rows
-    assert any(row.endswith("0.80 → 0.80 N s\t0.80 → 1.05 N s") for row in rows), rows
+    assert any(row.endswith("0.800 → 0.800 N s\t0.800 → 1.054 N s") for row in rows), rows
     expect(worlds.locator(".carts-worlds-broken li").first).to_have_text(
         "0.25 N s of momentum came from nowhere."
     )
@@ -100,7 +100,7 @@ def test_what_a_world_shows_goes_when_the_values_of_its_scene_change(
     expect(worlds.locator("figure")).to_have_count(2)
     expect(note).to_have_text("")
     rows = worlds.locator(".carts-worlds-ends tr").all_inner_texts()
-    assert any("0.20 → 0.20 N s\t0.20 → 0.20 N s" in row for row in rows), rows
+    assert any("0.200 → 0.200 N s\t0.200 → 0.200 N s" in row for row in rows), rows
     expect(worlds.locator(".carts-worlds-broken li")).to_contain_text("nothing breaks")
     scene.evaluate('(el) => el.set({ "A.mass": 0.5 })')  # the same values once more
     scene.evaluate("(el) => new Promise((done) => setTimeout(done, 200))")

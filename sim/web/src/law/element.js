@@ -216,7 +216,7 @@ export function lawElement(base) {
     /** @param {Run} run @param {Baked} baked @param {string} caption */
     #show(run, baked, caption) {
       this.#picture(run, baked, caption);
-      this.shown?.append(ends([{ label: caption, run }], baked.view.decimals));
+      this.shown?.append(ends([{ label: caption, run }], baked.view));
     }
 
     /** @param {Run} run @param {Baked} baked @param {string} caption */

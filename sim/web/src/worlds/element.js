@@ -136,7 +136,7 @@ export class WorldsElement extends HTMLElement {
             { label: tr("Our world"), run: real },
             { label: tr("Impossible"), run: other },
           ],
-          baked.view.decimals,
+          baked.view,
         ),
         broken(other),
       );

@@ -1,14 +1,15 @@
 /** Runs in numbers, side by side: velocities at the end, the greatest push on each cart, all momentum. */
 
 import { tr } from "../../../view/language.js";
-import { fixed } from "../../../view/numbers.js";
+import { fixed, speedUnit } from "../../../view/numbers.js";
 import { greatest } from "../predict/arrow-parts.js";
 import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 
-/** @param {{label: string, run: Run}[]} columns of one scene @param {Record<string, number>} decimals */
-export function ends(columns, decimals) {
+/** @param {{label: string, run: Run}[]} columns of one scene @param {import("../../../view/types.js").View} view */
+export function ends(columns, { decimals, velocity }) {
+  const [per, unit] = speedUnit(velocity);
   const real = /** @type {{run: Run}} */ (columns[0]).run;
   const table = html("table", "carts-worlds-ends");
   const head = html("tr");
@@ -24,7 +25,7 @@ export function ends(columns, decimals) {
   const rows = [
     ...real.header.bodies.map(({ name }) => ({
       label: tr("velocity of {name} at the end", { name }),
-      of: (/** @type {Run} */ run) => `${fixed(last(run, name), decimals.v ?? 2)} m/s`,
+      of: (/** @type {Run} */ run) => `${fixed(last(run, name) / per, decimals.v ?? 2)} ${unit}`,
     })),
     ...pushed(real).map(({ pair, on, by }) => ({
       label: tr("greatest push on {on} by {by}", { on, by }),
@@ -34,7 +35,7 @@ export function ends(columns, decimals) {
       label: tr("momentum of all carts, start → end"),
       of: (/** @type {Run} */ run) => {
         const [start, end] = [momentum(run, 0), momentum(run, -1)];
-        return `${fixed(start, 2)} → ${fixed(end, 2)} N s`;
+        return `${fixed(start, decimals.p ?? 2)} → ${fixed(end, decimals.p ?? 2)} N s`;
       },
     },
   ];
