@@ -155,6 +155,36 @@ def test_contacts_are_heard_as_loud_as_their_force_once_a_reader_wants_it(third:
 
 
 @pytest.mark.one_browser
+def test_a_page_has_one_sound_machine_and_says_where_there_is_none(third: Page) -> None:
+    third.reload()  # one that was made before is of this page no more
+    live(third, "third")
+    third.evaluate(HEARD)
+    third.evaluate(
+        """() => {
+          window.heard.made = 0;
+          window.AudioContext = class extends window.AudioContext {
+            constructor() { super(); window.heard.made += 1; }
+            resume() { if (window.heard.broken) throw new Error("no loudspeaker"); }
+          };
+        }"""
+    )
+    scene = third.locator("#third")
+    scene.locator(".carts-choose summary").click()
+    box = scene.locator('[data-choice="sound"]')
+    box.check()
+    scene.evaluate("(el) => el.after(el.cloneNode(true))")
+    boxes = third.locator('[data-choice="sound"]')
+    expect(boxes).to_have_count(2)
+    boxes.nth(1).evaluate("(box) => { box.checked = false; box.click(); }")
+    assert third.evaluate("[window.heard.length, window.heard.made]") == [2, 1]
+    third.evaluate("window.heard.broken = true")
+    boxes.nth(1).evaluate("(box) => { box.checked = false; box.click(); }")
+    for k in range(2):
+        expect(boxes.nth(k)).not_to_be_checked()
+    third.reload()
+
+
+@pytest.mark.one_browser
 def test_playing_stops_at_touch_greatest_force_and_parting(third: Page) -> None:
     scene = third.locator("#third")
     scene.locator(".carts-choose summary").click()

@@ -14,10 +14,10 @@ const SOFTEST = 0.05; // of the loudest: a contact that is heard at all
 
 let wanted = recall(KEY) === true; // in all scenes of the page
 
-export class Sound {
-  /** @type {AudioContext | null} */
-  #machine = null;
+/** @type {AudioContext | null} of all scenes: a browser has few */
+let made = null;
 
+export class Sound {
   get on() {
     return wanted;
   }
@@ -46,8 +46,8 @@ export class Sound {
   /** @param {number} loud 0 to 1 */
   #click(loud) {
     try {
-      this.#machine ??= new AudioContext();
-      const machine = this.#machine;
+      made ??= new AudioContext();
+      const machine = made;
       void machine.resume(); // it may begin only after a reader has pressed something
       const noise = machine.createBuffer(1, machine.sampleRate * LASTS, machine.sampleRate);
       const samples = noise.getChannelData(0);
@@ -60,7 +60,7 @@ export class Sound {
       source.connect(machine.destination);
       source.start();
     } catch {
-      wanted = false; // no loudspeaker: the run goes on in silence
+      this.set(false); // no loudspeaker: the run goes on in silence
     }
   }
 }
