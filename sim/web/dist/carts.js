@@ -353,15 +353,15 @@
   // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
-    const made3 = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) made3.setAttribute(name, String(value));
-    return made3;
+    const made4 = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made4.setAttribute(name, String(value));
+    return made4;
   }
   function html(tag, className = "", text = "") {
-    const made3 = document.createElement(tag);
-    if (className) made3.className = className;
-    if (text) made3.textContent = text;
-    return made3;
+    const made4 = document.createElement(tag);
+    if (className) made4.className = className;
+    if (text) made4.textContent = text;
+    return made4;
   }
   function put(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
@@ -443,9 +443,9 @@
     scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
   }
   function deferred() {
-    const made3 = {};
-    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
-    return made3;
+    const made4 = {};
+    made4.promise = new Promise((resolve, reject) => Object.assign(made4, { resolve, reject }));
+    return made4;
   }
   function refusal(problems) {
     const [first] = problems;
@@ -609,9 +609,9 @@
       put(need(this.root, ".carts-breaks-picture > .carts-breaks-limit"), "d", limit);
       if (values) {
         const texts = ticks(map).map(([x2, text]) => {
-          const made3 = svg("text", { class: "carts-tick-x", x: px(x2), y: TICKS_Y });
-          made3.textContent = text;
-          return made3;
+          const made4 = svg("text", { class: "carts-tick-x", x: px(x2), y: TICKS_Y });
+          made4.textContent = text;
+          return made4;
         });
         need(this.root, ".carts-breaks-ticks").replaceChildren(...texts);
         say(need(this.root, ".carts-breaks-unit"), unitText(map));
@@ -942,11 +942,11 @@
         return svg("rect", { class: name, rx: 3, ...box2 });
       };
       const group2 = (k) => {
-        const made3 = svg("g", { class: `carts-b${k % 8}` });
+        const made4 = svg("g", { class: `carts-b${k % 8}` });
         const name = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
         name.textContent = bodies[k]?.name ?? "";
-        made3.append(shape(k, "carts-box"), name);
-        return made3;
+        made4.append(shape(k, "carts-box"), name);
+        return made4;
       };
       this.carts = bodies.map((_2, k) => group2(k));
       this.ghosts = bodies.map((_2, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
@@ -1429,6 +1429,12 @@
   function axisDecimals2(axis2) {
     const [first = 0, second = 0] = axis2.values.map((value) => shown(value, axis2));
     return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
+  }
+
+  // src/shared/enter.js
+  var isEnter = ({ key, isComposing, keyCode }) => key === "Enter" && !isComposing && keyCode !== 229;
+  function onEnter(box2, act) {
+    box2?.addEventListener("keydown", (event) => isEnter(event) && act());
   }
 
   // ../view/bodies.js
@@ -2135,10 +2141,9 @@
         const to = nearest(values, this.slider.valueAsNumber) + by;
         this.take(values[Math.max(0, Math.min(to, values.length - 1))] ?? 0, event.timeStamp);
       });
-      this.box.addEventListener("change", (event) => this.#typed(change2, event.timeStamp));
-      this.box.addEventListener("keydown", (event) => {
-        if (event.key === "Enter") this.#typed(change2, event.timeStamp);
-      });
+      const typed = () => this.#typed();
+      this.box.addEventListener("change", typed);
+      onEnter(this.box, typed);
     }
     enable(on) {
       this.slider.disabled = !on;
@@ -2174,13 +2179,15 @@
       this.root.classList.remove("carts-wrong");
       this.box.removeAttribute("aria-invalid");
     }
-    #typed(change2, at3) {
+    #typed() {
+      if (this.box.value === this.#sent) return;
+      const at3 = performance.now();
       const { low, high, unit, label } = this.control;
       const read = readTyped(withoutUnit(this.box.value, unit));
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
-        return change2(this.control.set, read.text, at3);
+        return this.change(this.control.set, read.text, at3);
       }
       if (read.value < low || read.value > high) {
         const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
@@ -2188,8 +2195,7 @@
           tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() })
         );
       }
-      this.#accept(read.value);
-      return change2(this.control.set, this.#asked(read.value), at3);
+      return this.take(read.value, at3);
     }
     #accept(value) {
       this.slider.valueAsNumber = value;
@@ -2230,6 +2236,8 @@
 
   // src/map/axis.js
   var AxisControl = class {
+    #read = "";
+    // the text in the box that was taken, or shown
     constructor(root, axis2, chosen) {
       this.root = root;
       this.axis = axis2;
@@ -2241,9 +2249,7 @@
       this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
       const typed = () => this.#typed(chosen);
       this.box.addEventListener("change", typed);
-      this.box.addEventListener("keydown", (event) => {
-        if (event.key === "Enter") typed();
-      });
+      onEnter(this.box, typed);
     }
     enable(on) {
       this.slider.disabled = !on;
@@ -2253,7 +2259,8 @@
       this.values = values;
       put(this.slider, "max", String(values.length - 1));
       this.slider.valueAsNumber = place4;
-      this.box.value = this.text(place4).replace("−", "-");
+      this.#read = this.text(place4).replace("−", "-");
+      this.box.value = this.#read;
       this.#complain("");
     }
     speak(place4, value) {
@@ -2270,6 +2277,8 @@
       return best;
     }
     #typed(chosen) {
+      if (this.box.value === this.#read) return;
+      this.#read = this.box.value;
       const { low, high, unit, label, per } = this.axis;
       const { decimals } = this;
       const read = readTyped(this.box.value);
@@ -2379,6 +2388,34 @@
     return path3;
   }
 
+  // src/shared/follow.js
+  function followPointer(down, moved) {
+    if (down.button > 0) return false;
+    const leaving2 = new AbortController();
+    const { signal } = leaving2;
+    const follow = (now) => {
+      if (now.pointerId !== down.pointerId) return;
+      if (now.buttons & 1) moved(now.clientX - down.clientX, now);
+      else leaving2.abort();
+    };
+    addEventListener("pointermove", follow, { signal });
+    addEventListener("pointerup", follow, { signal });
+    addEventListener("pointercancel", follow, { signal });
+    return true;
+  }
+  var FAR = 8;
+  function onPointed(place4, point) {
+    place4.addEventListener("click", point);
+    place4.addEventListener("pointerdown", (down) => {
+      let points = down.pointerType === "mouse";
+      const moved = (pixels2, now) => {
+        points ||= Math.abs(pixels2) > Math.max(FAR, Math.abs(now.clientY - down.clientY));
+        if (points) point(now);
+      };
+      if (followPointer(down, moved)) moved(0, down);
+    });
+  }
+
   // ../view/map/pixels.js
   var FINE = 400;
   function band(value, { low, step, count: count2 }) {
@@ -2467,14 +2504,8 @@
       this.holder = need(root, ".carts-map-figure");
       this.over = need(root, ".carts-map-over");
       this.axes = facts.axes.map(({ values }) => values);
-      const pointed = (event) => point(this.#placesAt(event));
-      this.over.addEventListener("pointerdown", (event) => {
-        if (!this.#canvas && facts.axes.length === 2) return;
-        this.over.setPointerCapture(event.pointerId);
-        pointed(event);
-      });
-      this.over.addEventListener("pointermove", (event) => {
-        if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
+      onPointed(this.over, (event) => {
+        if (this.#canvas || facts.axes.length < 2) point(this.#placesAt(event));
       });
     }
     show(grid) {
@@ -2521,6 +2552,55 @@
         const place4 = Math.round(Number(fractions[k]) * (length - 1));
         return Math.min(length - 1, Math.max(0, place4));
       });
+    }
+  };
+
+  // src/map/filling.js
+  var Filling = class {
+    #turn = 0;
+    #rest = null;
+    #filled = Promise.resolve();
+    whole = Promise.resolve();
+    constructor(ask, acts) {
+      this.ask = ask;
+      this.acts = acts;
+    }
+    map(settings, draw) {
+      const drawn2 = this.#map(settings, draw);
+      this.whole = drawn2.catch(() => {
+      }).then(() => this.#filled);
+      return drawn2;
+    }
+    async #map(settings, draw) {
+      this.#turn += 1;
+      const turn = this.#turn;
+      try {
+        const first = await this.ask(settings, 0);
+        if (turn !== this.#turn) return;
+        const { ok, problems, done, runs } = first.header;
+        if (!ok) throw refusal(problems ?? []);
+        this.#rest = { settings, done, runs };
+        await draw(first);
+      } finally {
+        if (turn === this.#turn && this.#rest) this.#filled = this.#fill(this.#rest, turn);
+      }
+    }
+    async #fill(rest, turn) {
+      try {
+        while (rest.done < rest.runs) {
+          this.acts.progress(rest.done, rest.runs);
+          const { header, numbers } = await this.ask(rest.settings, rest.done);
+          if (turn !== this.#turn) return this.whole;
+          if (!header.ok) throw refusal(header.problems ?? []);
+          this.acts.slice(numbers);
+          rest.done = header.done;
+        }
+        this.#rest = null;
+        this.acts.complete(rest.settings);
+      } catch (error) {
+        if (turn !== this.#turn) return this.whole;
+        this.acts.failed(error);
+      }
     }
   };
 
@@ -2618,9 +2698,19 @@
       #grid = null;
       #places = [];
       #settings = {};
-      #generation = 0;
       #opening = null;
-      #filling = Promise.resolve();
+      #filling = new Filling(
+        (set, from) => client2.ask(this, () => ({ kind: "map", map: this.#facts?.map, set, from })),
+        {
+          slice: (numbers) => this.#take(numbers),
+          progress: (done, all) => showProgress(this, done, all),
+          complete: (detail) => {
+            showProgress(this, 1, 1);
+            this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+          },
+          failed: (error) => this.#fail(error)
+        }
+      );
       #leaving = new AbortController();
       // ends what it hears of the page
       connectedCallback() {
@@ -2672,7 +2762,7 @@
         return this.#valueAt(this.#places);
       }
       get complete() {
-        return this.#filling;
+        return this.#filling.whole;
       }
       open() {
         this.#opening ??= this.#open();
@@ -2719,39 +2809,23 @@
         say(note2, message);
         note2.hidden = !message;
       }
-      async #compute(settings, at3) {
-        this.#generation += 1;
-        const generation = this.#generation;
-        const first = await this.#ask(settings, 0);
-        if (generation !== this.#generation) return;
-        if (!first.header.ok) throw refusal(first.header.problems ?? []);
-        this.#settings = settings;
-        showSettings(this, this.#facts?.controls ?? [], settings);
-        const { axes, rows, columns, why, runs } = first.header;
-        this.#draw({ axes, rows, columns, why, values: first.numbers });
-        await frame();
-        waited("carts:map", at3);
-        const filling = this.#fill(settings, first.header.done, runs, generation);
-        this.#filling = filling.catch((error) => this.#fail(error));
+      #compute(settings, at3) {
+        return this.#filling.map(settings, async ({ header, numbers }) => {
+          this.#settings = settings;
+          showSettings(this, this.#facts?.controls ?? [], settings);
+          const { axes, rows, columns, why } = header;
+          this.#draw({ axes, rows, columns, why, values: numbers });
+          await frame();
+          waited("carts:map", at3);
+        });
       }
-      async #fill(settings, done, runs, generation) {
-        while (done < runs) {
-          showProgress(this, done, runs);
-          const { header, numbers } = await this.#ask(settings, done);
-          if (generation !== this.#generation || !this.#grid) return;
-          if (!header.ok) throw refusal(header.problems ?? []);
-          const half = numbers.length / 2;
-          for (let k = 0; k < half; k += 1) {
-            this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
-          }
-          done = header.done;
-          this.#draw(this.#grid);
+      #take(numbers) {
+        if (!this.#grid) return;
+        const half = numbers.length / 2;
+        for (let k = 0; k < half; k += 1) {
+          this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
         }
-        showProgress(this, 1, 1);
-        this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
-      }
-      #ask(settings, from) {
-        return client2.ask(this, () => ({ kind: "map", map: this.#facts?.map, set: settings, from }));
+        this.#draw(this.#grid);
       }
       #draw(grid) {
         const before = this.#grid?.axes;
@@ -3239,7 +3313,7 @@
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = Number.NEGATIVE_INFINITY;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (performance.now() - seen < 1e3) return;\n    seen = performance.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SLOW2 = "slow";
@@ -4914,7 +4988,7 @@
         });
       });
       this.pad.addEventListener("pointerdown", (event) => {
-        if (!this.#enabled) return;
+        if (!this.#enabled || event.button > 0) return;
         this.pad.setPointerCapture(event.pointerId);
         this.#point(event);
       });
@@ -5174,9 +5248,9 @@
     return tr("the {large} is larger than the {small}.", { large: large.name, small: small.name });
   }
   function cell2({ style, side }, part, look) {
-    const made3 = html("span", `carts-compare-arrow ${style} ${side}`);
-    made3.append(pulled(part * LONG2, look, side));
-    return made3;
+    const made4 = html("span", `carts-compare-arrow ${style} ${side}`);
+    made4.append(pulled(part * LONG2, look, side));
+    return made4;
   }
 
   // src/predict/sure.js
@@ -5866,9 +5940,9 @@
     }
   };
   function option(value, text) {
-    const made3 = html("option", "", text);
-    made3.setAttribute("value", value);
-    return made3;
+    const made4 = html("option", "", text);
+    made4.setAttribute("value", value);
+    return made4;
   }
 
   // src/scene/how/how.js
@@ -6159,7 +6233,7 @@
       const typing = event.target.matches(
         "input:not([type=range]), textarea, select"
       );
-      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (typing || event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
       if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
     });
   }
@@ -6364,16 +6438,16 @@
     ];
     from.forEach((part, i2) => {
       const style = getComputedStyle(part);
-      const made3 = to[i2];
+      const made4 = to[i2];
       if (style.display === "none" && part.closest("defs") === null)
-        made3.setAttribute("display", "none");
+        made4.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
-        if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
+        if (geometry && (part.tagName !== "rect" || made4.hasAttribute(property))) continue;
+        if (value && value !== "auto") made4.setAttribute(property, value.replaceAll('"', "'"));
       }
-      made3.removeAttribute("class");
+      made4.removeAttribute("class");
     });
     return copy;
   }
@@ -7035,11 +7109,11 @@ ${lines4.join("\n")}
       }
       const code = html("div", "carts-take-code");
       place4.append(row, note2, text, code);
-      const offer = async (made3) => {
+      const offer = async (made4) => {
         text.hidden = false;
-        text.value = made3;
+        text.value = made4;
         text.select();
-        const copied = await navigator.clipboard?.writeText(made3).then(
+        const copied = await navigator.clipboard?.writeText(made4).then(
           () => true,
           () => false
         );
@@ -7693,7 +7767,6 @@ ${lines4.join("\n")}
 
   // src/scene/drag.js
   var Drag = class {
-    #held = null;
     constructor(stage, layout, baked, acts) {
       const { controls } = baked.fence;
       for (const { name } of baked.run.header.bodies) {
@@ -7708,28 +7781,18 @@ ${lines4.join("\n")}
           group2.addEventListener("pointerdown", (event) => {
             const value = acts.value(control.set);
             if (!acts.ready() || value === null) return;
-            const down = event;
             const unit = layout.width / stage.getBoundingClientRect().width;
             const from = value / control.per;
             const perUnit = metres * unit / control.per;
-            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
-            group2.setPointerCapture(down.pointerId);
+            let sent = from;
             event.preventDefault();
-          });
-          group2.addEventListener("pointermove", (event) => {
-            const held = this.#held;
-            if (held?.control !== control) return;
-            const move = event;
-            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
-            if (value === held.sent) return;
-            held.sent = value;
-            acts.change(control, value, event.timeStamp);
-          });
-          for (const end2 of ["pointerup", "pointercancel"]) {
-            group2.addEventListener(end2, () => {
-              this.#held = null;
+            followPointer(event, (pixels2, { timeStamp }) => {
+              const to = onStep(from + pixels2 * perUnit, control);
+              if (to === sent) return;
+              sent = to;
+              acts.change(control, to, timeStamp);
             });
-          }
+          });
         }
       }
     }
@@ -8044,7 +8107,7 @@ ${lines4.join("\n")}
   var ARM2 = 12;
   var THICK2 = { spring: 12, board: 24 };
   var SOLID2 = 12;
-  var FAR = 720;
+  var FAR2 = 720;
   var PITCH2 = 16;
   var HIGH3 = 20;
   var BUBBLE = 1.4;
@@ -8053,7 +8116,7 @@ ${lines4.join("\n")}
     const parts2 = ["mounting", "thing"].map((name) => group2.querySelector(`[data-part="${name}"]`));
     if (what === "wall") {
       for (const part of parts2) part?.remove();
-      put(rect, "width", String(FAR));
+      put(rect, "width", String(FAR2));
       return;
     }
     const [mounting2, lines4] = parts2[0] && parts2[1] ? parts2 : added(rect);
@@ -8064,7 +8127,7 @@ ${lines4.join("\n")}
     put(rect, "width", px(thick));
     const behind = end2 + out * thick;
     const from = what === "board" ? `M${px(back)} ${TOP5 + ARM2}H${px(behind)}V${TOP5}` : `M${px(back)} ${TOP5}`;
-    put(mounting2, "d", `${from}h${out * FAR}V${FOOT}H${px(back)}Z`);
+    put(mounting2, "d", `${from}h${out * FAR2}V${FOOT}H${px(back)}Z`);
     put(lines4, "class", what === "spring" ? "carts-coil" : "carts-fine");
     put(lines4, "d", inside(what, { ...thing, back, behind }));
   }
@@ -8608,14 +8671,14 @@ ${lines4.join("\n")}
     }
   };
   function entry({ style, over, label }) {
-    const made3 = html("span", `carts-${style}`);
+    const made4 = html("span", `carts-${style}`);
     const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
     const sample = svg("svg", size);
     const line3 = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
     const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
     sample.append(svg("path", line3), svg("path", { ...marker, transform: "translate(13 5)" }));
-    made3.append(sample, label);
-    return made3;
+    made4.append(sample, label);
+    return made4;
   }
 
   // ../view/ledger.js
@@ -8887,16 +8950,13 @@ ${lines4.join("\n")}
       this.ledger = this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
       if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
       this.button?.addEventListener("click", () => this.#toggle());
-      const point = (event) => {
-        if (event.type === "pointermove" && !(event.buttons & 1)) return;
+      onPointed(this.plot, (event) => {
         const frame2 = this.plot.getBoundingClientRect();
         const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH6;
         const part = Math.min(1, Math.max(0, (x2 - LEFT5) / (RIGHT4 - LEFT5)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
-      };
-      this.plot.addEventListener("pointerdown", point);
-      this.plot.addEventListener("pointermove", point);
+      });
     }
     enable() {
       if (this.button) this.button.disabled = false;
@@ -9208,23 +9268,6 @@ ${lines4.join("\n")}
     if (width < NARROW) return "";
     const at3 = ([x2, y2]) => `${px(front * x2 * width)} ${px(-y2 * height)}`;
     return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
-  }
-
-  // src/shared/follow.js
-  function followPointer(down, moved) {
-    const leaving2 = new AbortController();
-    const { signal } = leaving2;
-    addEventListener(
-      "pointermove",
-      (move) => {
-        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
-      },
-      { signal }
-    );
-    for (const end2 of ["pointerup", "pointercancel"]) {
-      const letGo2 = (up2) => up2.pointerId === down.pointerId && leaving2.abort();
-      addEventListener(end2, letGo2, { signal });
-    }
   }
 
   // src/predict/pull.js
@@ -10218,8 +10261,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var FADES = 60;
   var SOFTEST = 0.05;
   var wanted = recall(KEY2) === true;
+  var made3 = null;
   var Sound = class {
-    #machine = null;
     get on() {
       return wanted;
     }
@@ -10242,8 +10285,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
     #click(loud) {
       try {
-        this.#machine ??= new AudioContext();
-        const machine = this.#machine;
+        made3 ??= new AudioContext();
+        const machine = made3;
         void machine.resume();
         const noise = machine.createBuffer(1, machine.sampleRate * LASTS, machine.sampleRate);
         const samples = noise.getChannelData(0);
@@ -10256,7 +10299,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         source.connect(machine.destination);
         source.start();
       } catch {
-        wanted = false;
+        this.set(false);
       }
     }
   };
@@ -10321,7 +10364,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     #key(event) {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const act = {
-        " ": () => this.player.toggle(),
+        " ": () => event.repeat || this.player.toggle(),
         ArrowLeft: () => this.player.step(-1),
         ArrowDown: () => this.player.step(-1),
         ArrowRight: () => this.player.step(1),

@@ -14118,6 +14118,34 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
   };
 
+  // src/shared/follow.js
+  function followPointer(down, moved) {
+    if (down.button > 0) return false;
+    const leaving = new AbortController();
+    const { signal } = leaving;
+    const follow = (now) => {
+      if (now.pointerId !== down.pointerId) return;
+      if (now.buttons & 1) moved(now.clientX - down.clientX, now);
+      else leaving.abort();
+    };
+    addEventListener("pointermove", follow, { signal });
+    addEventListener("pointerup", follow, { signal });
+    addEventListener("pointercancel", follow, { signal });
+    return true;
+  }
+  var FAR2 = 8;
+  function onPointed(place2, point) {
+    place2.addEventListener("click", point);
+    place2.addEventListener("pointerdown", (down) => {
+      let points = down.pointerType === "mouse";
+      const moved = (pixels2, now) => {
+        points ||= Math.abs(pixels2) > Math.max(FAR2, Math.abs(now.clientY - down.clientY));
+        if (points) point(now);
+      };
+      if (followPointer(down, moved)) moved(0, down);
+    });
+  }
+
   // src/scene/how/ghost.js
   function ghostCurves(plot2, curves, times2, plane) {
     const found = plot2.querySelector('[data-part="ghost"]');
@@ -14603,16 +14631,13 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.ledger = this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
       if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
       this.button?.addEventListener("click", () => this.#toggle());
-      const point = (event) => {
-        if (event.type === "pointermove" && !(event.buttons & 1)) return;
+      onPointed(this.plot, (event) => {
         const frame3 = this.plot.getBoundingClientRect();
         const x = (event.clientX - frame3.left) / frame3.width * WIDTH4;
         const part = Math.min(1, Math.max(0, (x - LEFT4) / (RIGHT4 - LEFT4)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
-      };
-      this.plot.addEventListener("pointerdown", point);
-      this.plot.addEventListener("pointermove", point);
+      });
     }
     enable() {
       if (this.button) this.button.disabled = false;
@@ -14796,23 +14821,6 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       if (!b) dents.right = overlap - share;
     }
     return { left, right, dents };
-  }
-
-  // src/shared/follow.js
-  function followPointer(down, moved) {
-    const leaving = new AbortController();
-    const { signal } = leaving;
-    addEventListener(
-      "pointermove",
-      (move) => {
-        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
-      },
-      { signal }
-    );
-    for (const end2 of ["pointerup", "pointercancel"]) {
-      const letGo2 = (up3) => up3.pointerId === down.pointerId && leaving.abort();
-      addEventListener(end2, letGo2, { signal });
-    }
   }
 
   // src/predict/pull.js

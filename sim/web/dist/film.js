@@ -478,10 +478,12 @@
       this.pen = pen;
       canvas.addEventListener("pointermove", (event) => this.#move(this.#at(event)));
       canvas.addEventListener("pointerdown", (event) => {
+        if (event.button > 0) return;
         canvas.setPointerCapture(event.pointerId);
         this.#move(this.#at(event));
       });
       canvas.addEventListener("pointerup", (event) => {
+        if (event.button > 0) return;
         this.#move(this.#at(event));
         if (this.#cross) set(this.#cross);
       });
@@ -501,7 +503,7 @@
         this.#move({ x, y });
       } else if (event.key === "Enter" || event.key === " ") {
         this.#move(from);
-        set(from);
+        if (!event.repeat) set(from);
       } else return;
       event.preventDefault();
     }

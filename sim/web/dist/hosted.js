@@ -111,8 +111,8 @@
           assets,
           (done, all) => say(said, tr("{done} of {all}", { done, all }))
         );
-        const name = decodeURIComponent(location.pathname).split("/").pop()?.replace(/(\.html)?$/, ".html");
-        downloadBlob(name ?? "lesson.html", file);
+        const name = decodeURIComponent(location.pathname).split("/").filter(Boolean).pop();
+        downloadBlob((name ?? "lesson").replace(/(\.html)?$/, ".html"), file);
         say(said, tr("Saved: {size} MB.", { size: Math.ceil(file.size / 1e6) }));
       } catch {
         say(said, tr("The lesson could not be fetched. Try again with a network."));

@@ -474,7 +474,7 @@
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = Number.NEGATIVE_INFINITY;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (performance.now() - seen < 1e3) return;\n    seen = performance.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SLOW = "slow";
@@ -1133,31 +1133,58 @@
       const { site, page: page2 } = place();
       this.hash = told4.hash;
       this.before = `${page2}#`;
+      this.key = this.before + this.hash;
+      this.own = null;
+      this.kept = null;
       this.store = openAll(`${site}~teacher`);
     }
-    async current() {
-      const found = await (await this.store).get(this.before + this.hash).catch(() => null);
-      return isDraft(found) ? found : null;
-    }
-    async earlier() {
+    async #all() {
       const all = await (await this.store).entries().catch(() => []);
-      return all.filter(([key, value]) => key.startsWith(this.before) && isDraft(value)).map(([, value]) => value).filter((draft) => draft.hash !== this.hash).sort((a, b) => a.last < b.last ? 1 : -1);
+      return all.filter(([key, value]) => key.startsWith(this.before) && isDraft(value)).map(([key, value]) => ({ ...value, key })).sort((a, b) => a.last < b.last ? 1 : -1);
+    }
+    async found() {
+      const all = await this.#all();
+      const draft = all.find(({ hash }) => hash === this.hash) ?? null;
+      this.key = draft?.key ?? this.key;
+      return { draft, earlier: all.filter((one) => one !== draft) };
     }
     async ofFile(own, hash) {
       const published = hash !== "" && hash === this.hash;
-      const found = [await this.current(), ...await this.earlier()].filter((one) => one !== null);
+      const found = await this.#all();
       const draft = found.find(({ base }) => base === own) ?? found.find((one) => published && one.hash === hash) ?? null;
       this.hash = draft?.hash ?? (hash || sumOf(own));
+      this.key = draft?.key ?? this.before + this.hash;
+      this.own = own;
       return { draft, earlier: found.filter((one) => one !== draft && holds(own, one)) };
     }
     async keep(text2, base) {
       const store = await this.store;
-      const draft = { text: text2, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
-      await store.put(this.before + this.hash, draft, true);
+      this.kept = { text: text2, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
+      await store.put(this.key, this.kept, true);
       return store.kind === "kept";
     }
-    async forget(hash = this.hash) {
-      await (await this.store).remove(this.before + hash);
+    async hear(act) {
+      const store = await this.store;
+      const others = /* @__PURE__ */ new Map();
+      store.hear(async (key, gone) => {
+        if (gone || key !== this.key && !others.has(key)) return;
+        if (key === this.key) {
+          this.key = `${this.before}${this.hash}~${Math.random().toString(36).slice(2)}`;
+          if (this.kept) await store.put(this.key, this.kept, true).catch(() => {
+          });
+        }
+        const found = await store.get(key).catch(() => null);
+        if (!isDraft(found) || this.own !== null && !holds(this.own, found)) return;
+        const known = others.get(key);
+        if (known) return void Object.assign(known, found);
+        const draft = { ...found, key };
+        others.set(key, draft);
+        act(draft);
+      });
+    }
+    async forget(key = this.key) {
+      if (key === this.key) this.kept = null;
+      await (await this.store).remove(key);
     }
   };
   function sumOf(text2) {
@@ -1266,7 +1293,7 @@
     }
     change(text2, where) {
       if (text2 === this.text) return false;
-      const now = Date.now();
+      const now = performance.now();
       if (!where || where !== this.#where || now - this.#when > ONE_GO) this.#past.push(this.text);
       this.#where = where;
       this.#when = now;
@@ -3476,14 +3503,15 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   var NOT_DELETED = "This browser refused to delete it.";
   function earlierDraft(session2, draft) {
     const row = html("p", "carts-teach-earlier");
+    const which = draft.hash === session2.drafts.hash ? "another draft of this lesson" : "a draft of an earlier version of this lesson";
     row.append(
-      `You have a draft of an earlier version of this lesson, of ${clock(draft.last)}. `,
+      `You have ${which}, of ${clock(draft.last)}. `,
       button("Open it", () => session2.change(draft.text, ""), "carts-teach-older"),
       " ",
       button("Save it", () => download(session2.name, draft.text, "text/markdown")),
       " ",
       button("Delete it", () => {
-        void session2.drafts.forget(draft.hash).then(
+        void session2.drafts.forget(draft.key).then(
           () => row.remove(),
           () => row.append(" ", NOT_DELETED)
         );
@@ -3618,13 +3646,15 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       for (const field of fields) {
         const row = this.#rows.get(JSON.stringify(field.path));
         if (!row) continue;
+        if (row.field.value !== field.value) row.refused = false;
         row.field = field;
         const [line, col] = field.place;
         const wrong = findings.find((one) => one.line === line && one.col === col);
         if (wrong) this.#say(row, [withoutPath(wrong), wrong.hint].filter(Boolean).join(" – "));
         else if (row.wrong) this.#say(row, "");
         row.wrong = wrong !== void 0;
-        if (row.control !== document.activeElement && row.control.value !== field.value) {
+        const held = row.refused || row.timer || row.asked || row.control === document.activeElement;
+        if (!held && row.control.value !== field.value) {
           row.control.value = field.value;
           this.#say(row, "");
         }
@@ -3633,7 +3663,16 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     flush() {
       for (const { timer, refused, take } of this.#rows.values()) if (timer || refused) take();
     }
+    undo() {
+      for (const row of this.#rows.values()) {
+        if (!row.refused) continue;
+        row.refused = false;
+        row.control.value = row.field.value;
+        this.#say(row, "");
+      }
+    }
     #build(fields) {
+      const before = new Map(this.#rows);
       const focused = [...this.#rows].find(([, { control: control2 }]) => control2 === document.activeElement);
       this.#rows.clear();
       this.root.replaceChildren();
@@ -3649,11 +3688,11 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
             this.root.append(place4);
           }
         }
-        place4.append(this.#row(field));
+        place4.append(this.#row(field, before.get(JSON.stringify(field.path))));
       }
       if (focused) this.#rows.get(focused[0])?.control.focus();
     }
-    #row(field) {
+    #row(field, before) {
       const line = html("label", field.kind === "area" ? "carts-teach-wide" : "");
       const control2 = controlFor(field);
       control2.value = field.value;
@@ -3666,9 +3705,16 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const take = () => {
         clearTimeout(row.timer);
         row.timer = 0;
-        if (control2.value !== row.field.value) void this.#take(row);
+        if (control2.value !== row.field.value) return void this.#take(row);
+        if (row.refused) this.#say(row, "");
+        row.refused = false;
       };
-      const row = { control: control2, note, field, timer: 0, wrong: false, refused: false, take };
+      const row = { control: control2, note, field, timer: 0, asked: 0, wrong: false, refused: false, take };
+      if (before?.refused) {
+        control2.value = before.control.value;
+        row.refused = true;
+        this.#say(row, before.note.textContent ?? "");
+      }
       control2.addEventListener("input", () => {
         clearTimeout(row.timer);
         row.timer = setTimeout(take, PAUSE);
@@ -3680,6 +3726,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return whole2;
     }
     async #take(row) {
+      row.asked += 1;
       try {
         const why = await this.set(row.field, row.control.value, row);
         row.refused = why !== "";
@@ -3687,6 +3734,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       } catch (error) {
         row.refused = true;
         this.#say(row, error.message);
+      } finally {
+        row.asked -= 1;
       }
     }
     #say({ control: control2, note }, text2) {
@@ -3835,6 +3884,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
     flush() {
       this.#fields.flush();
+    }
+    undo() {
+      this.#fields.undo();
     }
     show(piece, findings, changed) {
       this.piece = piece;
@@ -3997,6 +4049,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     flush() {
       for (const editor of this.#editors) editor.flush();
     }
+    undo() {
+      for (const editor of this.#editors) editor.undo();
+    }
     status(text2, faulty = false) {
       this.#faulty = faulty;
       say(this.note, text2);
@@ -4010,9 +4065,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.root.dataset.state = this.#whole ? "unchecked" : "looking";
       this.#whole?.show(whole(this.session.text), [], false);
       this.tools.draw();
-      this.followOwn();
-    }
-    followOwn() {
       this.own.follow();
     }
     drawn() {
@@ -4206,13 +4258,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       scrollTo(0, 0);
       if (this.told.text === null) return this.panel.askForFile();
       this.panel.status("Starting Python …");
-      const { drafts } = this;
-      const [draft, earlier] = [await drafts.current(), await drafts.earlier()];
-      await this.#begin({ published: true, draft, earlier });
+      await this.#begin({ published: true, ...await this.drafts.found() });
     }
     async #begin({ published, draft, earlier }) {
       const built = this.text;
       const back = this.#takeBack(draft);
+      void this.drafts.hear((other) => this.panel.offerEarlier([other]));
       this.#working = true;
       try {
         for (let more = true; more; ) {
@@ -4241,7 +4292,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (this.told.text !== null) this.base = draft.base;
       this.history.change(draft.text, "");
       this.panel.kept(true);
-      this.panel.followOwn();
+      this.panel.own.follow();
       return draft;
     }
     show() {
@@ -4263,14 +4314,17 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       if (this.history.change(text2, where)) this.#changed(pause);
     }
     undo() {
+      this.panel.undo();
       this.history.undo();
       this.#changed();
     }
     redo() {
+      this.panel.undo();
       this.history.redo();
       this.#changed();
     }
     reset() {
+      this.panel.undo();
       this.change(this.base, "");
       void this.drafts.forget().catch(() => {
       });

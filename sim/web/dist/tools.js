@@ -30,19 +30,18 @@
 
   // src/shared/follow.js
   function followPointer(down, moved) {
+    if (down.button > 0) return false;
     const leaving = new AbortController();
     const { signal } = leaving;
-    addEventListener(
-      "pointermove",
-      (move) => {
-        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
-      },
-      { signal }
-    );
-    for (const end of ["pointerup", "pointercancel"]) {
-      const letGo = (up) => up.pointerId === down.pointerId && leaving.abort();
-      addEventListener(end, letGo, { signal });
-    }
+    const follow = (now) => {
+      if (now.pointerId !== down.pointerId) return;
+      if (now.buttons & 1) moved(now.clientX - down.clientX, now);
+      else leaving.abort();
+    };
+    addEventListener("pointermove", follow, { signal });
+    addEventListener("pointerup", follow, { signal });
+    addEventListener("pointercancel", follow, { signal });
+    return true;
   }
 
   // src/tools/ruler.js

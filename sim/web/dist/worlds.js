@@ -145,9 +145,13 @@
   // src/shared/ask-scene.js
   var ASKED = "carts-asked";
   function askScene(scene, message) {
-    return new Promise((answer) => {
-      scene.dispatchEvent(new CustomEvent(ASKED, { detail: { message, answer } }));
-    });
+    let answered2 = null;
+    const answer = (coming) => {
+      answered2 = coming;
+    };
+    scene.dispatchEvent(new CustomEvent(ASKED, { detail: { message, answer } }));
+    const unheard = tr("The scene does not answer. Load the page again.");
+    return answered2 ?? Promise.reject(new Error(unheard));
   }
 
   // src/shared/settings.js
@@ -372,7 +376,8 @@
   }
 
   // src/worlds/ends.js
-  function ends(columns, decimals) {
+  function ends(columns, { decimals, velocity: velocity2 }) {
+    const [per, unit] = speedUnit(velocity2);
     const real = columns[0].run;
     const table = html("table", "carts-worlds-ends");
     const head = html("tr");
@@ -388,7 +393,7 @@
     const rows = [
       ...real.header.bodies.map(({ name }) => ({
         label: tr("velocity of {name} at the end", { name }),
-        of: (run) => `${fixed(last(run, name), decimals.v ?? 2)} m/s`
+        of: (run) => `${fixed(last(run, name) / per, decimals.v ?? 2)} ${unit}`
       })),
       ...pushed(real).map(({ pair, on, by }) => ({
         label: tr("greatest push on {on} by {by}", { on, by }),
@@ -398,7 +403,7 @@
         label: tr("momentum of all carts, start → end"),
         of: (run) => {
           const [start, end2] = [momentum(run, 0), momentum(run, -1)];
-          return `${fixed(start, 2)} → ${fixed(end2, 2)} N s`;
+          return `${fixed(start, decimals.p ?? 2)} → ${fixed(end2, decimals.p ?? 2)} N s`;
         }
       }
     ];
@@ -1193,19 +1198,18 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/shared/follow.js
   function followPointer(down, moved) {
+    if (down.button > 0) return false;
     const leaving = new AbortController();
     const { signal } = leaving;
-    addEventListener(
-      "pointermove",
-      (move) => {
-        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
-      },
-      { signal }
-    );
-    for (const end2 of ["pointerup", "pointercancel"]) {
-      const letGo2 = (up) => up.pointerId === down.pointerId && leaving.abort();
-      addEventListener(end2, letGo2, { signal });
-    }
+    const follow = (now) => {
+      if (now.pointerId !== down.pointerId) return;
+      if (now.buttons & 1) moved(now.clientX - down.clientX, now);
+      else leaving.abort();
+    };
+    addEventListener("pointermove", follow, { signal });
+    addEventListener("pointerup", follow, { signal });
+    addEventListener("pointercancel", follow, { signal });
+    return true;
   }
 
   // src/predict/pull.js
@@ -2731,7 +2735,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
               { label: tr("Our world"), run: real },
               { label: tr("Impossible"), run: other }
             ],
-            baked.view.decimals
+            baked.view
           ),
           broken(other)
         );
