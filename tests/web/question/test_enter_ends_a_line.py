@@ -21,6 +21,7 @@ give(acted);
     [
         ({"key": "Enter", "keyCode": 13, "isComposing": False}, 1),
         ({"key": "Enter", "keyCode": 13, "isComposing": True}, 0),
+        ({"key": "Enter", "keyCode": 13, "repeat": True}, 0),  # held down
         ({"key": "Enter", "keyCode": 229, "isComposing": False}, 0),  # Safari's
         ({"key": "a", "keyCode": 65, "isComposing": False}, 0),
     ],

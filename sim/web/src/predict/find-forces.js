@@ -26,6 +26,7 @@ export class FindForces {
   /** @type {Run | null} */
   #run = null;
   #tries = 0;
+  #tried = ""; // the number that was checked last, and for which force: once more it is no other try
   /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
   #found = new Map();
 
@@ -104,7 +105,9 @@ export class FindForces {
     if (!("value" in read)) {
       return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));
     }
-    this.#tries += 1;
+    const tried = `${keyOf(mean)} ${mean.value} ${read.value}`;
+    if (tried !== this.#tried) this.#tries += 1;
+    this.#tried = tried;
     const off = read.value / mean.value - 1;
     if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
     this.#found.set(keyOf(mean), this.#said(mean));

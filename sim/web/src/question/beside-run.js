@@ -43,6 +43,11 @@ export function changing(question, entry) {
   return watched && !("before" in entry) ? { ...entry, before: null } : entry;
 }
 
+/** The entry after a press on Check: once more as it was, it is no other try. @param {any} entry */
+export function tried(entry) {
+  return entry.judged ? entry : { ...entry, tries: (entry.tries ?? 0) + 1, judged: true };
+}
+
 /** The entry with the press on Check at which it was right first; 0: none yet. @param {any} entry @param {string} verdict */
 export function checked(entry, verdict) {
   const right = entry.right || (verdict === "right" ? entry.tries : 0);

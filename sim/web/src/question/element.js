@@ -3,7 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
 import { need, say } from "../shared/dom.js";
-import { atTheRun, changing, checked, whenWatched } from "./beside-run.js";
+import { atTheRun, changing, checked, tried, whenWatched } from "./beside-run.js";
 import { showEarlier, showFirstIdea } from "./earlier.js";
 import { Feedback } from "./feedback.js";
 import { FORMS } from "./forms/kinds.js";
@@ -214,7 +214,7 @@ export function questionElement(book) {
           return null;
         }
       }
-      this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
+      this.#keepAs(tried(this.#entry));
       return this.#tried();
     }
 

@@ -4,7 +4,7 @@
 export const isEnter = ({ key, isComposing, keyCode }) =>
   key === "Enter" && !isComposing && keyCode !== 229;
 
-/** @param {HTMLElement | null} box @param {() => void} act */
+/** A key that is held down acts once. @param {HTMLElement | null} box @param {() => void} act */
 export function onEnter(box, act) {
-  box?.addEventListener("keydown", (event) => isEnter(event) && act());
+  box?.addEventListener("keydown", (event) => isEnter(event) && !event.repeat && act());
 }
