@@ -59,6 +59,7 @@ def test_without_python_a_prediction_is_kept_and_the_reader_told(
     expect(page.locator("#choice .carts-saved")).to_have_text("Saved.")
     page.locator("#choice .carts-lock").click()
     expect(page.locator("#choice .carts-predict-error")).to_contain_text("prediction is kept")
+    expect(page.locator("#choice")).to_have_attribute("data-unshown", "")  # for text that waits
 
 
 @pytest.mark.one_browser

@@ -15,7 +15,7 @@ from sim.pages.blocks.makers import made
 from sim.pages.blocks.scene_block import Lesson
 from sim.pages.text.fence_scan import scan
 from tests.web.conftest import OpenPage
-from tests.web.runtime.boot_site import STRICT
+from tests.web.runtime.boot_site import ROOT, STRICT, bundle
 from tests.web.scene.given.widget_site import LIVE, PAGE, lock, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
@@ -47,6 +47,8 @@ controls:
   - {set: A.mass, from: 0.5 kg, to: 3 kg, step: 0.1 kg}
   - switch: friction
 ```"""
+AFTER = """<carts-after data-after="asks"><p>It turned back.</p></carts-after>
+<script src="assets/carts/answers.js" defer></script>"""
 LAST = """
     const drawn = new Promise((done) => el.addEventListener("carts-update", done, { once: true }));
     await Promise.race([drawn, new Promise((done) => setTimeout(done, 500))]);
@@ -61,6 +63,8 @@ def prepared_site(widget_site: Path) -> Path:
     folder = widget_site / "assets" / "carts" / "prepared"
     folder.mkdir(exist_ok=True)
     (widget_site / "no-python.js").write_text("delete window.WebAssembly;\n", encoding="utf-8")
+    entry = ROOT / "sim" / "web" / "src" / "answers-main.js"
+    bundle(entry, widget_site / "assets" / "carts" / "answers.js")
     for name, text in (("slides", SLIDES), ("asks", ASKS), ("rubs", RUBS)):
         (block,) = scan(text.splitlines(), front_matter=False)
         making = Making(Lesson(f"{name}.md"), prepares=True)
@@ -70,6 +74,8 @@ def prepared_site(widget_site: Path) -> Path:
         page = PAGE.format(csp=html.escape(STRICT), body=body)
         (widget_site / f"{name}.html").write_text(page, encoding="utf-8")
         page = page.replace("<title>", f"{FAILS}<title>")
+        if name == "asks":
+            page = page.replace("</main>", f"{AFTER}</main>")
         (widget_site / f"{name}-without.html").write_text(page, encoding="utf-8")
     return widget_site
 
@@ -185,6 +191,25 @@ def test_without_python_a_prediction_is_locked_and_its_run_watched_and_changed(
     page.wait_for_selector("#asks[data-watched]")
     told = values(page, "asks", {"A.mass": 0.5})
     assert told["v"] == pytest.approx(1.8 * 0.5 * 2 / 3.6 / 1.5, rel=1e-9)
+
+
+@pytest.mark.one_browser
+def test_without_python_text_that_waits_opens_by_a_prepared_run_and_closes_for_the_next_reader(
+    open_page: OpenPage, prepared_site: Path
+) -> None:
+    page = failed(open_page(prepared_site / "asks-without.html"), "asks")
+    opened = page.locator("carts-after[data-opened]")
+    page.get_by_role("radio", name="It turns back").check()
+    assert opened.count() == 0
+    lock(page, "asks")
+    opened.wait_for()
+    page.locator("#asks .carts-again").click()
+    page.locator("#asks .carts-forget-yes").click()
+    page.locator("#asks .carts-lock:enabled").wait_for()
+    assert opened.count() == 0
+    page.get_by_role("radio", name="It stops").check()
+    lock(page, "asks")
+    opened.wait_for()
 
 
 @pytest.mark.one_browser

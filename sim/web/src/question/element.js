@@ -74,7 +74,7 @@ export function questionElement(book) {
       book.addEventListener("elsewhere", elsewhere, { signal });
       book.addEventListener("change", () => this.#form?.follow?.(book), { signal });
       whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)), signal);
-      if (this.#ready) wait(this, this.answered, signal); // put elsewhere in the page
+      if (this.#ready) wait(this, signal); // put elsewhere in the page
     }
 
     /** Whether this question has an answer now. */
@@ -121,7 +121,7 @@ export function questionElement(book) {
       this.#enable();
       this.dataset.ready = "";
       this.#form?.follow?.(book);
-      wait(this, this.answered, this.#leaving.signal);
+      wait(this, this.#leaving.signal);
     }
 
     /** Shows what is kept; an answer to another version of the question is shown beside it. */

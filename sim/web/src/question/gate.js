@@ -1,28 +1,35 @@
 /**
  * A question, and text below a scene (`!!! after`), that opens when the scene was watched: it often
- * tells what was seen; one on forces that the scene hides, when they were found. It opens too where no run can be had (Python cannot start), for who answered it before, and by the
- * teacher's key in “My answers”.
+ * tells what was seen; one on forces that the scene hides, when they were found. It opens too where nothing
+ * is left to watch (Python cannot start, no run was prepared), for who answered it before, and by the
+ * teacher's key in “My answers”. When the scene is begun again, it waits again.
  */
 
 const OPEN_ALL = "carts-open-questions";
 
-/** @param {HTMLElement} element @param {boolean} answered before @param {AbortSignal} signal */
-export function wait(element, answered, signal) {
+/** @param {HTMLElement & {answered?: boolean}} element answered: now, or before @param {AbortSignal} signal */
+export function wait(element, signal) {
   const id = element.dataset.after;
-  if (!id || element.dataset.opened !== undefined) return;
-  const open = () => (element.dataset.opened = "");
+  if (!id) return;
+  const open = () => (element.dataset.opened ??= "");
   const seen = element.dataset.found === undefined ? "watched" : "found";
   const look = () => {
     const scene = document.getElementById(id);
-    if (!scene || [seen, "reason"].some((name) => name in scene.dataset)) open();
+    if (!scene || [seen, "unshown"].some((name) => name in scene.dataset)) open();
   };
-  if (answered) return open();
+  if (element.answered) open();
   // A page that is made anew may put this in its place before its scene.
   queueMicrotask(() => signal.aborted || look());
   for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
     document.addEventListener(kind, look, { signal });
   }
-  document.addEventListener(OPEN_ALL, open, { signal });
+  const byKey = () => (element.dataset.opened = "key");
+  document.addEventListener(OPEN_ALL, byKey, { signal });
+  const close = (/** @type {Event} */ { target }) => {
+    const again = /** @type {Element} */ (target).id === id && element.dataset.opened === "";
+    if (again && !element.answered) delete element.dataset.opened;
+  };
+  document.addEventListener("carts-unwatched", close, { signal });
 }
 
 /** `<carts-after>`: text that waits. */
@@ -31,7 +38,7 @@ export class CartsAfter extends HTMLElement {
 
   connectedCallback() {
     this.#leaving = new AbortController();
-    wait(this, false, this.#leaving.signal);
+    wait(this, this.#leaving.signal);
   }
 
   disconnectedCallback() {

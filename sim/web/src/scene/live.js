@@ -99,11 +99,18 @@ export class Live {
     need(this.element, ".carts-mark").setAttribute("aria-label", words.LIVE);
   }
 
+  /** Whether nothing is left to watch or to find: no run was prepared, and that of the page is not all. */
+  get #nothing() {
+    const more = this.element.querySelector(".carts-find, .carts-preset");
+    return !this.acts.stepwise() && (!this.acts.told() || more !== null);
+  }
+
   /** @param {Error & {reason?: string}} error */
   #fail(error = this.client.error ?? new Error(words.NOT_STARTED)) {
     const { dataset } = this.element;
     dataset.state = "failed";
     dataset.reason = error.reason ?? "failed";
+    if (this.#nothing) dataset.unshown = "";
     this.acts.failed();
     const note = need(this.element, ".carts-note");
     note.dataset.why = `${error.message} ${words.without(this.acts.told(), this.acts.stepwise())}`;

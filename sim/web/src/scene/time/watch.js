@@ -137,12 +137,13 @@ function remembered() {
   return recall(KEY) ?? [];
 }
 
-/** The next reader of a scene has watched none of its runs. @param {HTMLElement} element */
+/** The next reader of a scene has watched none of its runs: what waited for them waits again. @param {HTMLElement} element */
 export function forgetWatched(element) {
   const name = nameOf(element);
   delete element.dataset.watched;
   const others = remembered().filter((one) => one !== name && !one.startsWith(`${name}/`));
   retain(KEY, others);
+  element.dispatchEvent(new Event("carts-unwatched", { bubbles: true }));
 }
 
 /** @param {HTMLElement} element */
