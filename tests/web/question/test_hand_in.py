@@ -64,6 +64,7 @@ def test_a_form_is_taken_before_and_after_and_handed_in(
     post.get_by_label("zero").check()
     post.get_by_label("equal to that on the other").check()
     hand_in(page, "post")
+    expect(post.locator(".carts-quiz-done")).to_be_focused()  # what is read out tells the code
     page.reload()
     ready(page)
     expect(pre.locator(".carts-quiz-done")).to_contain_text("Hand-in code:")

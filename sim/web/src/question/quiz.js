@@ -163,6 +163,9 @@ export function quizElement(book) {
       });
       this.#ask(false);
       this.#follow();
+      const done = need(this, ".carts-quiz-done");
+      done.tabIndex = -1;
+      done.focus();
       this.dispatchEvent(
         new CustomEvent("carts-handed-in", { bubbles: true, detail: this.facts.form }),
       );
