@@ -33,6 +33,7 @@ IN_READINGS = """(act) => new Promise((resolve, reject) => {
   };
 })"""
 KEEP_READINGS = f"() => ({IN_READINGS})((kept) => kept.put({{ text: '0 0.1' }}, 'page/film'))"
+WRITE = "(box, text) => { box.value = text; box.dispatchEvent(new Event('input')); }"
 COUNT_READINGS = f"() => ({IN_READINGS})((kept) => kept.count())"
 
 
@@ -122,13 +123,15 @@ def test_a_file_without_a_code_word_is_asked_for_one_and_takes_it(
     page.locator(".carts-answers-save").first.click()
     assert page.evaluate("window.files.length") == 0
     page.locator(".carts-answers-whose input").fill("blue fox 27")
+    page.locator("#why textarea").evaluate(WRITE, "written behind it")  # takes away nothing typed
+    saved(page, "why")
     with page.expect_navigation():
         page.locator(".carts-answers-with-code").click()
         name = page.evaluate("window.files[0].text()")
         assert '"student": "BLUE-FOX-27"' in name
     ready(page)
     expect(page.locator(".carts-bar-who")).to_have_text("BLUE-FOX-27")
-    expect(page.locator("#why textarea")).to_have_value("nobody's yet")
+    expect(page.locator("#why textarea")).to_have_value("written behind it")
 
 
 KEEP_FOX = f"""() => ({IN_READINGS.replace("-measured", "")})(

@@ -23,13 +23,16 @@ export function filesPart(book) {
   const table = html("div", "carts-answers-table");
   const told = status();
   root.append(table, told, importRow(book, told));
-  const draw = () => table.replaceChildren(...rows(book, told));
+  const draw = () => {
+    if (table.querySelector(".carts-answers-whose > *")) return; // a code word is being typed
+    table.replaceChildren(...rows(book, told, draw));
+  };
   draw();
   return { root, draw };
 }
 
-/** @param {import("./book.js").Book} book @param {HTMLElement} told @returns {Node[]} */
-function rows(book, told) {
+/** @param {import("./book.js").Book} book @param {HTMLElement} told @param {() => void} draw @returns {Node[]} */
+function rows(book, told, draw) {
   const files = makeFiles(book.entries(), book, new Date().toISOString());
   files.sort((a, b) => Number(b.page === book.page) - Number(a.page === book.page));
   if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
@@ -61,7 +64,7 @@ function rows(book, told) {
     };
     const save = button(
       tr("Save file"),
-      () => (book.student ? keep(book.student) : askWhose(asked, book, keep)),
+      () => (book.student ? keep(book.student) : askWhose(asked, book, keep, draw)),
       "carts-answers-save",
     );
     const csv = button(
@@ -97,8 +100,8 @@ function held(book, { form, page, content }) {
 }
 
 /** A file without a code word tells the teacher nothing of whose it is: asked for once more. */
-/** @param {HTMLElement} place @param {import("./book.js").Book} book @param {(student: string) => void} keep */
-function askWhose(place, book, keep) {
+/** @param {HTMLElement} place @param {import("./book.js").Book} book @param {(student: string) => void} keep @param {() => void} draw */
+function askWhose(place, book, keep, draw) {
   const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
   const above = document.querySelector(".carts-answers-who .carts-answers-code");
   box.value = /** @type {HTMLInputElement | null} */ (above)?.value ?? ""; // typed and not confirmed
@@ -120,11 +123,16 @@ function askWhose(place, book, keep) {
     }
     // What was answered here belongs to this student from now on; if the browser refuses, the file has it.
     const anew = await book.become(code, true).catch(() => false);
+    if (book.student === code) end();
     if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
   };
   onEnter(box, () => void withCode());
-  const without = () => {
+  const end = () => {
     place.replaceChildren();
+    draw();
+  };
+  const without = () => {
+    end();
     keep("");
   };
   place.replaceChildren(
