@@ -65,6 +65,58 @@ def test_everything_can_be_deleted(page: Page) -> None:
     expect(page.get_by_role("button", name="Delete", exact=True)).to_be_hidden()
 
 
+BESIDE = """() => ["dragover", "drop"].map((kind) => {
+  const dataTransfer = new DataTransfer();
+  const event = new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer });
+  return !document.querySelector("h1").dispatchEvent(event);
+})"""
+STAYS = "() => !dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+
+
+def test_a_file_that_is_dropped_beside_the_field_opens_nothing_in_place_of_the_page(
+    page: Page,
+) -> None:
+    assert page.evaluate(BESIDE) == [True, True]
+    page.locator("carts-class").evaluate("element => element.remove()")
+    assert page.evaluate(BESIDE) == [False, False]
+
+
+@pytest.mark.one_browser
+def test_the_browser_asks_before_marks_are_lost_that_were_not_saved(page: Page) -> None:
+    choose(page, [*sources(random_class(BANK, 6)), KEY])
+    complete(page)
+    assert not page.evaluate(STAYS)  # the files are where they were
+    page.locator(".carts-class-reader summary").click()
+    page.locator(".carts-class-mark").first.click()
+    assert page.evaluate(STAYS)
+    marks = saved(page, ".carts-class-save-marks")
+    assert not page.evaluate(STAYS)
+    page.locator(".carts-class-codes > summary").click()
+    page.locator(".carts-class-codes textarea").fill("BLUE-FOX pre")
+    assert page.evaluate(STAYS)
+    page.get_by_role("button", name="Delete everything").click()
+    page.get_by_role("button", name="Delete", exact=True).click()
+    assert not page.evaluate(STAYS)
+    choose(page, [Source("class.marks.json", marks)])  # they lie in a file
+    expect(page.locator(".carts-class-status")).to_contain_text("1 file read")
+    assert not page.evaluate(STAYS)
+
+
+@pytest.mark.one_browser
+def test_a_code_word_that_is_being_typed_stays_when_the_report_is_made_anew(page: Page) -> None:
+    files = [{**one, "student": ""} for one in random_class(BANK, 6)[:2]]
+    choose(page, sources(files))
+    page.locator(".carts-class-list > summary").click()
+    box = page.locator(".carts-class-whose").last
+    box.press_sequentially("BLUE")
+    page.locator("carts-class").evaluate("element => element.show()")
+    expect(box).to_be_focused()
+    box.press_sequentially("-FOX")
+    expect(box).to_have_value("BLUE-FOX")
+    box.press("Tab")
+    expect(page.locator(".carts-class-list li").last).to_contain_text("BLUE-FOX")
+
+
 @pytest.mark.one_browser
 def test_it_prints_without_its_controls_and_fits_a_phone(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])

@@ -29,6 +29,7 @@ export class Classroom {
   /** @type {[string, string][]} */
   refused = [];
   codes = ["", ""]; // as typed, of each group
+  unsaved = false; // marks, codes or code words of this visit are nowhere else
   /** @type {Table[]} */
   tables = [];
   most = ""; // marks of the tests in them, as typed
@@ -78,6 +79,7 @@ export class Classroom {
   /** Says whose a file is that does not tell it. Marks that were given to it go along. @param {Held} file @param {string} typed */
   name(file, typed) {
     const before = this.#who(file);
+    this.unsaved = true;
     file.row[STUDENT] = codeWord(typed);
     file.named = true;
     if (this.files.some((other) => this.#who(other) === before)) return; // they are that one's
@@ -134,6 +136,12 @@ export class Classroom {
   divide(two) {
     this.two = two;
     if (!two) this.codes = [this.codes.filter(Boolean).join("\n"), ""];
+  }
+
+  /** @param {number} group @param {string} text */
+  typeCodes(group, text) {
+    this.unsaved = true;
+    this.codes[group] = text;
   }
 
   /** @returns {string} the text of a file with the teacher's marks */

@@ -10,6 +10,7 @@ import { fileList, typedCodes } from "./list.js";
 import { papers, spokenHere } from "./papers.js";
 import { reader } from "./reader.js";
 import { actions } from "./saves.js";
+import { stay } from "./staying.js";
 import { tableList } from "./tables.js";
 
 /** @typedef {import("./classroom.js").Found} Found */
@@ -50,7 +51,11 @@ export function classElement(client) {
     /** @type {ReturnType<typeof reader> | null} */
     #reader = null;
 
+    #leaving = new AbortController(); // ends what the element hears of the window
+
     connectedCallback() {
+      this.#leaving = new AbortController();
+      stay(this.classroom, this.#leaving.signal);
       if (this.#parts.length) return;
       this.classList.add("carts", "carts-class");
       const change = () => void this.show();
@@ -96,6 +101,10 @@ export function classElement(client) {
       this.replaceChildren(controls, paper.shown, this.#report);
       this.#redraw();
       this.dataset.state = "ready";
+    }
+
+    disconnectedCallback() {
+      this.#leaving.abort();
     }
 
     /** Reads files into a group. @param {File[]} files @param {number} group */
@@ -158,10 +167,7 @@ export function classElement(client) {
         },
         (error) => {
           this.#statistics = null;
-          const { message } = error;
-          const short = tr("Means are shown; intervals and tests are not there: {message}", {
-            message,
-          });
+          const short = tr("Means are shown; intervals and tests are not there: {message}", error);
           say(this.#status, short);
         },
       );

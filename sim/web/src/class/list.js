@@ -3,38 +3,35 @@
 import { counted, tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 
+/** @typedef {import("./classroom.js").Held} Held */
+
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function fileList(classroom, changed) {
   const root = /** @type {HTMLDetailsElement} */ (html("details", "carts-class-list"));
   const title = html("summary", "", tr("Files"));
   const rows = html("ul");
   root.append(title, rows);
+  /** @type {WeakMap<Held, {words: string, line: HTMLElement}>} */
+  const made = new WeakMap();
+  /** The line of a file stays the same element while it says the same: what is being typed in it stays. @param {Held} file */
+  const lineOf = (file) => {
+    const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
+    const [name, , lesson, , student, form] = file.row;
+    const words = JSON.stringify([name, lesson, student, form, group]);
+    const before = made.get(file);
+    if (before?.words === words) return before.line;
+    const line = lineFor(classroom, file, group, changed);
+    made.set(file, { words, line });
+    return line;
+  };
   const fill = () => {
     if (!root.open) return rows.replaceChildren();
-    rows.replaceChildren(
-      ...classroom.files.map((file) => {
-        const line = html("li");
-        const label = html("label");
-        const box = /** @type {HTMLInputElement} */ (html("input"));
-        Object.assign(box, { type: "checkbox", checked: !file.out });
-        box.addEventListener("change", () => {
-          file.out = !box.checked;
-          changed();
-        });
-        const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
-        const [name, , lesson, , student, form] = file.row;
-        label.append(
-          box,
-          " ",
-          html("bdi", "", student || tr("no code word")),
-          ` · ${form} · ${lesson}${group} `,
-        );
-        label.append(html("span", "carts-class-quiet", name));
-        line.append(label);
-        if (!student || file.named) line.append(" ", codeFor(classroom, file, changed));
-        return line;
-      }),
-    );
+    classroom.files.map(lineOf).forEach((line, k) => {
+      const before = rows.children[k];
+      if (!before) rows.append(line);
+      else if (before !== line) before.replaceWith(line);
+    });
+    while (rows.children.length > classroom.files.length) rows.lastElementChild?.remove();
   };
   root.addEventListener("toggle", fill);
   const draw = () => {
@@ -48,13 +45,36 @@ export function fileList(classroom, changed) {
   return { root, draw };
 }
 
+/** @param {import("./classroom.js").Classroom} classroom @param {Held} file @param {string} group @param {() => void} changed */
+function lineFor(classroom, file, group, changed) {
+  const line = html("li");
+  const label = html("label");
+  const box = /** @type {HTMLInputElement} */ (html("input"));
+  Object.assign(box, { type: "checkbox", checked: !file.out });
+  box.addEventListener("change", () => {
+    file.out = !box.checked;
+    changed();
+  });
+  const [name, , lesson, , student, form] = file.row;
+  label.append(
+    box,
+    " ",
+    html("bdi", "", student || tr("no code word")),
+    ` · ${form} · ${lesson}${group} `,
+    html("span", "carts-class-quiet", name),
+  );
+  line.append(label);
+  if (!student || file.named) line.append(" ", codeFor(classroom, file, changed));
+  return line;
+}
+
 /** @param {number} count */
 function keysWord(count) {
   if (!count) return tr("no key file");
   return counted("key for 1 form", "key for {n} forms", count);
 }
 
-/** A box for the code word of a file that has none. @param {import("./classroom.js").Classroom} classroom @param {import("./classroom.js").Held} file @param {() => void} changed */
+/** A box for the code word of a file that has none. @param {import("./classroom.js").Classroom} classroom @param {Held} file @param {() => void} changed */
 function codeFor(classroom, file, changed) {
   const box = /** @type {HTMLInputElement} */ (html("input", "carts-class-whose"));
   Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
@@ -104,10 +124,7 @@ function codesOf(classroom, group, changed) {
   const whose = html("bdi");
   const box = /** @type {HTMLTextAreaElement} */ (html("textarea"));
   Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
-  const take = (/** @type {string} */ text) => {
-    classroom.codes[group] = text;
-  };
-  typedIn(box, take, changed);
+  typedIn(box, (text) => classroom.typeCodes(group, text), changed);
   root.append(whose, tr("A line each: code word, form, code"), box);
   const draw = () => {
     say(whose, classroom.two ? `${classroom.groups[group]} · ` : "");
