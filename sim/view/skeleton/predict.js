@@ -7,7 +7,7 @@ import { body, forceOn } from "../bodies.js";
 import { tr } from "../language.js";
 import { styleOf } from "../markers.js";
 import { html } from "../markup.js";
-import { STEP as APART, HIGHEST, LEFT, POINTS, pad, path } from "../pad.js";
+import { STEP as APART, LEFT, POINTS, pad, path } from "../pad.js";
 import { niceAbove } from "../scales.js";
 
 /** @typedef {import("../types.js").Baked} Baked */
@@ -105,9 +105,10 @@ function curve({ run: { header } }, { cart, quantity }) {
     (k) =>
       html`<circle class="carts-knob" data-index=${k} cx=${LEFT + APART * k} cy=${place.zero} r="7"/>`,
   );
+  const mode = place.low < 0 ? "text" : "decimal"; // a phone's keys for decimals lack a minus
   const heights = TIMES[quantity === "F" ? "contact" : "run"].map(
     (name) =>
-      html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place.low} max=${HIGHEST} step="0.5" disabled></label>`,
+      html`<label>${name} <input type="text" class="carts-height" inputmode=${mode} autocomplete="off" disabled></label>`,
   );
   const flat = path(place, [0, 0, 0, 0, 0]);
   return html`<div class="carts-sketch">

@@ -39,6 +39,32 @@ def test_a_curve_is_typed_or_drawn_and_compared_by_features(
 
 
 @pytest.mark.one_browser
+def test_a_height_that_is_cleared_or_cannot_be_read_is_none_and_a_decimal_comma_is_one(
+    shared_page: SharePage, widget_site: Path
+) -> None:
+    page = live(shared_page(widget_site / "curve.html"), "curve")
+    heights, told = page.locator("#curve .carts-height"), page.locator("#curve .carts-heights")
+    missing = page.locator("#curve .carts-predict-error")
+    for k, height in enumerate(("0", "2,5", "9", "5", "0")):
+        heights.nth(k).fill(height)
+    for typed, said in (("", "Type a number"), ("high", "“high” is not a number."), ("3 N", "3 N")):
+        heights.nth(2).fill(typed)
+        heights.nth(2).press("Tab")
+        page.locator("#curve .carts-lock").click()
+        expect(missing).to_contain_text("Give all five heights first")
+        expect(told.locator(".carts-error")).to_contain_text(said)
+        expect(heights.nth(2)).to_have_value(typed)
+    heights.nth(2).fill("90")
+    heights.nth(2).press("Tab")
+    expect(heights.nth(2)).to_have_value("10")
+    expect(told.locator(".carts-error")).to_have_count(0)
+    page.reload()
+    expect(heights.nth(1)).to_have_value("2.5")
+    lock(live(page, "curve"), "curve")
+    expect(page.locator("#curve .carts-compared")).to_contain_text("your curve")
+
+
+@pytest.mark.one_browser
 def test_curves_of_velocity_and_position_have_a_direction_and_need_no_contact(
     shared_page: SharePage, widget_site: Path
 ) -> None:

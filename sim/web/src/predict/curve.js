@@ -6,6 +6,7 @@ import { HIGHEST, LEFT, POINTS, pad, path, STEP } from "../../../view/pad.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { html, need, put } from "../shared/dom.js";
+import { complain, numberIn, problemIn } from "../shared/number-box.js";
 import { features } from "./curve-features.js";
 import { placeLabels } from "./pad-labels.js";
 
@@ -27,8 +28,10 @@ export class CurveForm {
     this.pad = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-pad")));
     this.boxes = /** @type {HTMLInputElement[]} */ ([...root.querySelectorAll(".carts-height")]);
     this.boxes.forEach((box, k) => {
-      box.addEventListener("input", () => {
-        if (Number.isFinite(box.valueAsNumber)) this.#take(k, box.valueAsNumber);
+      box.addEventListener("input", () => this.#set(k, numberIn(box)));
+      box.addEventListener("change", () => {
+        complain(box, problemIn(box));
+        this.#show(k);
       });
     });
     this.pad.addEventListener("pointerdown", (event) => {
@@ -54,6 +57,9 @@ export class CurveForm {
 
   set value(value) {
     if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = [...value];
+    this.boxes.forEach((_, k) => {
+      this.#show(k);
+    });
     this.#draw();
   }
 
@@ -135,22 +141,31 @@ export class CurveForm {
     const scale = 360 / frame.width;
     const k = Math.round(((event.clientX - frame.left) * scale - LEFT) / STEP);
     const height = (this.place.zero - (event.clientY - frame.top) * scale) / this.place.per;
-    if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
+    if (k >= 0 && k < this.#heights.length) {
+      this.#set(k, Math.round(2 * height) / 2);
+      this.#show(k);
+    }
   }
 
-  /** @param {number} k @param {number} height */
-  #take(k, height) {
-    this.#heights[k] = Math.min(HIGHEST, Math.max(this.place.low, height));
+  /** @param {number} k @param {number | null} height null: none, or none that can be read */
+  #set(k, height) {
+    this.#heights[k] = height === null ? null : Math.min(HIGHEST, Math.max(this.place.low, height));
     this.#draw();
     this.changed();
+  }
+
+  /** The box says the height; what cannot be read stays there to be mended. @param {number} k */
+  #show(k) {
+    const [box, height] = [this.boxes[k], this.#heights[k] ?? null];
+    if (!box || numberIn(box) === height) return;
+    box.value = String(height ?? "");
+    complain(box, "");
   }
 
   #draw() {
     this.#heights.forEach((height, k) => {
       const knob = this.pad.querySelector(`[data-index="${k}"]`);
       if (knob) put(knob, "cy", String(this.place.zero - this.place.per * (height ?? 0)));
-      const box = this.boxes[k];
-      if (box && height !== null && box.valueAsNumber !== height) box.valueAsNumber = height;
     });
     const drawn = this.#heights.map((height) => height ?? 0);
     put(need(this.pad, '[data-part="sketch"]'), "d", path(this.place, drawn));

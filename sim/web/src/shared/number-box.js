@@ -1,0 +1,28 @@
+/** A box into which a number is typed, a decimal comma too; what is none is told beside it. */
+
+import { tr } from "../../../view/language.js";
+import { html, say } from "./dom.js";
+import { readTyped } from "./typed.js";
+
+/** @param {HTMLInputElement} box @returns {number | null} null: nothing stands there, or no number */
+export function numberIn({ value }) {
+  const read = readTyped(value);
+  return "value" in read ? read.value : null;
+}
+
+/** Why no number stands in a box; empty: one does. @param {HTMLInputElement} box @returns {string} */
+export function problemIn({ value }) {
+  const read = readTyped(value);
+  if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+  return "problem" in read ? read.problem : "";
+}
+
+/** @param {HTMLInputElement} box @param {string} problem told beside it; empty: none */
+export function complain(box, problem) {
+  const place = box.closest("label") ?? /** @type {HTMLElement} */ (box.parentElement);
+  const told = place.querySelector(".carts-error") ?? html("span", "carts-error");
+  if (!problem) return told.remove();
+  told.setAttribute("role", "alert");
+  place.append(told);
+  say(told, problem);
+}
