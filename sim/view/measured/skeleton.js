@@ -26,6 +26,8 @@ const HANDS = [
   ["duration", "the contact lasts", "s"],
 ];
 
+const SIGNED = ["touch", "va", "vb"]; // a phone's keys for decimals lack a minus
+
 /** @param {Facts} facts @returns {Markup} the inside of `<carts-measured>`; its figure is still empty */
 export function inside(facts) {
   const { id, title } = facts;
@@ -70,7 +72,7 @@ function source({ name, units, offered, read }) {
 <details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>until <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
 <p class="carts-measured-said" role="status">${name && `${name}: ${read ? told(read).join("; ") : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
@@ -85,7 +87,7 @@ function film() {
 function model({ id, law }) {
   const hands = HANDS.map(
     ([key, text, unit]) =>
-      html`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text}</label><input type="range" class="carts-measured-slide" aria-label=${text} disabled><span class="carts-measured-typed"><input type="number" id="${id}-${key}" step="any" inputmode="decimal" disabled> ${unit}</span></div>`,
+      html`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text}</label><input type="range" class="carts-measured-slide" aria-label=${text} disabled><span class="carts-measured-typed"><input type="text" id="${id}-${key}" inputmode=${SIGNED.includes(key) ? "text" : "decimal"} autocomplete="off" disabled> ${unit}</span></div>`,
   );
   const laws = ["bumper", "paper"].map(
     (name) => html`<option value=${name}${law === name && html` selected`}>${name}</option>`,
@@ -95,7 +97,7 @@ function model({ id, law }) {
 <div class="carts-measured-hands">${hands}</div>
 <p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option><option value="both">friction and a tilt</option><option value="called">what the readings call for</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
-<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
+<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
 <p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> I saw that the carts stayed together</label> <span class="carts-quiet">where a sensor lost one of them</span></p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unfitted"></ul></div>
 <p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>

@@ -116,7 +116,7 @@ def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
     expect(left).to_contain_text("root mean square", timeout=STARTS)
     before = left.inner_text()
     for key, value in (("ratio", "1.99"), ("e", "0.84"), ("touch", "2.916"), ("va", "0.69")):
-        box = page.locator(f"[data-hand={key}] input[type=number]")
+        box = page.locator(f"[data-hand={key}] input[type=text]")
         box.fill(value)
         box.press("Tab")
     expect(left).not_to_have_text(before)
@@ -125,11 +125,11 @@ def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
     assert float(slider.input_value()) == pytest.approx(0.84, abs=0.01)
     slider.focus()
     page.keyboard.press("ArrowLeft")
-    expect(page.locator("[data-hand=e] input[type=number]")).not_to_have_value("0.84")
-    kept = page.locator("[data-hand=e] input[type=number]").input_value()
+    expect(page.locator("[data-hand=e] input[type=text]")).not_to_have_value("0.84")
+    kept = page.locator("[data-hand=e] input[type=text]").input_value()
     page.wait_for_timeout(300)
     page.reload()
-    expect(page.locator("[data-hand=e] input[type=number]")).to_have_value(kept, timeout=STARTS)
+    expect(page.locator("[data-hand=e] input[type=text]")).to_have_value(kept, timeout=STARTS)
     page.locator(".carts-measured-scrub").focus()
     place = page.locator(".carts-measured-stage g").first
     at_start = place.get_attribute("transform")

@@ -1,6 +1,7 @@
 /** What a film needs before it is followed: both marks, both ends of the ruler, its length, and how slow the film runs. */
 
 import { need } from "../shared/dom.js";
+import { complainUnlessPositive, ifTyped, numberIn, problemIn } from "../shared/number-box.js";
 
 /** @typedef {import("./along.js").Point} Point */
 /** @typedef {import("./words.js").Aim} Aim */
@@ -14,6 +15,7 @@ export class Setup {
   points = {};
   /** @type {Aim} */
   aim = "A";
+  #slower = 1;
 
   /** @param {HTMLElement} root @param {() => void} changed the aim or a number is another now */
   constructor(root, changed) {
@@ -33,6 +35,9 @@ export class Setup {
     }
     this.inputs = [...Object.values(this.boxes), this.unit];
     for (const input of this.inputs) input.addEventListener("input", changed);
+    const { length, slower } = this.boxes;
+    length.addEventListener("change", () => complainUnlessPositive(length, ifTyped(length)));
+    slower.addEventListener("change", () => complainUnlessPositive(slower, problemIn(slower)));
   }
 
   /** @param {Chosen} point for what is aimed at; the first that is still open is aimed at next */
@@ -60,19 +65,21 @@ export class Setup {
 
   /** @returns {number} m; not a number where none is typed */
   get length() {
-    return this.boxes.length.valueAsNumber * Number(METRES[this.unit.value]);
+    return (numberIn(this.boxes.length) ?? Number.NaN) * Number(METRES[this.unit.value]);
   }
 
-  /** @returns {number} how many times slower than life the film runs */
+  /** @returns {number} how many times slower than life the film runs; of what makes no sense, the number before */
   get slower() {
-    const typed = this.boxes.slower.valueAsNumber;
-    return typed > 0 ? typed : 1;
+    const typed = numberIn(this.boxes.slower) ?? 0;
+    if (typed > 0) this.#slower = typed;
+    return this.#slower;
   }
 
   /** @returns {import("./along.js").Ruler | null} null: not known yet */
   get ruler() {
     const { one, other } = this.points;
     if (!one || !other || !(this.length > 0)) return null;
+    if (numberIn(this.boxes.slower) !== this.slower) return null; // how slow is not known
     if (Math.hypot(one.x - other.x, one.y - other.y) < 1) return null;
     return { ends: [one, other], length: this.length };
   }

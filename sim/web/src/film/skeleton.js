@@ -35,7 +35,7 @@ function aims() {
 
 function settings() {
   const units = ["m", "cm"].map((unit) => html`<option value=${unit}>${unit}</option>`);
-  return html`<p class="carts-film-row"><label>${tr("length of the ruler")} <input type="number" class="carts-film-length" min="0" step="any" disabled></label> <select class="carts-film-unit" aria-label=${tr("unit of the ruler’s length")} disabled>${units}</select> <label>${tr("slow motion: times slower than life")} <input type="number" class="carts-film-slower" min="0.1" step="any" value="1" disabled></label></p>`;
+  return html`<p class="carts-film-row"><label>${tr("length of the ruler")} <input type="text" class="carts-film-length" inputmode="decimal" autocomplete="off" disabled></label> <select class="carts-film-unit" aria-label=${tr("unit of the ruler’s length")} disabled>${units}</select> <label>${tr("slow motion: times slower than life")} <input type="text" class="carts-film-slower" inputmode="decimal" autocomplete="off" value="1" disabled></label></p>`;
 }
 
 function mending() {

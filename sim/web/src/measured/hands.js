@@ -1,6 +1,7 @@
 /** The model set by hand: a slider and a number for each of its quantities, bound together. */
 
 import { need } from "../shared/dom.js";
+import { complain, ifTyped, numberIn } from "../shared/number-box.js";
 
 /** @typedef {import("../../../view/measured/types.js").Hand} Hand */
 /** @typedef {import("../../../view/measured/types.js").Track} Track */
@@ -16,18 +17,21 @@ export class Hands {
     this.rows = new Map();
     for (const row of root.querySelectorAll(".carts-measured-hand")) {
       const slide = /** @type {HTMLInputElement} */ (need(row, "input[type=range]"));
-      const box = /** @type {HTMLInputElement} */ (need(row, "input[type=number]"));
+      const box = /** @type {HTMLInputElement} */ (need(row, "input[type=text]"));
       this.rows.set(/** @type {HTMLElement} */ (row).dataset.hand ?? "", {
         slide,
         box,
       });
       slide.addEventListener("input", () => {
-        box.value = shown(slide.valueAsNumber);
+        put(box, slide.valueAsNumber);
         changed();
       });
       box.addEventListener("change", () => {
-        if (!Number.isFinite(box.valueAsNumber)) box.value = shown(slide.valueAsNumber);
-        slide.value = box.value;
+        complain(box, ifTyped(box));
+        if (!box.value.trim()) put(box, slide.valueAsNumber);
+        const value = numberIn(box);
+        if (value === null) return; // it stands there to be mended
+        slide.value = String(value);
         changed();
       });
     }
@@ -68,13 +72,16 @@ export class Hands {
     for (const [key, { slide, box }] of this.rows) {
       const value = Number(values[/** @type {keyof typeof values} */ (key)]);
       slide.value = String(value);
-      box.value = shown(value);
+      put(box, value);
     }
   }
 
   /** @returns {Hand} */
   get value() {
-    const read = (/** @type {string} */ key) => this.rows.get(key)?.box.valueAsNumber ?? 0;
+    const read = (/** @type {string} */ key) => {
+      const row = this.rows.get(key);
+      return row ? (numberIn(row.box) ?? row.slide.valueAsNumber) : 0;
+    };
     return {
       touch: read("touch"),
       x: 0,
@@ -87,9 +94,10 @@ export class Hands {
   }
 }
 
-/** Four figures; a number box takes a point and a plain minus only. @param {number} value */
-function shown(value) {
-  return String(Number(value.toPrecision(4)));
+/** Four figures. @param {HTMLInputElement} box @param {number} value */
+function put(box, value) {
+  box.value = String(Number(value.toPrecision(4)));
+  complain(box, "");
 }
 
 /** m/s over a fifth of the film, so that noise does not count. @param {Track} track */

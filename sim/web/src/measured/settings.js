@@ -1,6 +1,7 @@
 /** Units, the span of time, the law, what else is fitted, and what was weighed: asked once, always shown. */
 
 import { html, need } from "../shared/dom.js";
+import { complain, complainUnlessPositive, ifTyped, numberIn } from "../shared/number-box.js";
 
 /** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 /** @typedef {import("../../../view/measured/types.js").Read} Read */
@@ -32,6 +33,9 @@ export class Settings {
     for (const input of [...this.units, this.run, this.from, this.until]) {
       input.addEventListener("change", () => changed(true));
     }
+    for (const box of [this.from, this.until, this.distance]) {
+      box.addEventListener("change", () => complain(box, ifTyped(box)));
+    }
     for (const input of [this.law, this.effect, this.distance, this.together]) {
       input.addEventListener("change", () => changed(false));
     }
@@ -45,12 +49,15 @@ export class Settings {
     this.#masses = names.map((_, k) => {
       const box = /** @type {HTMLInputElement} */ (html("input"));
       Object.assign(box, {
-        type: "number",
-        step: "any",
-        min: "0",
+        type: "text",
+        inputMode: "decimal",
+        autocomplete: "off",
         value: before[k] ?? "",
       });
-      box.addEventListener("change", () => this.changed(false));
+      box.addEventListener("change", () => {
+        complainUnlessPositive(box, ifTyped(box));
+        this.changed(false);
+      });
       return box;
     });
     this.place.replaceChildren(
@@ -80,12 +87,13 @@ export class Settings {
   /** Another film has another clock and other carts, another log other runs. @param {string} effect the usual one of these readings */
   clear(effect) {
     this.effect.value = effect;
-    for (const box of [...this.#masses, this.distance]) box.value = "";
+    for (const box of [...this.#masses, this.distance, this.from, this.until]) {
+      box.value = "";
+      complain(box, "");
+    }
     this.together.checked = false;
     this.#wanted = "";
     this.run.replaceChildren();
-    this.from.value = "";
-    this.until.value = "";
   }
 
   /** @param {Kept} kept */
@@ -131,22 +139,21 @@ export class Settings {
 
   /** Of these, what Python is told. */
   get asked() {
-    const number = (/** @type {HTMLInputElement} */ box) =>
-      Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null;
     /** @type {Record<string, number>} */
     const masses = {};
     for (const [k, name] of this.#names.entries()) {
       const box = this.#masses[k];
-      if (box && box.valueAsNumber > 0) masses[name] = box.valueAsNumber;
+      const mass = box && numberIn(box);
+      if (mass && mass > 0) masses[name] = mass;
     }
     return {
       units: this.chosen,
       run: this.run.value || this.#wanted,
-      from: number(this.from),
-      until: number(this.until),
+      from: numberIn(this.from),
+      until: numberIn(this.until),
       law: this.law.value,
       effect: this.effect.value,
-      distance: number(this.distance),
+      distance: numberIn(this.distance),
       together: this.together.checked,
       masses,
     };

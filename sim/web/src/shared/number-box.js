@@ -17,9 +17,18 @@ export function problemIn({ value }) {
   return "problem" in read ? read.problem : "";
 }
 
+/** The same of a box that may stay empty. @param {HTMLInputElement} box */
+export const ifTyped = (box) => (box.value.trim() ? problemIn(box) : "");
+
+/** The same where only what is above 0 makes sense; why is told beside it. @param {HTMLInputElement} box @param {string} problem */
+export function complainUnlessPositive(box, problem) {
+  const low = Number(numberIn(box) ?? 1) <= 0;
+  complain(box, low ? tr("A number above 0, please.") : problem);
+}
+
 /** @param {HTMLInputElement} box @param {string} problem told beside it; empty: none */
 export function complain(box, problem) {
-  const place = box.closest("label") ?? /** @type {HTMLElement} */ (box.parentElement);
+  const place = box.closest("label, [data-hand]") ?? /** @type {HTMLElement} */ (box.parentElement);
   const told = place.querySelector(".carts-error") ?? html("span", "carts-error");
   if (!problem) return told.remove();
   told.setAttribute("role", "alert");
