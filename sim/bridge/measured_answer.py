@@ -11,7 +11,8 @@
     {"id": 12, "kind": "measured", "do": "segments", …as read…, "segments": […]}
     {"id": 13, "kind": "measured", "do": "unzip", "zip": "UEsDB…"}      base64
 
-What cannot be read or fitted is answered with `refused`: rows of line, reason and hint.
+What cannot be read or fitted is answered with `refused`: rows of line, reason and hint. Sentences
+go as templates with their values (`wire` of sim.scene.said).
 """
 
 from __future__ import annotations
@@ -40,6 +41,7 @@ from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
+from sim.scene.said import Said, wire
 
 SHORTEST = 1e-4
 """s. A contact that a reader can set by hand."""
@@ -63,7 +65,19 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
         header = {"refused": rows, "source": error.source}
     except FitError as error:
         header = {"refused": [{"line": None, "reason": error.reason, "hint": error.hint}]}
-    return header, array("d")
+    return _told(header), array("d")
+
+
+def _told(value: Any) -> Any:
+    """The same with every sentence in it as the wire has it; numbers, which are many, are passed
+    over."""
+    if isinstance(value, Said):
+        return wire(value)
+    if isinstance(value, Mapping):
+        return {key: _told(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)) and value and not isinstance(value[0], float):
+        return [_told(one) for one in value]
+    return value
 
 
 def _measured(request: Mapping[str, Any]) -> Measured:

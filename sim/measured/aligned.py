@@ -16,6 +16,7 @@ from dataclasses import replace
 from sim.measured.refusal import FitError
 from sim.measured.track import Track
 from sim.measured.tracks import Measured
+from sim.scene.said import said
 
 COARSE = 500
 """Steps that the longer recording is cut into for the first look."""
@@ -40,8 +41,8 @@ def aligned(measured: Measured) -> tuple[Measured, float]:
     moved = replace(second, t=tuple(t - shift for t in second.t))
     begin, end = max(first.t[0], moved.t[0]), min(first.t[-1], moved.t[-1])
     if end - begin < FEWEST * fine:
-        raise FitError("no push is found that both devices saw", "both on during the contact",
-                       "no-contact")  # fmt: skip
+        reason = said("no push is found that both devices saw")
+        raise FitError(reason, said("both on during the contact"), "no-contact")
     return replace(measured, tracks=(first, moved)), shift
 
 

@@ -15,6 +15,7 @@ from sim.measured.model.fit import Fit
 from sim.measured.model.known import WIDEST_LOG
 from sim.measured.model.motion import GRAVITY, Motion
 from sim.scene.read import names_a_cart
+from sim.scene.said import Said, said
 
 SHORTEST, USUAL = 0.10, 0.20
 """m. Carts shorter than the first would have no room for bumpers."""
@@ -68,20 +69,27 @@ def fence(lines: Sequence[str], identity: str) -> str:
 
 
 def scene_text(lines: Sequence[str], remarks: Sequence[str] = ()) -> str:
-    """The scene as a file, with remarks on top."""
-    return "".join(f"# {remark}\n" for remark in remarks) + "\n".join(lines) + "\n"
+    """The scene as a file, with remarks on top; only these are words."""
+    text = "\n".join(lines) + "\n"
+    for remark in reversed(remarks):
+        text = Said("# {remark}\n{scene}", {"remark": remark, "scene": text})
+    return text
 
 
 def remarks(fit: Fit, mass: tuple[str, float] | None) -> list[str]:
     """What was assumed, for the reader of the scene."""
-    said = []
+    found: list[str] = []
     if mass is None:
-        said.append("A motion does not show masses: A is set to 1 kg, k follows from it.")
+        found.append(said("A motion does not show masses: A is set to 1 kg, k follows from it."))
     if not math.isfinite(fit.sd("ln_w0")) or fit.sd("ln_w0") > WIDEST_LOG:
-        said.append("The readings do not tell how long the contact lasts: k is a mere guess.")
+        found.append(
+            said("The readings do not tell how long the contact lasts: k is a mere guess.")
+        )
     if fit.parameters.e > 1.0:
-        said.append(f"e was fitted as {fit.parameters.e:.3f}; a bumper gives at most 1.")
-    return said
+        found.append(
+            said("e was fitted as {e}; a bumper gives at most 1.", e=f"{fit.parameters.e:.3f}")
+        )
+    return found
 
 
 def _labels(names: tuple[str, str]) -> tuple[str, str]:

@@ -12,6 +12,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from sim.scene.said import said
+
 TURNS = 60
 """Steps of the power iteration: the ratio of two axes of a track is above 10."""
 
@@ -58,7 +60,8 @@ def along(axis: Way, place: Way) -> float:
 
 def told(axis: Way) -> str:
     """The note for the reader."""
-    return f"direction of the track, from the motion: ({', '.join(f'{a:.3f}' for a in axis)})"
+    parts = ", ".join(f"{a:.3f}" for a in axis)
+    return said("direction of the track, from the motion: ({axis})", axis=parts)
 
 
 def of_film(paths: Sequence[Sequence[Way]]) -> tuple[Way, str]:
@@ -73,6 +76,9 @@ def of_film(paths: Sequence[Sequence[Way]]) -> tuple[Way, str]:
     sideways = (-axis[1], axis[0])
     far, across = (math.hypot(*(along(way, p) for p in moved)) for way in (axis, sideways))
     if across > STRAIGHT * far:
-        share = across / far
-        return (1.0, 0.0), f"the carts do not stay on one line ({share:.0%} across it): x is read"
+        note = said(
+            "the carts do not stay on one line ({share} across it): x is read",
+            share=f"{across / far:.0%}",
+        )
+        return (1.0, 0.0), note
     return ((1.0, 0.0), "") if axis[0] > SLANT else (axis, told(axis))

@@ -13,11 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.measured.direction import Way, along, axis_of, told
-from sim.measured.refusal import refuse, shown
+from sim.measured.refusal import no_number, refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import factor
+from sim.scene.said import said
 
 Point = tuple[float, float, float]
 Marks = list[tuple[int, float, Point]]
@@ -38,15 +39,20 @@ def reading_of(filmed: Filmed, line: int) -> Reading:
     """The two markers that move most along the track, each its own way; raises ReadingError."""
     names = [name for name, _ in filmed.markers]
     seen = [(name, one) for name, one in filmed.markers if len(one) >= FEWEST]
-    notes = [
-        f"marker {shown(name)}: {filmed.frames - len(one)} of {filmed.frames} frames hidden, "
-        "left out"
+    notes: list[str] = [
+        said(
+            "marker {name}: {hidden} of {frames} frames hidden, left out",
+            name=shown(name),
+            hidden=str(filmed.frames - len(one)),
+            frames=str(filmed.frames),
+        )
         for name, one in filmed.markers
         if len(one) < filmed.frames
     ]
     _check_times(seen)
     if not seen:
-        raise refuse(line, f"no marker has {FEWEST} frames in which it is seen", "film again")
+        reason = said("no marker has {least} frames in which it is seen", least=str(FEWEST))
+        raise refuse(line, reason, said("film again"))
     metres = factor(filmed.unit, "length")
     assert metres is not None
     axis = axis_of([point for _, one in seen for _, _, point in one])
@@ -54,15 +60,24 @@ def reading_of(filmed: Filmed, line: int) -> Reading:
         seen = _apart([(name, one, _track(name, one, axis, metres)) for name, one in seen])
         axis = axis_of([point for _, one in seen for _, _, point in one])
     if len(seen) == 2 and (changed := _unchanged(seen[0][1], seen[1][1])):
-        notes.append(f"the markers change their names {changed} times: changed back")
+        notes.append(
+            said("the markers change their names {times} times: changed back", times=str(changed))
+        )
     tracks = [_track(name, one, axis, metres) for name, one in seen]
     tracks = sorted(tracks, key=lambda t: min(t.value) - max(t.value))
     if len(names) > len(tracks):
         left = ", ".join(shown(n) for n in names if n not in {t.name for t in tracks})
         notes.append(
-            f"taken are the two markers that move most, each its own way; left out: {left}"
+            said(
+                "taken are the two markers that move most, each its own way; left out: {names}",
+                names=left,
+            )
         )
-    notes.insert(0, f"motion capture, {filmed.rate:g} frames per second, {filmed.unit}")
+    rate = f"{filmed.rate:g}"
+    notes.insert(
+        0,
+        said("motion capture, {rate} frames per second, {unit}", rate=rate, unit=filmed.unit),
+    )
     notes.append(told(axis))
     return Reading("length", tuple(tracks), tuple(notes))
 
@@ -71,22 +86,24 @@ def _check_times(markers: Sequence[tuple[str, Marks]]) -> None:
     for _, marks in markers:
         for (_, before, _), (line, t, _) in itertools.pairwise(marks):
             if not (before < t < math.inf):
-                raise refuse(line, "the time goes back", "one row for each frame, in order")
+                hint = said("one row for each frame, in order")
+                raise refuse(line, said("the time goes back"), hint)
 
 
 def marks_of(rows: Sequence[Row], column: int, times: Sequence[float], unit: str) -> Marks:
     """Of the marker whose X stands in this column; hidden it is 0 0 0 or empty."""
     found: Marks = []
+    hint = said("X Y Z in {unit}", unit=unit)
     for row, t in zip(rows, times, strict=True):
         three = row.cells[column : column + 3]
         if len(three) < 3 or any(cells.is_empty(cell) for cell in three):
             continue
         for cell in three:
             if not cells.is_number(cell):
-                raise refuse(row.line, f"“{shown(cell)}” is not a number", f"X Y Z in {unit}")
+                raise refuse(row.line, no_number(cell), hint)
         x, y, z = (cells.number_of(cell) for cell in three)
         if not all(map(math.isfinite, (x, y, z))):
-            raise refuse(row.line, "a place is too large", f"X Y Z in {unit}")
+            raise refuse(row.line, said("a place is too large"), hint)
         if (x, y, z) != (0.0, 0.0, 0.0):
             found.append((row.line, t, (x, y, z)))
     return found

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from sim.measured.track import FEWEST, Content
+from sim.scene.said import Said, counted, said
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Fault:
@@ -45,15 +48,59 @@ def refuse(line: int, reason: str, hint: str = "") -> ReadingError:
     return ReadingError([Fault(line, reason, hint)])
 
 
-def of_readings(count: int) -> str:
+def in_line(line: object) -> Said:
+    """A line of the file, in a sentence: a page calls it what it is there, row 2 of a table."""
+    return said("line {line}", line=str(line))
+
+
+def of_readings(count: int) -> Said:
     """1 reading, 2 readings."""
-    return "1 reading" if count == 1 else f"{count} readings"
+    return counted("1 reading", "{n} readings", n=count)
 
 
-def only(count: int, whose: str, when: str) -> str:
+def too_few(count: int, cart: str) -> Said:
+    """Of the readings of one cart."""
+    return said(
+        "{readings} of “{cart}”: at least {least} are needed",
+        readings=of_readings(count),
+        cart=shown(cart),
+        least=str(FEWEST),
+    )
+
+
+def of_things(count: int, kind: Content) -> Said:
+    """1 cart, 2 phones: what so many tracks of a kind are of."""
+    if kind == "force":
+        return counted("1 force sensor", "{n} force sensors", n=count)
+    if kind == "acceleration":
+        return counted("1 phone", "{n} phones", n=count)
+    return counted("1 cart", "{n} carts", n=count)
+
+
+def no_number(cell: str) -> Said:
+    """Of a cell in the place of a number."""
+    return said("“{cell}” is not a number", cell=shown(cell))
+
+
+def too_large(number: str) -> tuple[Said, Said]:
+    """Reason and hint."""
+    return said("{number} is too large", number=number), said("is this number a reading?")
+
+
+def only(count: int, whose: str, *, after: bool) -> Said:
     """Of too few readings before or after a contact."""
-    return (
-        f"only {of_readings(count)} of {whose} {'lies' if count == 1 else 'lie'} {when} the contact"
+    if after:
+        return counted(
+            "only 1 reading of {cart} lies after the contact",
+            "only {n} readings of {cart} lie after the contact",
+            n=count,
+            cart=whose,
+        )
+    return counted(
+        "only 1 reading of {cart} lies before the contact",
+        "only {n} readings of {cart} lie before the contact",
+        n=count,
+        cart=whose,
     )
 
 

@@ -18,9 +18,11 @@ from sim.measured.model.motion import Motion
 from sim.measured.model.quantity import Known, Untold
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
-from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_loss
+from sim.measured.words import LAWS, of_balance, of_fit, of_interval, of_loss
+from sim.measured.words_of_effects import of_effects
 from sim.measured.words_of_forces import of_pair
 from sim.measured.words_of_phones import of_clocks, of_phones
+from sim.scene.said import said
 
 FORMAT = 1
 FENCE_ID = "our-own-carts"
@@ -86,6 +88,7 @@ def motion_report(
 
 def row_of(one: Known) -> dict[str, Any]:
     """A quantity as plain values."""
+    interval = of_interval(one)
     return {
         "key": one.key,
         "name": one.name,
@@ -94,7 +97,8 @@ def row_of(one: Known) -> dict[str, Any]:
         "high": _finite(one.high),
         "sd": _finite(one.sd),
         "unit": one.unit,
-        "text": of_known(one),
+        "interval": interval,
+        "text": said("{name}: {interval}", name=one.name, interval=interval),
         **({"alone": list(one.alone)} if one.alone else {}),
     }
 

@@ -14,16 +14,18 @@ from sim.measured.events.words import as_sure, of_momentum, of_rung, of_scatter,
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared
 from sim.measured.model.fit import Fit
+from sim.measured.model.known import LASTS, STIFFNESS, SWING
 from sim.measured.model.quantity import Untold
 from sim.measured.refusal import FitError
 from sim.measured.report import FORMAT, motion_report, row_of
 from sim.measured.tracks import Measured
 from sim.measured.words import LAWS, of_balance, of_law
+from sim.scene.said import said
 
 Masses = Mapping[str, float]
 """kg, by the name of the cart."""
 
-NOT_WHITE = (
+NOT_WHITE = said(
     "the model of one bumper leaves residuals that are not random, so it does not tell this: "
     "friction, a tilt, a second push or the device's own smoothing is in them"
 )
@@ -83,8 +85,7 @@ def by_velocities(
         model = motion_report(story.measured, better, rows, masses)
         untold += [
             Untold(key, name, NOT_WHITE)
-            for key, name in (("duration", "the contact lasts"),
-                              ("w0", "swing of the bumpers, √(k/μ)"), ("k", "stiffness k in N/m"))
+            for key, name in (("duration", LASTS), ("w0", SWING), ("k", STIFFNESS))
         ]  # fmt: skip
     kept = {key: model[key] for key in _FROM_MODEL if key in model}
     return base | kept | {
@@ -126,7 +127,7 @@ def base_report(
             for step, error in story.speeds.held_out
         ] if story.speeds else [],
         "rungs": _rungs(story),
-        "law": "bumper", "law_words": _WORDS.get(outcome or "", LAWS["bumper"]), "effect": "none",
+        "law": "bumper", "law_words": LINES if outcome else LAWS["bumper"], "effect": "none",
         "known": [], "untold": [], "noise": None, "compared": [], "calls_for": None,
         "aside": [{"cart": names[o.cart], "t": o.t, "x": o.value} for o in story.aside],
         "momentum": None, "scene": "", "fence": "", "added": "", "doubt": "",
@@ -166,11 +167,7 @@ def _rungs(story: Story) -> dict[str, Any] | None:
     return {"scatter": speeds.scatter, **told, "rows": rows}
 
 
-_WORDS = {
-    "bounce": "straight lines beside the contact, bent by what brakes the carts",
-    "stick": "straight lines beside the contact, bent by what brakes the carts",
-    "explosion": "straight lines beside the contact, bent by what brakes the carts",
-}
+LINES = said("straight lines beside the contact, bent by what brakes the carts")
 
 
 def _balance(story: Story, masses: Masses) -> Momentum | None:

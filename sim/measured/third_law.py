@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from sim.measured.aligned import aligned, push
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
+from sim.scene.said import said
 
 QUIET = 0.1
 """Share of the greatest force below which a sensor counts as not pushed."""
@@ -76,7 +77,8 @@ def third_law(measured: Measured) -> Pair:
         first, second = measured.tracks
     t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
     if len(t) < FEWEST:
-        raise FitError("the two sensors did not read at the same time", "one log with both")
+        reason = said("the two sensors did not read at the same time")
+        raise FitError(reason, said("one log with both"))
     raw = tuple(_at(first.t, first.value, t)), tuple(_at(second.t, second.value, t))
     zeros = _zero(raw[0]), _zero(raw[1])
     a, b = ([value - zero for value in values] for values, zero in zip(raw, zeros, strict=True))
@@ -88,8 +90,10 @@ def third_law(measured: Measured) -> Pair:
     noise = _noise(a, peaks[0]), _noise(b, peaks[1])
     for peak, sd, name in zip(peaks, noise, measured.names, strict=True):
         if peak <= SEEN * sd:
-            reason = f"the sensor of {name} shows no push that is larger than its noise"
-            raise FitError(reason, "keep some tenths of a second before and after the contact")
+            raise FitError(
+                said("the sensor of {cart} shows no push that is larger than its noise", cart=name),
+                said("keep some tenths of a second before and after the contact"),
+            )
     product = sum(x * y for x, y in zip(a, b, strict=True))
     turned = product > 0.0
     if turned:
@@ -172,7 +176,8 @@ def _slope(a: Sequence[float], b: Sequence[float]) -> tuple[float, float]:
     bb = sum((y - mb) ** 2 for y in b)
     ab = -sum((x - ma) * (y - mb) for x, y in zip(a, b, strict=True))
     if ab <= 0.0:
-        raise FitError("the two sensors do not show the same push", "check that both were on")
+        reason = said("the two sensors do not show the same push")
+        raise FitError(reason, said("check that both were on"))
     slope = (bb - aa + math.hypot(bb - aa, 2.0 * ab)) / (2.0 * ab)
     r2 = min(1.0, ab * ab / (aa * bb))
     return slope, Z * slope * math.sqrt((1.0 - r2) / (r2 * (n - 2)))

@@ -12,9 +12,10 @@ from typing import Any
 
 from sim.measured.cart_names import called_as_carts
 from sim.measured.readers import read_text
-from sim.measured.refusal import ReadingError, of_readings, refuse, shown
+from sim.measured.refusal import ReadingError, of_readings, of_things, refuse, shown, too_large
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import LETTERS, Kind, Units
+from sim.scene.said import said, template, wire
 
 LARGEST = 1e9
 """In SI. Nothing that a class measures is larger."""
@@ -22,7 +23,11 @@ LARGEST = 1e9
 LATE = 1000.0
 """s. A recording that begins later has a clock that counts something else than the recording."""
 
-HELD = {"length": "positions", "force": "forces", "acceleration": "accelerations"}
+HELD = {
+    "length": template("positions"),
+    "force": template("forces"),
+    "acceleration": template("accelerations"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +59,7 @@ class Measured:
         return {
             "kind": self.kind,
             "names": list(self.names),
-            "read": list(self.notes),
+            "read": [wire(note) for note in self.notes],
             "assumed": [kind for kind in LETTERS if kind in self.assumed],
             "tracks": [{"t": list(one.t), "value": list(one.value)} for one in self.tracks],
         }
@@ -80,13 +85,16 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
     last = found[-1].lines[-1] if found and found[-1].lines else 1
     if len(set(kinds)) > 1:
         one, other, *_ = dict.fromkeys(kinds)
-        raise refuse(1, f"one file holds {HELD[one]}, another {HELD[other]}", "read one by one")
+        reason = said(
+            "one file holds {first}, another {second}", first=HELD[one], second=HELD[other]
+        )
+        raise refuse(1, reason, said("read one by one"))
     if len(found) != 2:
         raise _not_two(len(found), kinds[0], last)
     if found[0].name == found[1].name:
         found = [Track(f"{t.name} {k}", t.t, t.value, t.lines) for k, t in enumerate(found, 1)]
-    found, said = _from_nought(called_as_carts(found))
-    notes += said
+    found, more = _from_nought(called_as_carts(found))
+    notes += more
     own = any(one.own for one in readings)
     in_order = (found[0], found[1]) if own else _in_order(found, kinds[0])
     most = max(readings, key=lambda one: len(one.runs))
@@ -98,9 +106,10 @@ def _check_sizes(tracks: Iterable[Track]) -> None:
     for track in tracks:
         for value, line in zip(track.value, track.lines, strict=True):
             if not abs(value) <= LARGEST:
-                raise refuse(line, f"{value:g} is too large", "is this number a reading?")
+                raise refuse(line, *too_large(f"{value:g}"))
         if not track.t[-1] - track.t[0] <= LARGEST:
-            raise refuse(track.lines[-1], "this recording lasts too long", "are these times?")
+            reason = said("this recording lasts too long")
+            raise refuse(track.lines[-1], reason, said("are these times?"))
 
 
 def _from_nought(found: list[Track]) -> tuple[list[Track], list[str]]:
@@ -110,18 +119,20 @@ def _from_nought(found: list[Track]) -> tuple[list[Track], list[str]]:
     if abs(begin) < LATE:
         return found, []
     moved = [Track(o.name, tuple(t - begin for t in o.t), o.value, o.lines) for o in found]
-    return moved, [f"the time counts from the first reading (in the file {begin:.12g} s)"]
+    note = said(
+        "the time counts from the first reading (in the file {begin} s)", begin=f"{begin:.12g}"
+    )
+    return moved, [note]
 
 
 def _not_two(count: int, kind: Content, line: int) -> ReadingError:
-    what = {"length": "carts", "force": "force sensors", "acceleration": "phones"}[kind]
     hint = (
-        "give the file of the phone on the other cart too"
+        said("give the file of the phone on the other cart too")
         if kind == "acceleration"
-        else "in Tracker choose both tracks before the export, or give a file for each cart"
+        else said("in Tracker choose both tracks before the export, or give a file for each cart")
     )
-    what = what.removesuffix("s") if count == 1 else what
-    return refuse(line, f"readings of {count} {what}: two are needed", hint)
+    found = said("readings of {things}: two are needed", things=of_things(count, kind))
+    return refuse(line, found, hint)
 
 
 def _in_order(found: Sequence[Track], kind: Content) -> tuple[Track, Track]:
@@ -145,8 +156,13 @@ def between(measured: Measured, begin: float | None, end: float | None) -> Measu
         kept = [k for k, t in enumerate(track.t) if low <= t <= high]
         if len(kept) < FEWEST:
             line = track.lines[kept[-1]] if kept else track.lines[-1]
-            count = f"{of_readings(len(kept))} of “{shown(track.name)}” in this span of time"
-            raise refuse(line, count, f"at least {FEWEST} are needed: choose a longer span")
+            count = said(
+                "{readings} of “{cart}” in this span of time",
+                readings=of_readings(len(kept)),
+                cart=shown(track.name),
+            )
+            hint = said("at least {least} are needed: choose a longer span", least=str(FEWEST))
+            raise refuse(line, count, hint)
         tracks.append(
             Track(
                 track.name,

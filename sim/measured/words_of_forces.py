@@ -7,6 +7,7 @@ import math
 from sim.measured.third_law import Pair
 from sim.measured.words import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
+from sim.scene.said import joined, said
 
 SCATTERED = 0.1
 """Half of the ratio's interval from which on nothing can be said of a ratio of 1."""
@@ -14,60 +15,100 @@ SCATTERED = 0.1
 
 def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
     """What two force sensors say about the third law; nothing, where they are `synthetic`."""
-    a, b = names
-    sure = 2.0 * max(pair.impulse_sd)
-    places = places_for(sure)
-    said = [
-        f"Greatest force on {a} by {b}: {number(pair.peaks[0], 2)} N; on {b} by {a}: "
-        f"{number(pair.peaks[1], 2)} N.",
-        f"Impulse on {a}: {number(pair.impulses[0], places)} N s; on {b}: "
-        f"{number(pair.impulses[1], places)} N s (each ± {number(sure, places)}).",
-        f"The sum of both forces is farthest from zero at {number(pair.worst[0], 3)} s: "
-        f"{number(pair.worst[1], 2)} N. Where nothing pushes, the noise of the sum is "
-        f"{number(math.hypot(*pair.noise), 2)} N.",
-        f"Size of the force on {b} ÷ size of the force on {a}: "
-        f"{with_half(pair.ratio, pair.ratio_half, '')}.",
-    ]
-    time, most = pair.apart
-    if pair.ratio_half > SCATTERED:
-        said.append(
-            "These readings scatter too much to compare the two forces. Push with both sensors "
-            "against each other alone, and keep what else touches them away."
-        )
-    elif abs(most) > pair.explained:
-        said.append(
-            f"At {number(time, 3)} s the two sensors are {number(abs(most), 2)} N apart; noise, "
-            f"clocks and scales explain {number(pair.explained, 2)} N. Something else pushed one "
-            "of them then, or it was not at rest on its cart. Leave that time out, or repeat."
-        )
-    elif abs(pair.ratio - 1.0) <= pair.ratio_half:
-        percent = max(0.1, 100.0 * (abs(pair.ratio - 1.0) + pair.ratio_half))
-        said.append(
-            "At every instant the two forces are equal in size and opposite, as far as these "
-            f"sensors can tell (to about {number(percent, 1)} %). "
-            + (
-                SYNTHETIC
-                if synthetic
-                else "No model was used for this: it is read off the readings alone."
-            )
-        )
-    else:
-        percent = 100.0 * abs(pair.ratio - 1.0)
-        said.append(
-            f"The two sensors differ by {number(percent, 1)} %, more than their noise explains. "
-            "Swap the sensors and repeat. If the difference stays with a sensor, it is the sensor."
-        )
-    said.append(f"Zeros taken off: {number(pair.zeros[0], 3)} N and {number(pair.zeros[1], 3)} N.")
+    found = [*_greatest(pair, names), _compared(pair, synthetic=synthetic)]
+    zeros = [number(zero, 3) for zero in pair.zeros]
+    found.append(
+        said("Zeros taken off: {first} N and {second} N.", first=zeros[0], second=zeros[1])
+    )
     if pair.turned:
-        said.append(
-            f"Both sensors count a push as positive. The sign of {b} is turned, because + means to "
-            "the right for both carts here."
+        found.append(
+            said(
+                "Both sensors count a push as positive. The sign of {cart} is turned, because + "
+                "means to the right for both carts here.",
+                cart=names[1],
+            )
         )
     step = (pair.t[-1] - pair.t[0]) / (len(pair.t) - 1)
     if abs(pair.lag) > 0.5 * step:
-        first, late = (a, b) if pair.lag > 0.0 else (b, a)
-        said.append(
-            f"The readings of {late} come {number(1e3 * abs(pair.lag), 1)} ms later than those of "
-            f"{first}. That is the clock of the sensors, not the carts."
+        first, late = names if pair.lag > 0.0 else names[::-1]
+        found.append(
+            said(
+                "The readings of {late} come {time} ms later than those of {first}. That is the "
+                "clock of the sensors, not the carts.",
+                late=late,
+                time=number(1e3 * abs(pair.lag), 1),
+                first=first,
+            )
         )
-    return said
+    return found
+
+
+def _greatest(pair: Pair, names: tuple[str, str]) -> list[str]:
+    """Forces, impulses, where their sum is farthest from zero, and the ratio of both."""
+    a, b = names
+    sure = 2.0 * max(pair.impulse_sd)
+    places = places_for(sure)
+    peaks, impulses = pair.peaks, pair.impulses
+    return [
+        said(
+            "Greatest force on {a} by {b}: {first} N; on {b} by {a}: {second} N.",
+            a=a,
+            b=b,
+            first=number(peaks[0], 2),
+            second=number(peaks[1], 2),
+        ),
+        said(
+            "Impulse on {a}: {first} N s; on {b}: {second} N s (each ± {half}).",
+            a=a,
+            b=b,
+            first=number(impulses[0], places),
+            second=number(impulses[1], places),
+            half=number(sure, places),
+        ),
+        said(
+            "The sum of both forces is farthest from zero at {time} s: {sum} N. Where nothing "
+            "pushes, the noise of the sum is {noise} N.",
+            time=number(pair.worst[0], 3),
+            sum=number(pair.worst[1], 2),
+            noise=number(math.hypot(*pair.noise), 2),
+        ),
+        said(
+            "Size of the force on {b} ÷ size of the force on {a}: {ratio}.",
+            a=a,
+            b=b,
+            ratio=with_half(pair.ratio, pair.ratio_half, ""),
+        ),
+    ]
+
+
+def _compared(pair: Pair, *, synthetic: bool) -> str:
+    """Whether both forces are equal and opposite, as far as the sensors tell."""
+    time, most = pair.apart
+    off = abs(pair.ratio - 1.0)
+    if pair.ratio_half > SCATTERED:
+        return said(
+            "These readings scatter too much to compare the two forces. Push with both sensors "
+            "against each other alone, and keep what else touches them away."
+        )
+    if abs(most) > pair.explained:
+        return said(
+            "At {time} s the two sensors are {apart} N apart; noise, clocks and scales explain "
+            "{explained} N. Something else pushed one of them then, or it was not at rest on its "
+            "cart. Leave that time out, or repeat.",
+            time=number(time, 3),
+            apart=number(abs(most), 2),
+            explained=number(pair.explained, 2),
+        )
+    if off <= pair.ratio_half:
+        equal = said(
+            "At every instant the two forces are equal in size and opposite, as far as these "
+            "sensors can tell (to about {percent} %).",
+            percent=number(max(0.1, 100.0 * (off + pair.ratio_half)), 1),
+        )
+        alone = said("No model was used for this: it is read off the readings alone.")
+        return joined(equal, SYNTHETIC if synthetic else alone)
+    return said(
+        "The two sensors differ by {percent} %, more than their noise explains. Swap the sensors "
+        "and repeat. If the difference stays with a sensor, it is the sensor.",
+        percent=number(100.0 * off, 1),
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from sim.measured.third_law import Pair
 from sim.measured.words import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
+from sim.scene.said import said
 
 
 def of_phones(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
@@ -12,26 +13,44 @@ def of_phones(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) ->
     a, b = names
     sure = 2.0 * max(pair.impulse_sd)
     places = places_for(sure)
-    said = [
-        f"Greatest acceleration of {a}: {number(pair.peaks[0], 2)} m/s²; of {b}: "
-        f"{number(pair.peaks[1], 2)} m/s².",
-        f"Velocity changes by {number(pair.impulses[0], places)} m/s for {a}, by "
-        f"{number(pair.impulses[1], places)} m/s for {b} (each ± {number(sure, places)}).",
-        f"Acceleration of {b} ÷ acceleration of {a}: {with_half(pair.ratio, pair.ratio_half, '')}. "
-        f"If both forces are equal in size, this is the mass of {a} ÷ the mass of {b}: weigh both "
-        "(each with its phone).",
+    found: list[str] = [
+        said(
+            "Greatest acceleration of {a}: {first} m/s²; of {b}: {second} m/s².",
+            a=a,
+            b=b,
+            first=number(pair.peaks[0], 2),
+            second=number(pair.peaks[1], 2),
+        ),
+        said(
+            "Velocity changes by {first} m/s for {a}, by {second} m/s for {b} (each ± {half}).",
+            a=a,
+            b=b,
+            first=number(pair.impulses[0], places),
+            second=number(pair.impulses[1], places),
+            half=number(sure, places),
+        ),
+        said(
+            "Acceleration of {b} ÷ acceleration of {a}: {ratio}. If both forces are equal in size, "
+            "this is the mass of {a} ÷ the mass of {b}: weigh both (each with its phone).",
+            a=a,
+            b=b,
+            ratio=with_half(pair.ratio, pair.ratio_half, ""),
+        ),
     ]
     if pair.turned:
-        said.append(f"Both phones count the push as positive: the sign of {b} is turned.")
+        found.append(
+            said("Both phones count the push as positive: the sign of {cart} is turned.", cart=b)
+        )
     if synthetic:
-        said.append(SYNTHETIC)
-    return said
+        found.append(SYNTHETIC)
+    return found
 
 
 def of_clocks(moved: float) -> str:
     """What setting the clocks by the contact has used up."""
-    return (
-        f"The second clock is set by the contact itself (it shows the push {number(moved, 3)} s "
-        "later). So these readings do not test that both pushes act at the same time; they test "
-        "their sizes and their shapes."
+    return said(
+        "The second clock is set by the contact itself (it shows the push {time} s later). So "
+        "these readings do not test that both pushes act at the same time; they test their sizes "
+        "and their shapes.",
+        time=number(moved, 3),
     )

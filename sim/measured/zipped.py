@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from sim.measured.refusal import refuse
 from sim.measured.sheet.cells import MOST_BYTES, decoded
+from sim.scene.said import said
 
 MOST_ZIPPED = 30_000_000
 """Bytes: a film is in it."""
@@ -18,8 +19,10 @@ WORKBOOKS = ("xl/workbook.xml", "xl/workbook.bin", "content.xml", "Index/Documen
 """What is in a workbook of Excel, LibreOffice and Numbers, which are zips too."""
 
 OLD_WORKBOOK = b"\xd0\xcf\x11\xe0"
-NO_TABLE = ("this is a workbook of a spreadsheet and no table of text",
-            "open it and save its sheet as CSV: File, Save as, CSV UTF-8")  # fmt: skip
+NO_TABLE = (
+    said("this is a workbook of a spreadsheet and no table of text"),
+    said("open it and save its sheet as CSV: File, Save as, CSV UTF-8"),
+)
 
 
 def texts_of(content: bytes) -> list[str]:
@@ -29,7 +32,7 @@ def texts_of(content: bytes) -> list[str]:
     if content[:4] != b"PK\x03\x04":
         return [decoded(content)]
     if len(content) > MOST_ZIPPED:
-        raise refuse(1, "this zip is larger than 30 MB", "unpack it and take the table")
+        raise refuse(1, said("this zip is larger than 30 MB"), said("unpack it and take the table"))
     return [decoded(_unzipped(content))]
 
 
@@ -54,12 +57,13 @@ def _unzipped(content: bytes) -> bytes:
             ]
             names.sort(key=_rank)
             if not names:
-                raise refuse(1, "no table is in this zip", "export as CSV")
+                raise refuse(1, said("no table is in this zip"), said("export as CSV"))
             with pack.open(names[0]) as member:
                 return member.read(MOST_BYTES + 1)
     except NotImplementedError:
-        raise refuse(1, "this zip is packed in a way that is not read", "unpack it") from None
+        reason = said("this zip is packed in a way that is not read")
+        raise refuse(1, reason, said("unpack it")) from None
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError) as error:
         if hasattr(error, "faults"):
             raise
-        raise refuse(1, "this zip is damaged or locked", "export it anew") from None
+        raise refuse(1, said("this zip is damaged or locked"), said("export it anew")) from None

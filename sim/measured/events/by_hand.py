@@ -15,6 +15,7 @@ from sim.measured.events.grid import Grid
 from sim.measured.events.segments import segment
 from sim.measured.events.stretch import Kind, Segment
 from sim.measured.refusal import FitError
+from sim.scene.said import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -46,9 +47,17 @@ def with_contacts(grid: Grid, found: list[Contact], given: Sequence[Given]) -> l
             continue
         if not (grid.t[0] <= one.begin < one.end <= grid.t[-1]):
             raise FitError(
-                f"the contact from {one.begin:.2f} to {one.end:.2f} s does not lie within the "
-                "readings of both carts",
-                f"between {grid.t[0]:.2f} and {grid.t[-1]:.2f} s",
+                said(
+                    "the contact from {first} to {last} s does not lie within the readings of both "
+                    "carts",
+                    first=f"{one.begin:.2f}",
+                    last=f"{one.end:.2f}",
+                ),
+                said(
+                    "between {first} and {last} s",
+                    first=f"{grid.t[0]:.2f}",
+                    last=f"{grid.t[-1]:.2f}",
+                ),
                 "outside",
             )
         near = max(listed, key=lambda other: _common(one, other), default=None)

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 from sim.measured.events.sides import Speeds
 from sim.measured.tracks import Measured
+from sim.scene.said import Said, listed, said
 
 APART = 0.02
 """m. Carts whose marks are at least so far apart at the contact stand in one frame."""
@@ -53,7 +54,7 @@ def frames_of(
         signs = (-1 if names[0] in flips else 1, -1 if names[1] in flips else 1)
         joined = bool(flips) and len(given) < 2
     first, second = (given.get(name, 0.0) for name in names)
-    said: list[str] = []
+    found: list[str] = []
     if joined:
         a, b = (0.5 * (speeds.places[k] + speeds.places[k + 2]) for k in (0, 1))
         apart = distance or 0.0
@@ -63,15 +64,26 @@ def frames_of(
             first = a - signs[0] * (signs[1] * (b - second) - apart)
         else:  # both are the reader's, and tell it themselves
             apart = signs[1] * (b - second) - signs[0] * (a - first)
-        turned = " and ".join(n for n, s in zip(names, signs, strict=True) if s < 0)
-        how = f"the readings of {turned} are turned" if turned else "no reading is turned"
-        said.append(
-            "Each sensor has a zero and a direction of its own. They are joined by the contact: "
-            f"there the velocities change in opposite directions ({how}), and the marks are "
-            f"{apart:.4g} m apart. So these readings do not test the direction of the "
-            "forces; they still test their sizes and their instants."
-        )
-    return Frames((Axis(signs[0], first), Axis(signs[1], second)), joined, tuple(said))
+        found.append(_joined(names, signs, apart))
+    return Frames((Axis(signs[0], first), Axis(signs[1], second)), joined, tuple(found))
+
+
+def _joined(names: tuple[str, str], signs: tuple[int, int], apart: float) -> Said:
+    """What joining the axes by the contact has done, and what it has used up."""
+    turned = listed([n for n, s in zip(names, signs, strict=True) if s < 0])
+    how = (
+        said("the readings of {cart} are turned", cart=turned)
+        if turned
+        else said("no reading is turned")
+    )
+    return said(
+        "Each sensor has a zero and a direction of its own. They are joined by the contact: there "
+        "the velocities change in opposite directions ({turned}), and the marks are {apart} m "
+        "apart. So these readings do not test the direction of the forces; they still test their "
+        "sizes and their instants.",
+        turned=how,
+        apart=f"{apart:.4g}",
+    )
 
 
 def _apart(measured: Measured, speeds: Speeds) -> bool:

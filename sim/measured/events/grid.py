@@ -15,6 +15,7 @@ from sim.measured.refusal import FitError
 from sim.measured.rounding import EVEN, step_of
 from sim.measured.scatter import noise_of
 from sim.measured.track import Track
+from sim.scene.said import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -70,8 +71,8 @@ def grid_of(tracks: tuple[Track, Track]) -> Grid:
     begin, end = max(one.t[0] for one in tracks), min(one.t[-1] for one in tracks)
     frame = max(float(np.median(np.diff(one.t))) for one in tracks)
     if end - begin < FEWEST_CELLS * frame:
-        reason = "the two carts were hardly read at the same time"
-        raise FitError(reason, "one log with both, or a longer span of time")
+        reason = said("the two carts were hardly read at the same time")
+        raise FitError(reason, said("one log with both, or a longer span of time"))
     cells = int(min(MOST_CELLS, (end - begin) / frame + 1.0 + 1e-6))
     # Of devices with one clock a reading lies in the middle of its cell: from an edge it would be
     # shared by two, and their noise be told as a third of what it is.

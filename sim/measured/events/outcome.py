@@ -19,6 +19,7 @@ from sim.measured.events.contacts import Contact
 from sim.measured.events.in_step import Step
 from sim.measured.events.sides import Speeds
 from sim.measured.refusal import FitError
+from sim.scene.said import said
 
 Outcome = Literal["bounce", "stick", "explosion"]
 OUTCOMES: tuple[Outcome, ...] = ("bounce", "stick", "explosion")
@@ -51,7 +52,7 @@ loss."""
 AT_REST = 0.06
 """Share of the greatest velocity below which a cart stands still."""
 
-SAY_TOGETHER = (
+SAY_TOGETHER = said(
     "let the carts meet nearer to the middle, so that both run on within reach; or, if you saw "
     "that they stayed together, say so (--together, or the box on the page)"
 )
@@ -66,23 +67,29 @@ def outcome_of(speeds: Speeds) -> Outcome:
         return "explosion"
     if u <= 0.0:
         raise FitError(
-            "the carts do not come closer to each other before this contact",
-            "choose another one, or check which cart is on the left and the signs of the sensors",
+            said("the carts do not come closer to each other before this contact"),
+            said(
+                "choose another one, or check which cart is on the left and the signs of the "
+                "sensors"
+            ),
             "no-approach",
         )
     e, sd = parting / u, math.hypot(sd_parting, parting / u * sd_u) / u
     if e < -max(STUCK, HALF * sd):
         raise FitError(
-            "after the contact the carts still come closer: one would go through the other",
-            "is a direction wrong, or did two marks change their places?",
+            said("after the contact the carts still come closer: one would go through the other"),
+            said("is a direction wrong, or did two marks change their places?"),
             "through-each-other",
         )
     if e < STUCK or (e < PERHAPS and e < HALF * sd):
         return "stick"
     if e > 1.0 + HALF * sd:
         raise FitError(
-            f"the carts part {100 * (e - 1):.0f} % faster than they came. A bumper cannot do that",
-            "is a spring wound up, does a hand push, or does a sensor read another scale?",
+            said(
+                "the carts part {percent} % faster than they came. A bumper cannot do that",
+                percent=f"{100 * (e - 1):.0f}",
+            ),
+            said("is a spring wound up, does a hand push, or does a sensor read another scale?"),
             "gained-energy",
         )
     return "bounce"
@@ -110,8 +117,11 @@ def check_push(
         sd = spread(speeds, [(-1.0, 0, 1.0, 0), (0, -1.0, 0, 1.0)][k])
         if abs(v[k + 2] - v[k]) < CHANGED * sd:
             raise FitError(
-                f"the velocity of {name} changes by less than can be told from its readings",
-                "a faster push, or more readings beside the contact",
+                said(
+                    "the velocity of {cart} changes by less than can be told from its readings",
+                    cart=name,
+                ),
+                said("a faster push, or more readings beside the contact"),
                 "no-change",
             )
     if lost is None:
@@ -129,17 +139,25 @@ def _in_time(
     sure = max(abs(step.lag) - HALF * step.unsure, 0.0)
     if rests and sure > least:
         raise FitError(
-            f"{names[late]} stands still after the contact, but stops {abs(step.lag):.2f} s later "
-            f"than the other cart's velocity changes: its sensor lost it (the end of what it can "
-            "read), or something else held it. Its velocity after the contact is not in the file",
+            said(
+                "{cart} stands still after the contact, but stops {time} s later than the other "
+                "cart's velocity changes: its sensor lost it (the end of what it can read), or "
+                "something else held it. Its velocity after the contact is not in the file",
+                cart=names[late],
+                time=f"{abs(step.lag):.2f}",
+            ),
             SAY_TOGETHER,
             "lost-after",
         )
     if sure > 2.0 * least or step.surely > APART:
         raise FitError(
-            f"the two carts do not change their velocity in step ({names[late]} "
-            f"{abs(step.lag):.2f} s later): something else pushes, or a sensor lost its cart",
-            "no hand, no end stop near the contact; both clocks the same",
+            said(
+                "the two carts do not change their velocity in step ({cart} {time} s later): "
+                "something else pushes, or a sensor lost its cart",
+                cart=names[late],
+                time=f"{abs(step.lag):.2f}",
+            ),
+            said("no hand, no end stop near the contact; both clocks the same"),
             "not-in-step",
         )
 
@@ -161,9 +179,12 @@ def check_seen(speeds: Speeds, names: tuple[str, str]) -> None:
     v, lost = speeds.v, perhaps_lost(speeds)
     if lost is not None and (v[3] - v[2]) / (v[0] - v[1]) < ELASTIC:
         raise FitError(
-            f"{names[lost]} comes, and after the contact its readings stand still while the other "
-            "cart moves on: it may have stopped, or its sensor has lost it while both move on "
-            "together. These readings do not tell which",
+            said(
+                "{cart} comes, and after the contact its readings stand still while the other cart "
+                "moves on: it may have stopped, or its sensor has lost it while both move on "
+                "together. These readings do not tell which",
+                cart=names[lost],
+            ),
             SAY_TOGETHER,
             "perhaps-lost",
         )

@@ -21,7 +21,9 @@ from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
 from sim.measured.events.sides import Speeds
 from sim.measured.events.together import Together
 from sim.measured.model.believable import TOO_WIDE, bounciness
+from sim.measured.model.known import BOUNCINESS, EACH_MASS, of_mass, of_ratio
 from sim.measured.model.quantity import Known, Untold, not_shown
+from sim.scene.said import said
 
 LOSS = 0.018
 """Share of the push that friction in the contact takes at most. From nine weighed collisions on an
@@ -134,30 +136,38 @@ def told_of(
     (known if isinstance(ratio, Known) else untold).append(ratio)  # type: ignore[arg-type]
     if outcome != "explosion":
         for k, name in enumerate(names):
-            add(f"v_{'ab'[k]}", f"velocity of {name} before", _velocity(k), "m/s")
+            add(f"v_{'ab'[k]}", said("velocity of {cart} before", cart=name), _velocity(k), "m/s")
     if outcome == "stick":
-        add("v_common", "common velocity after", lambda v: 0.5 * (v[2] + v[3]), "m/s")
-        add("energy_lost", "energy lost per reduced mass", lambda v: 0.5 * (v[0] - v[1]) ** 2,
-            "J/kg")  # fmt: skip
+        add("v_common", said("common velocity after"), lambda v: 0.5 * (v[2] + v[3]), "m/s")
+        add("energy_lost", said("energy lost per reduced mass"),
+            lambda v: 0.5 * (v[0] - v[1]) ** 2, "J/kg")  # fmt: skip
         limit = beside and beside.below(speeds.approach)
-        reason = "the carts stay together: there is no rebound"
+        reason = said("the carts stay together: there is no rebound")
         if limit:
-            reason = f"the carts stay together as far as readings show: e is below {limit:.2f}"
-        untold.append(Untold("e", "bounciness e", reason))
+            reason = said(
+                "the carts stay together as far as readings show: e is below {limit}",
+                limit=f"{limit:.2f}",
+            )
+        untold.append(Untold("e", BOUNCINESS, reason))
     else:
         for k, name in enumerate(names):
-            add(f"v_{'ab'[k]}_after", f"velocity of {name} after", _velocity(k + 2), "m/s")
+            add(
+                f"v_{'ab'[k]}_after",
+                said("velocity of {cart} after", cart=name),
+                _velocity(k + 2),
+                "m/s",
+            )
     if outcome == "explosion":
-        add("parting", "the carts part at", lambda v: v[3] - v[2], "m/s")
-        add("energy_released", "energy released per reduced mass",
+        add("parting", said("the carts part at"), lambda v: v[3] - v[2], "m/s")
+        add("energy_released", said("energy released per reduced mass"),
             lambda v: 0.5 * ((v[3] - v[2]) ** 2 - (v[1] - v[0]) ** 2), "J/kg")  # fmt: skip
-        reason = "the carts were together before: nothing is thrown back"
-        untold.append(Untold("e", "bounciness e", reason))
+        reason = said("the carts were together before: nothing is thrown back")
+        untold.append(Untold("e", BOUNCINESS, reason))
     half = 0.5 * (contact.end - contact.begin)
     known.append(
         Known(
             "touch",
-            "middle of the contact at t",
+            said("middle of the contact at t"),
             contact.middle,
             contact.middle - half,
             contact.middle + half,
@@ -184,9 +194,7 @@ def _plain(
 def _bounciness(speeds: Speeds, known: list[Known], beside: Together | None) -> list[Untold]:
     """e within 0 and 1. Where only the distance tells that the carts part, its e, and all that
     either allows."""
-    one = _plain(
-        speeds, "e", "bounciness e", lambda v: (v[3] - v[2]) / (v[0] - v[1] or NO_SPEED), ""
-    )
+    one = _plain(speeds, "e", BOUNCINESS, lambda v: (v[3] - v[2]) / (v[0] - v[1] or NO_SPEED), "")
     if beside:
         e, least, most = (w / speeds.approach for w in (beside.value, beside.low, beside.high))
         one = replace(one, value=e, low=min(one.low, least), high=max(one.high, most))
@@ -202,7 +210,7 @@ def mass_ratio(
     speeds: Speeds, step: Step, outcome: Outcome, names: tuple[str, str], two: bool = False
 ) -> Known | Untold:
     """B ÷ A, with what friction in the contact may take; `two` sensors, each with its scale."""
-    name = f"mass of {names[1]} ÷ mass of {names[0]}"
+    name = of_ratio(names)
 
     def raw(v: Values) -> float:
         return -(v[2] - v[0]) / ((v[3] - v[1]) or NO_SPEED)
@@ -224,7 +232,7 @@ def _weighed(
 ) -> list[Untold]:
     """The other mass where one is weighed."""
     if not masses:
-        return [Untold("mass", "mass of each cart in kg", not_shown("both masses"))]
+        return [Untold("mass", EACH_MASS, not_shown(said("both masses")))]
     if isinstance(ratio, Untold) or len(masses) > 1:
         return []
     ((name, kg),) = masses.items()
@@ -232,5 +240,5 @@ def _weighed(
     ends = [ratio.value, ratio.low, ratio.high]
     value, *sides = [kg * q if other else kg / q for q in ends]
     sd = ratio.sd / ratio.value * value
-    known.append(Known("mass", f"mass of {names[other]}", value, min(sides), max(sides), sd, "kg"))
+    known.append(Known("mass", of_mass(names[other]), value, min(sides), max(sides), sd, "kg"))
     return []

@@ -36,6 +36,7 @@ from sim.measured.events.rungs import (
 from sim.measured.events.stretch import Segment
 from sim.measured.refusal import FitError, only
 from sim.measured.track import Track
+from sim.scene.said import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -114,10 +115,10 @@ def sides_of(
             if int(kept.sum()) < FEWEST:
                 kept = nearer(t, x, kept, (contact.begin, contact.end), after=after)
             if int(kept.sum()) < FEWEST:
-                when = "after" if after else "before"
+                few = only(int(kept.sum()), track.name, after=after)
                 raise FitError(
-                    f"{only(int(kept.sum()), track.name, when)} and free of hands and stops",
-                    "let the carts run on for half a second, or choose another contact",
+                    said("{reason} and free of hands and stops", reason=few),
+                    said("let the carts run on for half a second, or choose another contact"),
                     "after-too-short" if after else "before-too-short",
                 )
             listed.append((t[kept] - contact.middle, x[kept]))

@@ -21,6 +21,7 @@ from sim.measured.events.together import Together, seen_by_one, together
 from sim.measured.events.wild import Aside
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,8 +91,8 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         outcome, beside = outcome_of(speeds), None
         if hints.together and outcome != "stick":
             raise FitError(
-                "you say that the carts stayed together, but both are seen to part",
-                "leave that out",
+                said("you say that the carts stayed together, but both are seen to part"),
+                said("leave that out"),
                 "parted",
             )
         if two and outcome == "bounce":
@@ -109,16 +110,22 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
 def _no_contact(*, by_hands: bool) -> FitError:
     if by_hands:
         return FitError(
-            "both carts set out from rest, each away from its sensor: they are pushed towards "
-            "each other, by hands, and the readings end before they meet",
-            "let the recording go on until the carts have met and parted",
+            said(
+                "both carts set out from rest, each away from its sensor: they are pushed towards "
+                "each other, by hands, and the readings end before they meet"
+            ),
+            said("let the recording go on until the carts have met and parted"),
             "no-contact",
         )
     return FitError(
-        "no contact is found: at no time do the readings show that both carts change "
-        "their velocity together",
-        "choose the seconds around one contact in which nobody holds a cart; after a weak "
-        "push, push harder or take finer readings",
+        said(
+            "no contact is found: at no time do the readings show that both carts change their "
+            "velocity together"
+        ),
+        said(
+            "choose the seconds around one contact in which nobody holds a cart; after a weak "
+            "push, push harder or take finer readings"
+        ),
         "no-contact",
     )
 

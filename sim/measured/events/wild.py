@@ -21,6 +21,7 @@ from sim.measured.refusal import shown
 from sim.measured.scatter import scatter_of
 from sim.measured.track import FEWEST, Track
 from sim.measured.tracks import Measured
+from sim.scene.said import counted, listed, said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -162,15 +163,22 @@ def _wild(t: Floats, x: Floats, run: range, usual: float) -> bool:
 
 def of_aside(aside: tuple[Aside, ...], names: tuple[str, str]) -> list[str]:
     """A sentence for the reader, or none."""
-    said = []
+    found = []
     for cart, name in enumerate(names):
         times = [one.t for one in aside if one.cart == cart]
         if times:
-            listed = ", ".join(f"{t:.3f}" for t in times[:LISTED])
             more = " …" if len(times) > LISTED else ""
-            what = "1 reading" if len(times) == 1 else f"{len(times)} readings"
-            said.append(f"{what} of {shown(name)} (at {listed}{more} s)")
-    if not said:
+            found.append(
+                counted(
+                    "1 reading of {cart} (at {times} s)",
+                    "{n} readings of {cart} (at {times} s)",
+                    n=len(times),
+                    cart=shown(name),
+                    times=", ".join(f"{t:.3f}" for t in times[:LISTED]) + more,
+                )
+            )
+    if not found:
         return []
-    verb = "is" if len(aside) == 1 else "are"
-    return [f"Set aside, far off their neighbours {verb} {' and '.join(said)}."]
+    if len(aside) == 1:
+        return [said("Set aside, far off their neighbours is {readings}.", readings=found[0])]
+    return [said("Set aside, far off their neighbours are {readings}.", readings=listed(found))]

@@ -11,46 +11,65 @@ from sim.measured.events.sides import Speeds
 from sim.measured.events.story import Story
 from sim.measured.words import places_for, with_half
 from sim.scene.notation import number
+from sim.scene.said import Said, commas, joined, said
 
 OUTCOMES = {
-    "bounce": "The carts bounce: they come together, push each other and part.",
-    "stick": "The carts stick: after the contact they move on together. There is no bounciness.",
-    "explosion": "An explosion: the carts were together and push each other apart. There is no "
-    "bounciness.",
+    "bounce": said("The carts bounce: they come together, push each other and part."),
+    "stick": said(
+        "The carts stick: after the contact they move on together. There is no bounciness."
+    ),
+    "explosion": said(
+        "An explosion: the carts were together and push each other apart. There is no bounciness."
+    ),
 }
-PARTED_PERHAPS = (
+PARTED_PERHAPS = said(
     "The carts come together and push each other. Whether they part again or stay together, these "
     "readings do not tell."
 )
-STUCK_PERHAPS = (
-    "After the contact the carts move on together, as far as these readings show: bounciness e is "
-    "below "
-)
-STEPS = {"nothing": "nothing that brakes", "friction": "friction", "tilt": "a tilt", "drag": "drag",
-         "both": "friction and a tilt"}  # fmt: skip
+STEPS = {
+    "nothing": said("nothing that brakes"),
+    "friction": said("friction"),
+    "tilt": said("a tilt"),
+    "drag": said("drag"),
+    "both": said("friction and a tilt"),
+}
 
 
 def of_story(story: Story, names: tuple[str, str]) -> list[str]:
     """Outcome, axes, other contacts, what brakes."""
-    said = [OUTCOMES[story.outcome]] if story.outcome else []
+    found: list[str] = [OUTCOMES[story.outcome]] if story.outcome else []
     if story.outcome == "stick" and story.together and story.speeds:
         limit = story.together.below(story.speeds.approach)
-        said = [STUCK_PERHAPS + number(limit, 2) + "."] if limit else said
+        found = [_stuck(limit)] if limit else found
     if story.lost is not None:
-        said.append(
-            f"The velocity of {names[story.lost]} after the contact is that of "
-            f"{names[1 - story.lost]}: you say that they stayed together. So these readings do not "
-            "test that."
+        found.append(
+            said(
+                "The velocity of {lost} after the contact is that of {other}: you say that they "
+                "stayed together. So these readings do not test that.",
+                lost=names[story.lost],
+                other=names[1 - story.lost],
+            )
         )
-    said += story.frames.said if story.frames else ()
+    found += story.frames.said if story.frames else ()
     others = [one for one in story.contacts if one != story.contact]
     if others and story.contact:
-        listed = ", ".join(f"{one.middle:.2f} s" for one in others)
-        said.append(
-            f"The contact at {story.contact.middle:.2f} s is taken; both carts also change their "
-            f"velocity at {listed}. To take another, use only the readings around it."
+        found.append(
+            said(
+                "The contact at {taken} s is taken; both carts also change their velocity at "
+                "{others}. To take another, use only the readings around it.",
+                taken=f"{story.contact.middle:.2f}",
+                others=commas([f"{one.middle:.2f} s" for one in others]),
+            )
         )
-    return said
+    return found
+
+
+def _stuck(limit: float) -> Said:
+    return said(
+        "After the contact the carts move on together, as far as these readings show: bounciness e "
+        "is below {limit}.",
+        limit=number(limit, 2),
+    )
 
 
 def as_sure(said: Sequence[str], known: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -61,33 +80,41 @@ def as_sure(said: Sequence[str], known: Sequence[Mapping[str, Any]]) -> list[str
 
 def of_taken(speeds: Speeds) -> str:
     """What the velocities count: the model's own effect is chosen by whoever fits it."""
-    return (
-        f"Velocities just before and after the contact are told with {STEPS[speeds.step]}; what "
-        "the model itself counts is what you choose for it."
+    return said(
+        "Velocities just before and after the contact are told with {brake}; what the model itself "
+        "counts is what you choose for it.",
+        brake=STEPS[speeds.step],
     )
-
-
-BRAKES = {"friction": "Friction", "tilt": "A tilt", "drag": "Drag"}
 
 
 def of_scatter(speeds: Speeds) -> str:
     """The line of the ladder: what readings cannot show."""
-    scatter = _millimetres(speeds.scatter)
-    return f"These readings scatter by {scatter}: what changes less, they cannot show."
+    return said(
+        "These readings scatter by {scatter}: what changes less, they cannot show.",
+        scatter=_millimetres(speeds.scatter),
+    )
 
 
 def of_rung(rung: Rung) -> str:
     """What an effect changes beside the contact, and whether the readings show it."""
-    begin = (
-        f"{BRAKES[rung.step]} changes where the carts are beside the contact by "
-        f"{_millimetres(rung.changes)}"
-    )
+    change = _change(rung.step, _millimetres(rung.changes))
     if rung.verdict == "not-shown":
-        return f"{begin}: your readings cannot show it."
-    errors = f"by {_millimetres(rung.missed)} with it and {_millimetres(rung.without)} without"
+        return said("{change}: your readings cannot show it.", change=change)
+    beside, without = _millimetres(rung.missed), _millimetres(rung.without)
+    missed = said(
+        "They are missed by {beside} with it and {without} without.", beside=beside, without=without
+    )
     if rung.verdict == "shown":
-        return f"{begin}: your readings show it. They are missed {errors}."
-    return f"{begin}: your readings do not bear it out. They are missed {errors}."
+        return joined(said("{change}: your readings show it.", change=change), missed)
+    return joined(said("{change}: your readings do not bear it out.", change=change), missed)
+
+
+def _change(step: str, size: str) -> Said:
+    if step == "friction":
+        return said("Friction changes where the carts are beside the contact by {size}", size=size)
+    if step == "tilt":
+        return said("A tilt changes where the carts are beside the contact by {size}", size=size)
+    return said("Drag changes where the carts are beside the contact by {size}", size=size)
 
 
 def _millimetres(metres: float) -> str:
@@ -96,20 +123,27 @@ def _millimetres(metres: float) -> str:
 
 def of_momentum(found: Momentum) -> str:
     """Before, after, and whether they agree."""
-    sides = (
-        f"Momentum before: {with_half(found.before, found.before_half, 'kg m/s')}, after: "
-        f"{with_half(found.after, found.after_half, 'kg m/s')}. "
+    sides = said(
+        "Momentum before: {before}, after: {after}.",
+        before=with_half(found.before, found.before_half, "kg m/s"),
+        after=with_half(found.after, found.after_half, "kg m/s"),
     )
-    places = places_for(found.change_half + found.friction)
-    limit = number(found.change_half + found.friction, places)
-    change = f"the change of {number(found.change, places)} kg m/s is"
+    most = found.change_half + found.friction
+    places = places_for(most)
+    change, limit = f"{number(found.change, places)} kg m/s", f"{number(most, places)} kg m/s"
     if found.agree:
-        return (
-            f"{sides}They agree: {change} within {limit} kg m/s, which counts the "
-            "velocities' uncertainty and what friction may take while the carts touch."
+        verdict = said(
+            "They agree: the change of {change} is within {limit}, which counts the velocities' "
+            "uncertainty and what friction may take while the carts touch.",
+            change=change,
+            limit=limit,
         )
-    return (
-        f"{sides}They do not agree: {change} more than {limit} kg m/s, the velocities' "
-        "uncertainty and what friction may take while the carts touch. Something else pushed, or a "
-        "mass or a scale is wrong."
-    )
+    else:
+        verdict = said(
+            "They do not agree: the change of {change} is more than {limit}, the velocities' "
+            "uncertainty and what friction may take while the carts touch. Something else pushed, "
+            "or a mass or a scale is wrong.",
+            change=change,
+            limit=limit,
+        )
+    return joined(sides, verdict)

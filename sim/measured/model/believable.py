@@ -11,10 +11,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from sim.measured.model.quantity import Known, Untold
+from sim.scene.said import said
 
-OPEN = "the readings leave it open"
-TOO_WIDE = f"{OPEN}: the interval is too wide"
-ABOVE = "it comes out above 1: the carts would gain energy"
+OPEN = said("the readings leave it open")
+TOO_WIDE = said("the readings leave it open: the interval is too wide")
+ABOVE = said("it comes out above 1: the carts would gain energy")
 
 WIDEST_E = 0.5
 """Width of an interval of e that is printed: half of all that is possible."""

@@ -26,14 +26,15 @@ from sim.measured.model.bounds import bounds_of
 from sim.measured.model.contact import Law
 from sim.measured.model.covariance import covariance_of
 from sim.measured.model.curves import places
-from sim.measured.model.guess import CALM, EACH_SIDE, guesses
+from sim.measured.model.guess import EACH_SIDE, check_sides, guesses
 from sim.measured.model.motion import Motion, Parameters, State
 from sim.measured.model.standing import sizes_of
 from sim.measured.model.unknowns import READ, RUBS, Effect, names_of, with_values
-from sim.measured.refusal import FitError, only
+from sim.measured.refusal import FitError
 from sim.measured.rounding import EVEN, step_of
 from sim.measured.scatter import scatter_of
 from sim.measured.tracks import Measured
+from sim.scene.said import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -204,17 +205,12 @@ def _made(
     residuals = _residuals(p, asked.law, t, x)
     freedom = len(residuals) - len(names)
     if freedom < 3:
-        raise FitError("there are hardly more readings than unknowns", "mark more frames")
+        reason = said("there are hardly more readings than unknowns")
+        raise FitError(reason, said("mark more frames"))
     motion = Motion(p, asked.law)
     sides = [(int(np.sum(times < p.touch)), int(np.sum(times > p.touch + motion.duration)))
              for times in t]  # fmt: skip
-    for cart, (before, after) in enumerate(sides, 1):
-        if before < EACH_SIDE or after < EACH_SIDE:
-            when, count = ("before", before) if before < EACH_SIDE else ("after", after)
-            code = "no-fit" if count else "no-contact"
-            raise FitError(
-                only(count, f"cart {cart}", when), f"at least {EACH_SIDE} are needed; {CALM}", code
-            )
+    check_sides(sides)
     counted = np.clip(residuals, -limit, limit)
     squares = float(counted @ counted)
     noise = math.sqrt(squares / freedom)

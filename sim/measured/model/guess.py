@@ -9,12 +9,13 @@ through the others give velocities, mass ratio and e, and where they meet gives 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from sim.measured.model.contact import Law
 from sim.measured.model.motion import Parameters
-from sim.measured.refusal import FitError
+from sim.measured.refusal import FitError, only
+from sim.scene.said import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -35,7 +36,7 @@ E_LOW, E_HIGH = 0.0, 1.5
 """e above 1 is fitted, so that the interval is honest at e = 1; it is told as impossible."""
 
 RATIO_HIGH = 1e4
-CALM = "choose the seconds around one contact in which nobody holds a cart"
+CALM = said("choose the seconds around one contact in which nobody holds a cart")
 
 
 def guesses(
@@ -61,11 +62,23 @@ def guesses(
             tried.append(made)
     tried = [one for one in tried if one.approach > 1e-3 * spread / length]
     if not tried:
-        reason = "the carts do not come closer to each other, so there is no contact to fit"
+        reason = said("the carts do not come closer to each other, so there is no contact to fit")
         raise FitError(reason, CALM)
     tried.sort(key=score)
     others = [one for one in tried if not 1 / APART < one.w0 / tried[0].w0 < APART]
     return [tried[0], *others[:1]]
+
+
+def check_sides(sides: Sequence[tuple[int, int]]) -> None:
+    """Raises FitError where a cart has too few readings before the contact or after it."""
+    for cart, (before, after) in enumerate(sides, 1):
+        late = before >= EACH_SIDE
+        count = after if late else before
+        if count < EACH_SIDE:
+            named = said("cart {number}", number=str(cart))
+            hint = said("at least {least} are needed; {calm}", least=str(EACH_SIDE), calm=CALM)
+            code = "no-fit" if count else "no-contact"
+            raise FitError(only(count, named, after=late), hint, code)
 
 
 Line = tuple[float, float, float]
@@ -129,7 +142,8 @@ def _kink(t: Times, x: Times) -> float:
     low = max(times[EACH_SIDE - 1] for times in t)
     high = min(times[-EACH_SIDE] for times in t)
     if not low < high:
-        raise FitError("the two carts were not filmed at the same time", "one film, both tracks")
+        reason = said("the two carts were not filmed at the same time")
+        raise FitError(reason, said("one film, both tracks"))
     best = (math.inf, float(low))
     for instant in np.linspace(low, high, KINKS):
         total = 0.0

@@ -14,15 +14,32 @@ from sim.measured.model.lasting import by_any_law
 from sim.measured.model.motion import GRAVITY
 from sim.measured.model.quantity import Known, Untold, not_shown
 from sim.measured.model.unknowns import LEANS, RUBS
+from sim.scene.said import Said, said
 
 WIDEST_LOG = 0.5
 """Standard deviation of ln w0, or of any logarithm, above which no number is printed."""
 
 
-BY_DEVICE = (
+BOUNCINESS = said("bounciness e")
+LASTS = said("the contact lasts")
+SWING = said("swing of the bumpers, √(k/μ)")
+STIFFNESS = said("stiffness k in N/m")
+EACH_MASS = said("mass of each cart in kg")
+
+BY_DEVICE = said(
     "few readings lie inside the contact, and means of readings (a logger's, or of a film that was "
     "smoothed) make any contact look as long. Take more readings per second, and do not smooth them"
 )
+
+
+def of_mass(cart: str) -> Said:
+    """What the mass of one cart is called."""
+    return said("mass of {cart}", cart=cart)
+
+
+def of_ratio(names: tuple[str, str]) -> Said:
+    """What the ratio of both masses is called."""
+    return said("mass of {b} ÷ mass of {a}", a=names[0], b=names[1])
 
 
 def told(
@@ -36,41 +53,43 @@ def told(
     p = fit.parameters
     found: list[Known] = []
     untold: list[Untold] = []
-    found.append(_plain(fit, "e", "bounciness e", p.e, {"e": 1.0}, ""))
-    ratio = f"mass of {names[1]} ÷ mass of {names[0]}"
+    found.append(_plain(fit, "e", BOUNCINESS, p.e, {"e": 1.0}, ""))
+    ratio = of_ratio(names)
     _add(found, untold, _log(fit, "mass_ratio", ratio, p.ratio, {"ln_ratio": 1.0}, ""))
     for k, name in enumerate(names):
         if p.rests[k]:
             continue  # it is known to stand still
         key = f"v_{'ab'[k]}"
         slopes = {f"v{k + 1}": 1.0}
-        found.append(_plain(fit, key, f"velocity of {name} at the touch", p.v[k], slopes, "m/s"))
-    found.append(_plain(fit, "touch", "first touch at t", p.touch, {"touch": 1.0}, "s"))
+        what = said("velocity of {cart} at the touch", cart=name)
+        found.append(_plain(fit, key, what, p.v[k], slopes, "m/s"))
+    found.append(_plain(fit, "touch", said("first touch at t"), p.touch, {"touch": 1.0}, "s"))
     stiff = {"ln_w0": 1.0}
     duration = {"ln_w0": -1.0, "e": _duration_by_e(fit)}
-    lasts = _log(fit, "duration", "the contact lasts", fit.duration, duration, "s")
+    lasts = _log(fit, "duration", LASTS, fit.duration, duration, "s")
     if isinstance(lasts, Known):
         lasts = by_any_law(lasts, p.e, p.e + fit.factor * fit.sd("e"))
     shortest = lasts.low if isinstance(lasts, Known) else fit.duration
     by_device = min(shortest, fit.duration) < smoothed
-    swing = _log(fit, "w0", "swing of the bumpers, √(k/μ)", p.w0, stiff, "1/s")
+    swing = _log(fit, "w0", SWING, p.w0, stiff, "1/s")
     _add(found, untold, _no_device(lasts, by_device))
     _add(found, untold, _no_device(swing, by_device))
     for k, name in enumerate(names) if fit.asked.effect in RUBS else ():
         slopes = {f"friction{k + 1}": 1.0}
-        what = f"deceleration of {name} by friction"
+        what = said("deceleration of {cart} by friction", cart=name)
         brake = _plain(fit, f"friction_{'ab'[k]}", what, p.friction[k], slopes, "m/s²")
         found += [brake, _coefficient(brake, name)]
     if fit.asked.effect in LEANS:
         slopes = {"tilt": 1.0}
-        found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
+        what = said("acceleration by the tilt")
+        found.append(_plain(fit, "tilt", what, p.tilt, slopes, "m/s²"))
     _masses(fit, names, mass, found, untold, by_device=by_device)
     return found, untold
 
 
 def _coefficient(brake: Known, name: str) -> Known:
     """Of a deceleration on a level track, where a = μ g."""
-    what = f"coefficient of friction μ of {name}, level track"
+    what = said("coefficient of friction μ of {cart}, level track", cart=name)
     value, low, high, sd = (x / GRAVITY for x in (brake.value, brake.low, brake.high, brake.sd))
     return Known(brake.key.replace("friction", "mu"), what, value, low, high, sd, "")
 
@@ -86,21 +105,19 @@ def _masses(
 ) -> None:
     """The other mass and k if one mass is given, else why they are not there."""
     if mass is None:
-        reason = not_shown("both masses and k")
-        untold.append(Untold("mass", "mass of each cart in kg", reason))
-        untold.append(Untold("k", "stiffness k in N/m", reason))
+        reason = not_shown(said("both masses and k"))
+        untold.append(Untold("mass", EACH_MASS, reason))
+        untold.append(Untold("k", STIFFNESS, reason))
         return
     weighed, kg = mass
     q, other = fit.parameters.ratio, 1 - names.index(weighed)
     sign = 1.0 if other == 1 else -1.0
-    found_mass = _log(
-        fit, "mass", f"mass of {names[other]}", kg * q**sign, {"ln_ratio": sign}, "kg"
-    )
+    found_mass = _log(fit, "mass", of_mass(names[other]), kg * q**sign, {"ln_ratio": sign}, "kg")
     _add(found, untold, found_mass)
     mass_a = kg if other == 1 else kg / q
     mu = mass_a * q / (1.0 + q)
     slope = 1.0 / (1.0 + q) if other == 1 else -q / (1.0 + q)
-    k = _log(fit, "k", "stiffness k", mu * fit.parameters.w0**2,
+    k = _log(fit, "k", said("stiffness k"), mu * fit.parameters.w0**2,
              {"ln_w0": 2.0, "ln_ratio": slope}, "N/m")  # fmt: skip
     _add(found, untold, _no_device(k, by_device))
 
@@ -131,12 +148,12 @@ def _log(
     sd = fit.spread(slopes)
     if not sd <= WIDEST_LOG:
         if "ln_w0" in slopes:
-            reason = (
+            reason = said(
                 "too few frames lie inside the contact. Film with more frames per second, use a "
                 "softer bumper, or give the distance of the marks when the bumpers just touch"
             )
         else:
-            reason = "the readings leave it open: the velocities change too little"
+            reason = said("the readings leave it open: the velocities change too little")
         return Untold(key, name, reason)
     half = fit.factor * sd
     return Known(key, name, value, value * math.exp(-half), value * math.exp(half), value * sd,

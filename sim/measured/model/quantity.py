@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from sim.scene.said import said
+
 
 @dataclass(frozen=True, slots=True)
 class Known:
@@ -36,7 +38,8 @@ class Untold:
 
 def not_shown(masses: str) -> str:
     """Why a motion tells none of `masses`, the plural of what would all be twice as large."""
-    return (
-        f"a motion does not show it: with {masses} twice as large, the same film comes out. "
-        "Weigh one cart and give its mass"
+    return said(
+        "a motion does not show it: with {masses} twice as large, the same film comes out. Weigh "
+        "one cart and give its mass",
+        masses=masses,
     )

@@ -15,11 +15,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sim.measured.markers import Filmed, marks_of, reading_of
-from sim.measured.refusal import refuse, shown
+from sim.measured.refusal import no_number, refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.track import Reading
 from sim.measured.units import Units
+from sim.scene.said import said
 
 LENGTHS = {"meters": "m", "centimeters": "cm", "millimeters": "mm"}
 BODY = "Rigid Body"
@@ -40,18 +41,20 @@ def read(text: str, units: Units) -> Reading:
     unit = LENGTHS.get(facts.get("Length Units", "").lower())
     if unit is None:
         named = shown(facts.get("Length Units", ""))
-        raise refuse(rows[0].line, f"“{named}” is no unit of lengths here", "export in Meters")
+        reason = said("“{unit}” is no unit of lengths here", unit=named)
+        raise refuse(rows[0].line, reason, said("export in Meters"))
     at = next((k for k, row in enumerate(rows) if row.first == "Frame"), 0)
     frames = rows[at + 1 :]
     if at < HEADS or not frames:
-        raise refuse(rows[-1].line, "there is no frame in it", "export the take as CSV again")
+        reason = said("there is no frame in it")
+        raise refuse(rows[-1].line, reason, said("export the take as CSV again"))
     times = [_time(row) for row in frames]
     markers = [
         (name, marks_of(frames, column, times, unit)) for name, column in _columns(rows[1 : at + 1])
     ]
     if not markers:
-        hint = "export markers or rigid bodies with their positions"
-        raise refuse(rows[at].line, "no column holds positions", hint)
+        hint = said("export markers or rigid bodies with their positions")
+        raise refuse(rows[at].line, said("no column holds positions"), hint)
     rate = (len(times) - 1) / (times[-1] - times[0]) if times[-1] > times[0] else 0.0
     return reading_of(Filmed(markers, unit, len(times), rate), frames[0].line)
 
@@ -72,5 +75,5 @@ def _columns(heads: Sequence[Row]) -> list[tuple[str, int]]:
 def _time(row: Row) -> float:
     cell = (*row.cells, "", "")[1]
     if not cells.is_number(cell):
-        raise refuse(row.line, f"“{shown(cell)}” is not a number", "the time in s, in column 2")
+        raise refuse(row.line, no_number(cell), said("the time in s, in column 2"))
     return cells.number_of(cell)

@@ -19,6 +19,7 @@ from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.table import Column, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor, head, plain_unit
+from sim.scene.said import said
 
 G = 9.80665
 """m/s², what loggers of phones call g."""
@@ -60,7 +61,8 @@ def read(text: str, units: Units) -> Reading:
         if axis_named := _axis_of(column.name, column.unit):
             found.setdefault(axis_named, column)
     if len(found) < 2:
-        raise refuse(table.heads_line, "no acceleration along x and y", "export all columns")
+        reason = said("no acceleration along x and y")
+        raise refuse(table.heads_line, reason, said("export all columns"))
     listed = list(found.values())
     size = G if listed[0].unit == "g" else 1.0
     rows: list[tuple[float, tuple[float, float, float], int]] = []
@@ -75,11 +77,14 @@ def read(text: str, units: Units) -> Reading:
         three = [size * float(part or 0.0) for part in parts] + [0.0] * (3 - len(parts))
         rows.append((t, (three[0], three[1], three[2]), line))
     if len(rows) < FEWEST:
-        raise refuse(table.lines[-1], f"{len(rows)} readings: at least {FEWEST} are needed")
+        reason = said(
+            "{count} readings: at least {least} are needed", count=str(len(rows)), least=str(FEWEST)
+        )
+        raise refuse(table.lines[-1], reason)
     axis = axis_of([point for _, point, _ in rows])
-    notes = ["acceleration of a phone, m/s²", told(axis)]
+    notes = [said("acceleration of a phone, m/s²"), told(axis)]
     if repeated:
-        notes.append(f"{repeated} rows whose time does not go on, left out")
+        notes.append(said("{count} rows whose time does not go on, left out", count=str(repeated)))
     a = tuple(along(axis, p) for _, p, _ in rows)
     seconds = factor(time.unit or units.time, "time") or 1.0
     track = Track("phone", tuple(seconds * t for t, _, _ in rows), a, tuple(r[2] for r in rows))

@@ -15,20 +15,20 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.measured.readers.idle import are_idle
-from sim.measured.refusal import Fault, ReadingError, of_readings, refuse, shown
+from sim.measured.readers.no_place import no_accelerations, no_velocities
+from sim.measured.refusal import Fault, ReadingError, in_line, of_things, refuse, shown, too_few
 from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
-from sim.measured.sheet.table import MOST_FAULTS, Column, Table, read_table
+from sim.measured.sheet.table import MOST_FAULTS, Column, Table, of_signs, read_table
 from sim.measured.sheet.turned import along_the_track
 from sim.measured.sheet.whose import (
-    are_velocities,
     cart_names,
     is_force,
-    no_place_of_tracks,
     place_of,
 )
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import LETTERS, OFFERED, Kind, Units, factor, kind_of_unit
+from sim.scene.said import listed, said, template
 
 _COUNTS = re.compile(r"step|n|nr|no|#", re.I)
 _FRAMES = re.compile(
@@ -36,6 +36,11 @@ _FRAMES = re.compile(
     rf"(?:[\s_.-]*(?:{NUMBERED}|n°|#))?",
     re.I,
 )
+
+KINDS: dict[Kind, str] = {
+    "time": template("time"), "length": template("length"), "force": template("force"),
+}  # fmt: skip
+"""In words."""
 
 
 def claims(text: str) -> bool:
@@ -56,14 +61,14 @@ def _of_table(table: Table, units: Units) -> Reading:
     time = _time_column(table)
     wanted, kind = _wanted(table, time)
     if not wanted:
-        _no_accelerations(table)
+        no_accelerations(table)
         names = ", ".join(
             shown(f"{c.name} ({c.unit})".removesuffix(" ()")) for c in table.columns[:8]
         )
         raise refuse(
             table.heads_line,
-            f"no column holds positions or forces (columns: {names})",
-            "name them x_A and x_B in m, cm or mm, or F_A and F_B in N",
+            said("no column holds positions or forces (columns: {names})", names=names),
+            said("name them x_A and x_B in m, cm or mm, or F_A and F_B in N"),
         )
     clocks = [_clock(table, column, time) for column in wanted]
     read, turned = along_the_track(table, wanted) if kind == "length" else (wanted, [])
@@ -73,17 +78,16 @@ def _of_table(table: Table, units: Units) -> Reading:
     called = cart_names([(c.name, c.unit, c.track) for c in read])
     columns = zip(called, clocks, read, factors, strict=True)
     tracks = [_track(table, *one) for one in columns]
-    said = [*_named(clocks, "time"), *_named(wanted, kind)]
-    said += [f"{table.separator} between the columns, decimal {table.decimal}", *turned]
+    notes = [*_named(clocks, "time"), *_named(wanted, kind), of_signs(table), *turned]
     others = [c for c in table.columns if c not in wanted and c is not time]
     if kind == "force" and any(map(_is_place, others)):
-        said.append("forces were read, and positions left out")
+        notes.append(said("forces were read, and positions left out"))
     elif kind == "length" and sum(is_force(c.name, c.unit) for c in others) >= 2:
-        said.append("positions were read: the force sensors show no push")
+        notes.append(said("positions were read: the force sensors show no push"))
     what: Content = "force" if kind == "force" else "length"
     asked: dict[Kind, list[Column]] = {"time": clocks, kind: wanted}
     assumed = frozenset(one for one, its in asked.items() if not all(c.unit for c in its))
-    return Reading(what, tuple(tracks), tuple(said), assumed=assumed)
+    return Reading(what, tuple(tracks), tuple(notes), assumed=assumed)
 
 
 def _time_column(table: Table) -> Column:
@@ -95,8 +99,10 @@ def _time_column(table: Table) -> Column:
     if not counts and not _rises(first):
         counts = next(filter(None, (_FRAMES.fullmatch(one.name) for one in others)), None)
     if counts:
-        reason = f"no column holds the time (“{shown(counts[0])}” counts frames)"
-        hint = "export t as well, or add a column t (s): frame over frames a second"
+        reason = said(
+            "no column holds the time (“{column}” counts frames)", column=shown(counts[0])
+        )
+        hint = said("export t as well, or add a column t (s): frame over frames a second")
         raise refuse(table.heads_line, reason, hint)
     return first
 
@@ -121,16 +127,16 @@ def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
     forces = [c for c in others if is_force(c.name, c.unit)]
     places = [c for c in others if _is_place(c)]
     if len(forces) >= 2 and not (len(places) == 2 and are_idle(forces)):
-        return _not_three(table, forces, "force sensors"), "force"
+        return _not_three(table, forces, "force"), "force"
     if not places:
         places = [c for c in others if quantity_of(c.name, c.unit)[0] == "pos" and c.unit]
         places = places if len(places) == 2 else []
     if not places and forces:  # the other sensor may stand in a file of its own
         return forces, "force"
     if not places and len(others) == 2:
-        _no_velocities(table, others)
+        no_velocities(table, others)
         places = [c for c in others if not c.unit or kind_of_unit(c.unit) == "length"]
-    return _not_three(table, places, "carts"), "length"
+    return _not_three(table, places, "length"), "length"
 
 
 def _is_place(column: Column) -> bool:
@@ -138,45 +144,21 @@ def _is_place(column: Column) -> bool:
     return fits and place_of(column.name) is not None
 
 
-def _no_velocities(table: Table, columns: Sequence[Column]) -> None:
-    """Two columns without a unit are places, whatever they are called, but not by these words."""
-    if any(column.unit for column in columns):
-        return
-    names = [column.name for column in columns]
-    name = shown(names[0])
-    if are_velocities(names):
-        reason, hint = f"“{name}” has no unit and is no place", f"write its unit: {name} (m/s)"
-        raise refuse(table.heads_line, reason, hint)
-    if all(column.track for column in columns) and no_place_of_tracks(names):
-        hint = "in Tracker choose the columns t and x of both tracks"
-        raise refuse(table.heads_line, f"“{name}” of “{shown(columns[0].track)}” is no place", hint)
-
-
-def _no_accelerations(table: Table) -> None:
-    """Accelerations of a phone are read along all its axes; those of carts tell no place."""
-    with_unit = [c for c in table.columns if c.unit]
-    named = (c.name for c in with_unit if quantity_of(c.name, c.unit)[0] == "acc")
-    if name := next(named, ""):
-        raise refuse(
-            table.heads_line,
-            f"“{shown(name)}” is an acceleration: these columns hold no positions or forces",
-            "of a phone export x, y and z; of carts positions or velocities",
-        )
-
-
-def _not_three(table: Table, columns: list[Column], what: str) -> list[Column]:
+def _not_three(table: Table, columns: list[Column], kind: Content) -> list[Column]:
     if len(columns) > 2:
         names = ", ".join(shown(f"{c.track} {c.name}") for c in columns[:6])
-        raise refuse(
-            table.heads_line, f"{len(columns)} {what}: {names}", "leave two of them in the file"
-        )
+        reason = said("{things}: {names}", things=of_things(len(columns), kind), names=names)
+        raise refuse(table.heads_line, reason, said("leave two of them in the file"))
     return columns
 
 
 def _named(columns: Sequence[Column], kind: Kind) -> list[str]:
     """A note of the units that the heads of these columns name."""
     own = [column.unit for column in columns]
-    return [f"{LETTERS[kind]} in {' and '.join(dict.fromkeys(own))} (as the file says)"] * all(own)
+    if not all(own):
+        return []
+    units = listed(list(dict.fromkeys(own)))
+    return [said("{letter} in {unit} (as the file says)", letter=LETTERS[kind], unit=units)]
 
 
 def _factors(table: Table, columns: Sequence[Column], kind: Kind, units: Units) -> list[float]:
@@ -185,17 +167,22 @@ def _factors(table: Table, columns: Sequence[Column], kind: Kind, units: Units) 
     if kind != "time" and len(own) == 2 and bool(own[0]) != bool(own[1]):
         raise refuse(
             table.heads_line,
-            "one column names its unit and the other does not",
-            f"write both heads with a unit, for example x_A ({OFFERED[kind][0]})",
+            said("one column names its unit and the other does not"),
+            said("write both heads with a unit, for example x_A ({unit})", unit=OFFERED[kind][0]),
         )
     factors = []
     for column in columns:
         unit = column.unit or units.of(kind)
         found = factor(unit, kind)
         if found is None:
-            offered = ", ".join(OFFERED[kind])
-            reason = f"“{shown(unit)}” is not a unit of {kind} (column {shown(column.name)})"
-            raise refuse(table.heads_line, reason, f"{kind} is in {offered}")
+            reason = said(
+                "“{unit}” is not a unit of {kind} (column {column})",
+                unit=shown(unit),
+                kind=KINDS[kind],
+                column=shown(column.name),
+            )
+            hint = said("{kind} is in {units}", kind=KINDS[kind], units=", ".join(OFFERED[kind]))
+            raise refuse(table.heads_line, reason, hint)
         factors.append(found)
     return factors
 
@@ -210,20 +197,24 @@ def _track(
         if value is None:
             continue
         if t is None:
-            faults.append(Fault(line, "this row has a reading and no time", "fill the time in"))
+            reason = said("this row has a reading and no time")
+            faults.append(Fault(line, reason, said("fill the time in")))
         elif kept and t <= kept[-1][0]:
-            there = f"in line {kept[-1][2]}"
-            same = f"the time stands {there} already"
-            reason = same if t == kept[-1][0] else f"the time goes back: {there} it was later"
-            faults.append(Fault(line, reason, "one row for each frame, in the order of time"))
+            there = in_line(kept[-1][2])
+            if t == kept[-1][0]:
+                reason = said("the time stands in {line} already", line=there)
+            else:
+                reason = said("the time goes back: in {line} it was later", line=there)
+            hint = said("one row for each frame, in the order of time")
+            faults.append(Fault(line, reason, hint))
         else:
             kept.append((t, value, line))
     if faults:
         raise ReadingError(faults[:MOST_FAULTS])
     if len(kept) < FEWEST:
         line = kept[-1][2] if kept else table.lines[-1]
-        count = f"{of_readings(len(kept))} of “{shown(name)}”: at least {FEWEST} are needed"
-        raise refuse(line, count, "mark the cart in every frame, also before and after the contact")
+        hint = said("mark the cart in every frame, also before and after the contact")
+        raise refuse(line, too_few(len(kept), name), hint)
     return Track(
         name,
         tuple(t * factors[0] for t, _, _ in kept),

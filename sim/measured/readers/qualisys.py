@@ -18,6 +18,7 @@ from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.track import Reading
 from sim.measured.units import Units
+from sim.scene.said import said
 
 KEYS = ("NO_OF_FRAMES", "NO_OF_MARKERS", "MARKER_NAMES", "FILE_VERSION", "TRAJECTORY_TYPES")
 UNIT = "mm"
@@ -34,7 +35,8 @@ def read(text: str, units: Units) -> Reading:
     names = [name for name in head.get("MARKER_NAMES", ()) if name]
     line = rows[0].line if rows else 1
     if not names or not rows:
-        raise refuse(line, "no marker is named or none has frames", "export the 3D data as TSV")
+        reason = said("no marker is named or none has frames")
+        raise refuse(line, reason, said("export the 3D data as TSV"))
     rate = _rate(head, line)
     skipped = _skipped(head, rows, 3 * len(names))
     frames = _frames(head, rows)
@@ -59,7 +61,8 @@ def _rate(head: dict[str, tuple[str, ...]], line: int) -> float:
     cell = (*head.get("FREQUENCY", ()), "")[0]
     rate = cells.number_of(cell) if cells.is_number(cell) else 0.0
     if not (0.0 < rate < 1e6):
-        raise refuse(line, "the head names no FREQUENCY", "export the head with it")
+        reason = said("the head names no FREQUENCY")
+        raise refuse(line, reason, said("export the head with it"))
     return rate
 
 

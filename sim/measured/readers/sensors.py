@@ -16,15 +16,16 @@ import re
 from dataclasses import dataclass, field, replace
 
 from sim.measured.readers import plain
-from sim.measured.refusal import of_readings, refuse, shown
+from sim.measured.refusal import in_line, of_things, refuse, shown, too_few
 from sim.measured.sheet.heads import Quantity, has_speeds, is_time, quantity_of
 from sim.measured.sheet.prefixes import parted
 from sim.measured.sheet.runs import of_one_run, run_place
-from sim.measured.sheet.table import Column, Table, read_table
+from sim.measured.sheet.table import Column, Table, of_signs, read_table
 from sim.measured.sheet.turned import along_the_track
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Kind, Units, factor, plain_unit
 from sim.scene.quantity import SPEED
+from sim.scene.said import said
 
 _HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
 
@@ -66,7 +67,7 @@ def read(text: str, units: Units) -> Reading:
     tracks = _tracks(one.table, replace(units, run="") if found else units, seen)
     if not tracks:
         return plain.read(text, units)
-    seen.notes.append(f"{one.table.separator} between the columns, decimal {one.table.decimal}")
+    seen.notes.append(of_signs(one.table))
     if len(one.runs) > 1:
         seen.run, seen.runs = one.run, one.runs
     return Reading(
@@ -101,7 +102,8 @@ def _tracks(table: Table, units: Units, seen: _Seen) -> list[Track]:
         places = {who: kept["vel"] for who, kept in carts.items() if "vel" in kept}
     if len(places) > 2:
         names = ", ".join(shown(column.name) for _, column in places.values())
-        raise refuse(table.heads_line, f"{len(places)} carts: {names}", "leave two of them")
+        reason = said("{things}: {names}", things=of_things(len(places), "length"), names=names)
+        raise refuse(table.heads_line, reason, said("leave two of them"))
     columns = [column for _, column in places.values()]
     columns, turned = (columns, []) if by_speed else along_the_track(table, columns)
     seen.notes += turned
@@ -111,7 +113,7 @@ def _tracks(table: Table, units: Units, seen: _Seen) -> list[Track]:
         name = who or (alone if len(places) > 1 else "cart")
         tracks.append(_track(table, name, (clock, column), units, seen, by_speed))
     if by_speed and tracks:
-        seen.notes.append("positions are the velocities summed up")
+        seen.notes.append(said("positions are the velocities summed up"))
     return tracks
 
 
@@ -131,9 +133,17 @@ def _track(
         metres = None if speed is None else float(speed)
     if seconds is None or metres is None:
         wrong = clock if seconds is None else column
-        reason = f"“{shown(wrong.unit)}” is no unit that fits {shown(wrong.name)}"
-        hint = "velocity in m/s, cm/s, mm/s or km/h" if by_speed else "length in m, cm or mm"
-        raise refuse(table.heads_line, reason, f"time in s or ms, {hint}")
+        reason = said(
+            "“{unit}” is no unit that fits {column}",
+            unit=shown(wrong.unit),
+            column=shown(wrong.name),
+        )
+        hint = (
+            said("time in s or ms, velocity in m/s, cm/s, mm/s or km/h")
+            if by_speed
+            else said("time in s or ms, length in m, cm or mm")
+        )
+        raise refuse(table.heads_line, reason, hint)
     if not clock.unit:
         seen.assumed.add("time")
     if not (column.unit or by_speed):
@@ -146,11 +156,13 @@ def _track(
     missing = sum(t is not None for t in clock.values) - len(rows)
     rows = _one_run(rows, name, units.run, seen)
     if missing > 0 and len(rows) >= FEWEST:
-        seen.notes.append(f"{name}: {missing} rows without a reading, left out")
+        seen.notes.append(
+            said("{cart}: {count} rows without a reading, left out", cart=name, count=str(missing))
+        )
     if len(rows) < FEWEST:
         line = rows[-1][2] if rows else table.lines[-1]
-        reason = f"{of_readings(len(rows))} of “{shown(name)}”: at least {FEWEST} are needed"
-        raise refuse(line, reason, "let both sensors run during the whole contact")
+        hint = said("let both sensors run during the whole contact")
+        raise refuse(line, too_few(len(rows), name), hint)
     seen.notes += _gaps(rows, name)
     x = _summed(rows) if by_speed else tuple(value for _, value, _ in rows)
     return Track(name, tuple(t for t, _, _ in rows), x, tuple(line for _, _, line in rows))
@@ -179,11 +191,17 @@ def _one_run(rows: Rows, name: str, asked: str, seen: _Seen) -> Rows:
     if len(names) > max(1, len(seen.runs)):
         seen.run, seen.runs = names[place], names
     if len(runs) > 1:
-        starts = ", ".join(str(run[0][2]) for run in runs[1:6] if run)
-        count = f"{len(kept)} readings of one run are taken"
-        seen.notes.append(f"the time starts anew in line {starts}: {count}")
+        seen.notes.append(
+            said(
+                "the time starts anew in {lines}: {count} readings of one run are taken",
+                lines=in_line(", ".join(str(run[0][2]) for run in runs[1:6] if run)),
+                count=str(len(kept)),
+            )
+        )
     if repeated:
-        seen.notes.append(f"{name}: {repeated} repeated times, left out")
+        seen.notes.append(
+            said("{cart}: {count} repeated times, left out", cart=name, count=str(repeated))
+        )
     return kept
 
 
@@ -193,7 +211,14 @@ def _gaps(rows: Rows, name: str) -> list[str]:
     usual = steps[len(steps) // 2]
     wide = [(a, b) for a, b in itertools.pairwise(rows) if b[0] - a[0] > 3.5 * usual]
     return [
-        f"{name}: no reading from {a[0]:.2f} to {b[0]:.2f} s (line {b[2]})" for a, b in wide[:3]
+        said(
+            "{cart}: no reading from {first} to {last} s ({line})",
+            cart=name,
+            first=f"{a[0]:.2f}",
+            last=f"{b[0]:.2f}",
+            line=in_line(b[2]),
+        )
+        for a, b in wide[:3]
     ]
 
 

@@ -19,7 +19,9 @@ from sim.measured.direction import Way, along, of_film
 from sim.measured.refusal import refuse, shown
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Kind, Units, factor
+from sim.scene.said import said
 
+ANEW = said("save the project anew")
 DEEPEST = 60
 LARGEST = 1e9
 
@@ -58,44 +60,52 @@ def read(text: str, units: Units) -> Reading:
     root = _parsed(text)
     panels = [one for one in _all(root) if one.kind.endswith(".TrackerPanel")]
     if not panels:
-        raise refuse(root.line, "no film panel is in this project", "save one tab with the film")
+        reason = said("no film panel is in this project")
+        raise refuse(root.line, reason, said("save one tab with the film"))
     panel = panels[0]
     masses = [one for one in _all(panel) if one.kind.endswith(".PointMass")]
     if not masses:
         raise refuse(
-            panel.line, "no point mass is marked", "Track → New → Point mass, for each cart"
+            panel.line,
+            said("no point mass is marked"),
+            said("Track → New → Point mass, for each cart"),
         )
     first = int(_number(panel, ("videoclip", "startframe"), 0.0))
     begin = 1e-3 * _number(panel, ("videoclip", "starttime"), 0.0)
     step = 1e-3 * _number(panel, ("clipcontrol", "delta_t"), 0.0)
     if not 0.0 < step < 1e3:
-        raise refuse(panel.line, "the time from frame to frame is not in it", "set the frame rate")
+        reason = said("the time from frame to frame is not in it")
+        raise refuse(panel.line, reason, said("set the frame rate"))
     axes, notes = _axes(panel, units)
     seen: list[tuple[str, Marks]] = []
     for mass in masses:
         name, marks = _marks(mass, (first, begin, step), axes)
         if len(marks) < FEWEST:
-            notes.append(f"{shown(name)}: {len(marks)} marks, left out")
+            count = str(len(marks))
+            notes.append(said("{cart}: {count} marks, left out", cart=shown(name), count=count))
         else:
             seen.append((name, marks))
     if not seen:
-        raise refuse(masses[0].line, f"no point mass has {FEWEST} marks", "mark every frame")
+        reason = said("no point mass has {least} marks", least=str(FEWEST))
+        raise refuse(masses[0].line, reason, said("mark every frame"))
     if len(seen) > 2:
         names = ", ".join(shown(name) for name, _ in seen)
-        raise refuse(panel.line, f"{len(seen)} point masses: {names}", "leave two in the project")
-    axis, said = of_film([[place for _, place, _ in marks] for _, marks in seen])
-    notes.insert(0, f"Tracker's project, {1.0 / step:.4g} frames per second")
+        reason = said("{count} point masses: {names}", count=str(len(seen)), names=names)
+        raise refuse(panel.line, reason, said("leave two in the project"))
+    axis, turned = of_film([[place for _, place, _ in marks] for _, marks in seen])
+    rate = f"{1.0 / step:.4g}"
+    notes.insert(0, said("Tracker's project, {rate} frames per second", rate=rate))
     tracks = tuple(_track(name, marks, axis) for name, marks in seen)
     assumed = frozenset[Kind]() if panel.get("length_unit") else frozenset[Kind]({"length"})
-    return Reading("length", tracks, (*notes, *([said] if said else [])), assumed=assumed)
+    return Reading("length", tracks, (*notes, *([turned] if turned else [])), assumed=assumed)
 
 
 def _parsed(text: str) -> _Node:
     try:
         from xml.parsers import expat
     except ImportError:  # a page carries the modules that it needs at its start, and not this one
-        hint = "use `carts fit`, or in Tracker File → Export → Data file"
-        raise refuse(1, "a Tracker project cannot be read in this page", hint) from None
+        hint = said("use `carts fit`, or in Tracker File → Export → Data file")
+        raise refuse(1, said("a Tracker project cannot be read in this page"), hint) from None
 
     parser = expat.ParserCreate()
     root = _Node("", "", 1)
@@ -104,7 +114,8 @@ def _parsed(text: str) -> _Node:
     def start(tag: str, attributes: dict[str, str]) -> None:
         line = parser.CurrentLineNumber
         if len(stack) > DEEPEST:
-            raise refuse(line, "objects in objects without end", "is this Tracker's project?")
+            reason = said("objects in objects without end")
+            raise refuse(line, reason, said("is this Tracker's project?"))
         one = _Node(attributes.get("name", ""), attributes.get("class", ""), line)
         stack[-1].inside.append(one)
         stack.append(one)
@@ -116,7 +127,7 @@ def _parsed(text: str) -> _Node:
         stack[-1].text += content
 
     def doctype(*_: object) -> None:
-        raise refuse(parser.CurrentLineNumber, "a document type: Tracker writes none", "")
+        raise refuse(parser.CurrentLineNumber, said("a document type: Tracker writes none"))
 
     parser.StartElementHandler, parser.EndElementHandler = start, end
     parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = characters, doctype
@@ -124,12 +135,14 @@ def _parsed(text: str) -> _Node:
         parser.Parse(text.replace(' encoding="UTF-16"', ""), True)
     except expat.ExpatError as error:
         lines = text.count("\n") + 1
-        reason = f"the XML breaks off or is damaged ({expat.ErrorString(error.code)})"
-        raise refuse(min(error.lineno, lines), reason, "save the project anew") from None
+        reason = said(
+            "the XML breaks off or is damaged ({what})", what=expat.ErrorString(error.code)
+        )
+        raise refuse(min(error.lineno, lines), reason, ANEW) from None
     except (ValueError, UnicodeError) as error:
         if hasattr(error, "faults"):
             raise
-        raise refuse(1, "this is no XML text", "save the project anew") from None
+        raise refuse(1, said("this is no XML text"), ANEW) from None
     return root
 
 
@@ -152,8 +165,10 @@ def _number(node: _Node, path: tuple[str, ...], usual: float) -> float:
     except ValueError:
         value = math.nan
     if not abs(value) <= LARGEST:
-        reason = f"{path[-1]} is “{shown(found.text)}”, which is no number here"
-        raise refuse(found.line, reason, "save the project anew")
+        reason = said(
+            "{key} is “{text}”, which is no number here", key=path[-1], text=shown(found.text)
+        )
+        raise refuse(found.line, reason, ANEW)
     return value
 
 
@@ -166,17 +181,19 @@ def _axes(panel: _Node, units: Units) -> tuple[tuple[float, float, float, float]
     scale = _number(node, ("xscale",), 0.0)
     if scale <= 0.0 or scale == 1.0:
         line = coords.line if coords else panel.line
-        raise refuse(line, "the film has no length scale", "Calibration stick along a ruler")
+        reason = said("the film has no length scale")
+        raise refuse(line, reason, said("Calibration stick along a ruler"))
     unit_node = panel.get("length_unit")
     unit = unit_node.text.strip() if unit_node else units.length
     metres = factor(unit, "length")
     if metres is None:
         line = unit_node.line if unit_node else panel.line
-        raise refuse(line, f"“{shown(unit)}” is not a unit of length", "m, cm or mm")
-    notes = [f"{scale:.4g} pixels for each {unit}"]
+        reason = said("“{unit}” is not a unit of length", unit=shown(unit))
+        raise refuse(line, reason, said("m, cm or mm"))
+    notes: list[str] = [said("{count} pixels for each {unit}", count=f"{scale:.4g}", unit=unit)]
     scales = {round(_number(one, ("xscale",), scale), 6) for one in frames}
     if len(scales) > 1:
-        notes.append("the scale changes during the film: that of its first frame is taken")
+        notes.append(said("the scale changes during the film: that of its first frame is taken"))
     angle = math.radians(_number(node, ("angle",), 0.0))
     origin = _number(node, ("xorigin",), 0.0), _number(node, ("yorigin",), 0.0)
     return (*origin, angle, metres / scale), notes

@@ -22,6 +22,7 @@ from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
 from sim.measured.track import Reading
 from sim.measured.units import OFFERED, Units
+from sim.scene.said import said
 
 HEADS = 5
 """Rows before the first frame: the title, the rate, names, axes, units."""
@@ -41,14 +42,17 @@ def read(text: str, units: Units) -> Reading:
     heads, line = rows[begin : begin + HEADS], rows[begin].line
     frames = list(takewhile(lambda row: cells.is_number(row.first), rows[begin + HEADS :]))
     if not frames or len(heads) < HEADS:
-        raise refuse(line, "no frame follows “Trajectories”", "export the trial as CSV again")
+        reason = said("no frame follows “Trajectories”")
+        raise refuse(line, reason, said("export the trial as CSV again"))
     rate = cells.number_of(heads[1].first) if cells.is_number(heads[1].first) else 0.0
     if not (0.0 < rate < 1e6):
-        raise refuse(heads[1].line, "here the frames per second stand", "a number, such as 120")
+        reason = said("here the frames per second stand")
+        raise refuse(heads[1].line, reason, said("a number, such as 120"))
     names = _names(heads[2])
     unit = (*heads[4].cells[2:], "")[0].lower()
     if unit not in OFFERED["length"]:
-        raise refuse(heads[4].line, "no unit of lengths stands here", "mm, cm or m in each column")
+        reason = said("no unit of lengths stands here")
+        raise refuse(heads[4].line, reason, said("mm, cm or m in each column"))
     first = cells.number_of(frames[0].first)
     times = [(cells.number_of(row.first) - first) / rate for row in frames]
     markers = [(name, marks_of(frames, k, times, unit)) for name, k in names]
@@ -58,7 +62,8 @@ def read(text: str, units: Units) -> Reading:
 def _names(row: Row) -> Sequence[tuple[str, int]]:
     """Each marker with the column of its X; without its subject, where no other has its name."""
     if row.first:  # a row without names is an empty line
-        raise refuse(row.line, "no marker is named", "label the markers, and export again")
+        hint = said("label the markers, and export again")
+        raise refuse(row.line, said("no marker is named"), hint)
     whole = [(cell, k) for k, cell in enumerate(row.cells) if cell]
     short = [name.rpartition(":")[2] for name, _ in whole]
     return [

@@ -15,11 +15,12 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 
-from sim.measured.refusal import Fault, refuse, shown
+from sim.measured.refusal import refuse
 from sim.measured.sheet.commas import MINUS, with_decimal_commas
 from sim.measured.sheet.labelled import without_labels
 from sim.measured.sheet.lying import stood_up
 from sim.scene.encoded import of_a_spreadsheet
+from sim.scene.said import said, template
 
 MOST_BYTES = 4_000_000
 """Bytes of one file: an hour of a sensor at 20 readings per second, ten times over."""
@@ -36,7 +37,13 @@ _MINUS = str.maketrans(dict.fromkeys(MINUS, "-"))
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)
 _DATED = re.compile(r"(\d[-/.]\d+[-/.]\d\d+),? +(?=\d+:\d+:)")
 _BESIDE = re.compile(r", |[,.]\S*[,.]")
-_NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", "|": "bar", " ": "space"}
+_NAMES = {
+    "\t": template("tab"),
+    ";": template("semicolon"),
+    ",": template("comma"),
+    "|": template("bar"),
+    " ": template("space"),
+}
 _EMPTY = ("", "nan", "-nan", "null", "none", "n/a", "n.a.", "na", "#n/a", "#nv", "-", "--", "–",
           "—", "?")  # fmt: skip
 
@@ -71,7 +78,8 @@ def decoded(content: bytes) -> str:
     """The bytes as text: UTF-8 with or without its mark, UTF-16 with it; else, where no sign is in
     it that no text has, what spreadsheets of an older Windows write (windows-1252, GBK)."""
     if len(content) > MOST_BYTES:
-        raise refuse(1, "this file is too large to be readings of two carts", "at most 4 MB")
+        reason = said("this file is too large to be readings of two carts")
+        raise refuse(1, reason, said("at most 4 MB"))
     coding = "utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     try:
         return content.decode(coding)
@@ -80,7 +88,8 @@ def decoded(content: bytes) -> str:
             if coding != "utf-16" and not _NO_TEXT.search(content):
                 return of_a_spreadsheet(content)
         line = content[: error.start].count(b"\n") + 1
-        raise refuse(line, "this is no text, or not in UTF-8", "save it as text (UTF-8)") from None
+        reason = said("this is no text, or not in UTF-8")
+        raise refuse(line, reason, said("save it as text (UTF-8)")) from None
 
 
 def rows_of(text: str) -> Rows:
@@ -89,17 +98,21 @@ def rows_of(text: str) -> Rows:
     lines = _DATED.sub(r"\1T", text).split("\n")  # a date and its time are one cell
     if len(lines) > MOST_LINES:
         raise refuse(
-            MOST_LINES + 1, f"more than {MOST_LINES:,} lines", "keep the seconds around the contact"
+            MOST_LINES + 1,
+            said("more than {most} lines", most=f"{MOST_LINES:,}"),
+            said("keep the seconds around the contact"),
         )
     for number, line in enumerate(lines, 1):
         if "\0" in line:
-            raise refuse(number, "this is no text", "export the readings as text, for example CSV")
+            hint = said("export the readings as text, for example CSV")
+            raise refuse(number, said("this is no text"), hint)
         if len(line) > LONGEST_LINE:
-            raise refuse(number, f"this line has {len(line):,} characters", "is this the file?")
+            reason = said("this line has {count} characters", count=f"{len(line):,}")
+            raise refuse(number, reason, said("is this the file?"))
     filled = [(k, line) for k, line in enumerate(lines, 1) if line.strip(" \t;,|\u00a0")]
     filled = without_labels(filled)
     if not filled:
-        raise refuse(1, "there is nothing in it", "choose the file with the readings")
+        raise refuse(1, said("there is nothing in it"), said("choose the file with the readings"))
     separator = _separator([line for _, line in filled])
     cells = [_cells(k, line, separator) for k, line in filled]
     cells = with_decimal_commas(cells) if separator == "," else cells
@@ -108,8 +121,12 @@ def rows_of(text: str) -> Rows:
     rows = tuple(Row(k, row) for (k, _), row in zip(filled, cells, strict=True))
     for row in rows:
         if len(row.cells) > MOST_COLUMNS:
-            count = f"{len(row.cells):,} columns: at most {MOST_COLUMNS} are read"
-            raise refuse(row.line, count, "export only t and x of the two carts")
+            reason = said(
+                "{count} columns: at most {most} are read",
+                count=f"{len(row.cells):,}",
+                most=str(MOST_COLUMNS),
+            )
+            raise refuse(row.line, reason, said("export only t and x of the two carts"))
     return Rows(rows, separator)
 
 
@@ -136,7 +153,8 @@ def _cells(number: int, line: str, separator: str) -> tuple[str, ...]:
         try:
             cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
         except csv.Error:
-            raise refuse(number, "a quotation mark is never closed", "remove it") from None
+            reason = said("a quotation mark is never closed")
+            raise refuse(number, reason, said("remove it")) from None
     else:
         cells = line.split(separator)
     kept = [cell.strip() for cell in cells]
@@ -152,12 +170,12 @@ def is_empty(cell: str) -> bool:
 
 def is_number(cell: str) -> bool:
     """Whether a cell is a number in any of the ways they are written."""
-    return _NUMBER.fullmatch(cell) is not None or _NUMBER.fullmatch(_plain(cell)) is not None
+    return _NUMBER.fullmatch(cell) is not None or _NUMBER.fullmatch(plain(cell)) is not None
 
 
 def number_of(cell: str) -> float:
     """The number in a cell for which `is_number` holds; beyond LARGEST it is not finite."""
-    value = float(_plain(cell).replace(",", "."))
+    value = float(plain(cell).replace(",", "."))
     return value if abs(value) <= LARGEST else math.inf
 
 
@@ -168,7 +186,7 @@ _THOUSANDS_APART = re.compile(
 )
 
 
-def _plain(cell: str) -> str:
+def plain(cell: str) -> str:
     """The number without what parts its thousands, where that is certain: 1'850.2 or 1,850.2."""
     return cell if _NUMBER.fullmatch(cell) else _freed(cell)
 
@@ -184,55 +202,6 @@ def _freed(cell: str) -> str:
     return re.sub(r"[^\d+-]", "", cell[: decimals.start()]) + decimals[0]
 
 
-def check_decimals(rows: Sequence[Row]) -> None:
-    """Refuses a text in which some numbers have a decimal point and others a decimal comma."""
-    seen: dict[str, tuple[int, str]] = {}
-    for line, cell in numbers(rows):
-        sign = "," if "," in cell else "." if "." in cell else ""
-        other = seen.get("." if sign == "," else ",") if sign else None
-        if other is not None:
-            where = f"“{shown(other[1])}”" + ("" if other[0] == line else f" in line {other[0]}")
-            reason = f"“{shown(cell)}” has another decimal sign than {where}"
-            raise refuse(line, reason, "use the point or the comma in the whole file")
-        if sign:
-            seen.setdefault(sign, (line, cell))
-
-
-_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
-_WHOLE = re.compile(r"[+-]?[1-9]\d{2}")
-_FINE = re.compile(r"[+-]?[1-9]\d?,\d{3}")
-
-
-def check_thousands(rows: Sequence[Row], units: Sequence[str]) -> None:
-    """Refuses a column in which 1,148 is most probably more than a thousand, and not 1.148.
-
-    Whole numbers of three digits beside it say so, where every sign has three digits behind it
-    (900, 1,148); and so do thousandths of a millimetre or of a millisecond, which nobody reads.
-    """
-    for k in range(max((len(row.cells) for row in rows), default=0)):
-        column = [(row.line, _plain(row.cells[k])) for row in rows if k < len(row.cells)]
-        signed = [(line, cell) for line, cell in column if "," in cell or "." in cell]
-        if not signed or not all(_THOUSANDS.fullmatch(cell) for _, cell in signed):
-            continue
-        whole = any(_WHOLE.fullmatch(cell) for _, cell in column)
-        fine = k < len(units) and units[k] in ("mm", "ms")
-        if whole or (fine and all(_FINE.fullmatch(cell) for _, cell in signed)):
-            line, cell = signed[0]
-            reason = (
-                f"“{shown(cell)}” could be a thousand times what it says: is that a decimal sign?"
-            )
-            hint = f"write thousands without a sign ({re.sub('[.,]', '', cell)}), or all decimals"
-            raise refuse(line, reason, hint)
-
-
 def numbers(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
     """All cells that hold a number, with their lines; without what parts thousands."""
-    return ((row.line, _plain(cell)) for row in rows for cell in row.cells if is_number(cell))
-
-
-def two_readings(row: Row, columns: int) -> Fault | None:
-    """The fault of a line in which the comma stands between cells and inside of numbers."""
-    if columns and len(row.cells) >= 2 * columns - 1 and len(row.cells) > columns:
-        reason = f"{len(row.cells)} numbers under {columns} names: is the comma a decimal sign?"
-        return Fault(row.line, reason, "export with tabs or semicolons between the columns")
-    return None
+    return ((row.line, plain(cell)) for row in rows for cell in row.cells if is_number(cell))

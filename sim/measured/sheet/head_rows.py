@@ -21,6 +21,7 @@ from sim.measured.sheet.cells import Row
 from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.prefixes import parted, run_alone
 from sim.measured.units import head
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +106,7 @@ def no_heads(width: int, line: int) -> list[Head]:
     if width != 3:
         raise refuse(
             line,
-            f"there are {width} columns and no line that names them",
-            "write a first line such as: t, x_A, x_B",
+            said("there are {count} columns and no line that names them", count=str(width)),
+            said("write a first line such as: t, x_A, x_B"),
         )
     return [Head("t"), Head("x_A"), Head("x_B")]

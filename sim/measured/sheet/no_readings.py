@@ -16,6 +16,7 @@ from sim.measured.sheet.cells import Row, is_empty
 from sim.measured.sheet.head_rows import Head
 from sim.measured.sheet.heads import holds_times, quantity_of
 from sim.measured.sheet.whose import is_force, place_of
+from sim.scene.said import said
 
 _MONTH = (  # English, German, French and Malay; whole, for “Distance 1” and “Marker 2” are heads
     r"(?:jan(?:uar[iy]?|v(?:ier)?)?|f[eé][bv](?:ruar[iy]?|r(?:ier)?)?|m(?:a[ciy]|ar(?:ch|s)?|ärz?|rz|ei)|"
@@ -28,8 +29,7 @@ _DATE = re.compile(
     re.I,
 )
 
-MADE = "is a date: a spreadsheet has made it of a number"
-ANEW = "import the file anew with this column as text, or with the decimal sign that it has"
+ANEW = said("import the file anew with this column as text, or with the decimal sign that it has")
 
 
 def is_made_date(cell: str) -> bool:

@@ -9,6 +9,7 @@ from sim.measured.refusal import refuse
 from sim.measured.sheet import stacked
 from sim.measured.sheet.table import Table
 from sim.measured.track import FEWEST
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +24,9 @@ class OneRun:
     def notes(self) -> list[str]:
         """For the reader, where there are others."""
         left = ", ".join(run for run in self.runs if run != self.run)
-        return [f"run {self.run} is read; other runs in the file: {left}"] if left else []
+        if not left:
+            return []
+        return [said("run {run} is read; other runs in the file: {runs}", run=self.run, runs=left)]
 
 
 def of_one_run(table: Table, asked: str) -> OneRun:
@@ -74,5 +77,5 @@ def run_place(asked: str, runs: Sequence[str]) -> int:
         return names.index(asked.casefold())
     if asked.isdecimal() and 1 <= int(asked) <= len(runs):
         return int(asked) - 1
-    its = ", ".join(runs[:8])
-    raise refuse(1, f"there is no run {asked}: this file has {len(runs)}", f"its runs: {its}")
+    reason = said("there is no run {run}: this file has {count}", run=asked, count=str(len(runs)))
+    raise refuse(1, reason, said("its runs: {runs}", runs=", ".join(runs[:8])))

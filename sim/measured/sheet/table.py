@@ -7,22 +7,26 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from sim.measured.refusal import Fault, ReadingError, refuse, shown
-from sim.measured.sheet import cells
+from sim.measured.refusal import Fault, ReadingError, no_number, refuse, shown, too_large
+from sim.measured.sheet import cells, signs
 from sim.measured.sheet.cells import Row, Rows
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import heads_of, no_heads
 from sim.measured.sheet.heads import is_time
 from sim.measured.sheet.marks import is_remark, without_marks
-from sim.measured.sheet.no_readings import ANEW, MADE, is_made_date, of_remarks
+from sim.measured.sheet.no_readings import ANEW, is_made_date, of_remarks
 from sim.measured.sheet.stacked import Start, stacked, without_figures
 from sim.measured.sheet.tidy import spread
 from sim.measured.units import kind_of_unit
+from sim.scene.said import Said, said, template
 
 MOST_FAULTS = 5
 """Mistakes that are told of one file."""
 
-_NO_ROW = "there is no row of numbers", "t and x in columns, a row for each frame"
+_NO_ROW = (
+    said("there is no row of numbers"),
+    said("t and x in columns, a row for each frame"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,9 +66,9 @@ def read_table(text: str) -> Table:
     heads, heads_line = heads_of(above, multi)
     data, starts = stacked(rows[first:], rows[:first])
     heads, data, starts = spread(heads, data, starts)
-    if found.separator == "," and (fault := cells.two_readings(data[0], len(heads))):
+    if found.separator == "," and (fault := signs.two_readings(data[0], len(heads))):
         raise ReadingError([fault])
-    cells.check_decimals(data)
+    signs.check_decimals(data)
     width = len(heads) or max(len(row.cells) for row in data)
     remarks = of_remarks(heads, data, _is_reading)
     heads = [replace(one, name="") if k in remarks else one for k, one in enumerate(heads)]
@@ -76,7 +80,7 @@ def read_table(text: str) -> Table:
         one.unit or ("s" if k in clocks else "ms" if _in_ms(one.name, data[0], k) else "")
         for k, one in enumerate(heads)
     ]
-    cells.check_thousands(data, units)
+    signs.check_thousands(data, units)
     columns = tuple(
         Column(one.name, units[k], one.track, tuple(row[k] for row in numbers), one.run)
         for k, one in enumerate(heads)
@@ -136,8 +140,9 @@ def _numbers(
         if len(faults) == MOST_FAULTS:
             break
         if len(row.cells) > width:
-            reason = f"{len(row.cells)} cells under {width} heads"
-            hint = "every column needs a name of its own, and no cell a unit"
+            count = str(len(row.cells))
+            reason = said("{cells} cells under {heads} heads", cells=count, heads=str(width))
+            hint = said("every column needs a name of its own, and no cell a unit")
             faults.append(Fault(row.line, reason, hint))
             continue
         values: list[float | None] = []
@@ -145,9 +150,9 @@ def _numbers(
             cell = row.cells[k] if k < len(row.cells) else ""
             value, fault = _number(row.line, cell)
             if fault and not any(row.cells[1:]):  # words below the readings, alone in their line
-                fault = replace(fault, hint="begin the line of a remark with #, or take it out")
+                fault = replace(fault, hint=_NO_REMARK)
             if fault and names and names[k]:
-                fault = replace(fault, reason=f"{fault.reason} (column {shown(names[k])})")
+                fault = _in_column(fault, names[k])
             if fault and (names is None or names[k]):
                 faults.append(fault)
                 break
@@ -158,6 +163,14 @@ def _numbers(
     return numbers
 
 
+_NO_REMARK = said("begin the line of a remark with #, or take it out")
+
+
+def _in_column(fault: Fault, name: str) -> Fault:
+    reason = said("{reason} (column {column})", reason=fault.reason, column=shown(name))
+    return replace(fault, reason=reason)
+
+
 def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
     if cells.is_empty(cell):
         return None, None
@@ -166,17 +179,30 @@ def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
         return clock, None
     if not cells.is_number(cell):
         if _has_unit(cell):
-            hint = "write the unit once, in the head of the column: x (cm)"
-            return None, Fault(line, f"a unit stands in a cell: “{shown(cell)}”", hint)
+            reason = said("a unit stands in a cell: “{cell}”", cell=shown(cell))
+            hint = said("write the unit once, in the head of the column: x (cm)")
+            return None, Fault(line, reason, hint)
         if is_made_date(cell):
-            return None, Fault(line, f"“{shown(cell)}” {MADE}", ANEW)
-        return None, Fault(line, f"“{shown(cell)}” is not a number", "write numbers such as 0.512")
+            reason = said(
+                "“{cell}” is a date: a spreadsheet has made it of a number", cell=shown(cell)
+            )
+            return None, Fault(line, reason, ANEW)
+        return None, Fault(line, no_number(cell), said("write numbers such as 0.512"))
     value = cells.number_of(cell)
     if not math.isfinite(value):
-        return None, Fault(line, f"{shown(cell)} is too large", "is this number a reading?")
+        return None, Fault(line, *too_large(shown(cell)))
     return value, None
 
 
 def _decimal(found: Rows) -> str:
     signed = (cell for _, cell in cells.numbers(found.rows) if "," in cell or "." in cell)
-    return "comma" if "," in next(signed, "") else "point"
+    return template("comma") if "," in next(signed, "") else template("point")
+
+
+def of_signs(table: Table) -> Said:
+    """The note of what parts the columns and the numbers."""
+    return said(
+        "{separator} between the columns, decimal {decimal}",
+        separator=table.separator,
+        decimal=table.decimal,
+    )

@@ -151,6 +151,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
         text = text.replace("<", "\\u003c")
         yield f'<script type="application/json" id="carts-lesson">{text}</script>'
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
+    names += [f"words-measured.{needs.language}.js"] if names and needs.measured else []
     names += ["carts.js", "tour.js"] if needs.scenes else []
     names += ["tools.js"] if needs.tools else []
     names += ["challenge.js"] if needs.challenge else []

@@ -18,6 +18,9 @@ INNER = tuple(
 )
 """Layers that know no languages and say their sentences as templates: see sim.scene.said."""
 
+MEASURED = ("sim/measured", "sim/view/measured", "sim/web/src/measured", "sim/web/src/film")
+"""What says its sentences only where a block holds readings: few pages do, and it says many."""
+
 ENGLISH = "en"
 LANGUAGES = {
     "en": "English",
@@ -89,9 +92,22 @@ def words_script(language: str) -> str:
     }
     if not found:
         return ""
-    found |= _rule(language)
-    text = json.dumps(found, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
-    return f"globalThis.cartsWords={text};\n"
+    return f"globalThis.cartsWords={_as_json(found | _rule(language))};\n"
+
+
+@cache
+def measured_words_script(language: str) -> str:
+    """A script that adds what only a page with readings says; it stands behind the other one."""
+    found = {
+        key: said
+        for key, (said, places) in _entries(language).items()
+        if any(place.startswith(MEASURED) for place in places) and not any(map(_in_page, places))
+    }
+    return f"Object.assign(globalThis.cartsWords,{_as_json(found)});\n" if found else ""
+
+
+def _as_json(found: Mapping[str, str]) -> str:
+    return json.dumps(found, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
 
 
 @cache
@@ -123,5 +139,7 @@ def _rule(language: str) -> dict[str, str]:
 
 
 def _in_page(location: str) -> bool:
-    """Scripts say it themselves; what the inner layers say of a run passes through them."""
-    return location.endswith(".js") or location.startswith(INNER)
+    """Whether every page says it: scripts say it themselves; what the inner layers say of a run
+    passes through them."""
+    inside = location.endswith(".js") or location.startswith(INNER)
+    return inside and not location.startswith(MEASURED)

@@ -57,6 +57,7 @@ SOURCES = (
     ("sim/country", "*.py", "python", ("said", "template", *ERRORS)),
     ("sim/cli/classroom", "*.py", "python", ("said", "template")),
     ("sim/lesson", "*.py", "python", ("said", "template", *ERRORS)),
+    ("sim/measured", "*.py", "python", ("said", "template")),
     *((folder, "*.py", "python", INNER_CALLS) for folder in INNER),
 )
 OPTIONS: dict[str, dict[str, Any]] = {

@@ -1,5 +1,6 @@
 /** The table of readings: a row for each time, with the residuals where a model lies over them. */
 
+import { tr } from "../language.js";
 import { fixed } from "../numbers.js";
 import { heads } from "./units.js";
 
@@ -12,7 +13,7 @@ export function tableOf(read, residuals) {
   const { names, tracks } = read;
   const { time, tracks: its } = heads(read);
   const head = [time, ...its];
-  if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+  if (residuals) head.push(...names.map((cart) => tr("residual of {cart} in mm", { cart })));
   /** @type {Map<number, string[]>} */
   const found = new Map();
   for (const [k, track] of tracks.entries()) {

@@ -1,11 +1,14 @@
 /** Columns that name no unit: what was chosen for them, and what is still to be chosen. */
 
+import { told, tr } from "../language.js";
+
 /** @typedef {import("./types.js").Read} Read */
 
+/** @type {Record<Read["assumed"][number], () => string>} */
 const CHOOSE = {
-  time: "what times are in",
-  length: "what lengths are in",
-  force: "what forces are in",
+  time: () => tr("what times are in"),
+  length: () => tr("what lengths are in"),
+  force: () => tr("what forces are in"),
 };
 
 /** What readings of each kind are, and their unit. @type {Record<Read["kind"] | "time", [string, string]>} */
@@ -21,16 +24,20 @@ const open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
 
 /** What is asked for. @param {Read} read @returns {string} empty: nothing */
 export function missing(read) {
-  const left = open(read).map((kind) => CHOOSE[kind]);
-  return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
+  const [one, other] = open(read).map((kind) => CHOOSE[kind]());
+  if (!one) return "";
+  const what = other ? tr("{first} and {last}", { first: one, last: other }) : one;
+  return tr("This file does not say its units. Choose {what}.", { what });
 }
 
 /** How it was read. @param {Read} read @returns {string[]} */
-export const told = ({ assumed, chosen, read }) => [
+export const howRead = ({ assumed, chosen, read }) => [
   ...assumed.flatMap((kind) =>
-    chosen?.[kind] ? `${QUANTITY[kind][0]} in ${chosen[kind]} (as chosen)` : [],
+    chosen?.[kind]
+      ? tr("{letter} in {unit} (as chosen)", { letter: QUANTITY[kind][0], unit: chosen[kind] })
+      : [],
   ),
-  ...read,
+  ...read.map(told),
 ];
 
 /**
@@ -40,13 +47,16 @@ export const told = ({ assumed, chosen, read }) => [
  */
 export function heads(read) {
   const left = open(read);
-  const named = (/** @type {Read["kind"] | "time"} */ kind, of = "") => {
+  const named = (/** @type {Read["kind"] | "time"} */ kind, cart = "") => {
     const [letter, unit] = QUANTITY[kind];
-    return `${letter}${of}${left.some((one) => one === kind) ? "" : ` in ${unit}`}`;
+    const what = cart ? tr("{letter} of {cart}", { letter, cart }) : letter;
+    return left.some((one) => one === kind)
+      ? what
+      : tr("{letter} in {unit}", { letter: what, unit });
   };
   return {
     time: named("time"),
     value: named(read.kind),
-    tracks: read.names.map((name) => named(read.kind, ` of ${name}`)),
+    tracks: read.names.map((name) => named(read.kind, name)),
   };
 }

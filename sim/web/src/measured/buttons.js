@@ -1,5 +1,6 @@
 /** The buttons of a bench: what is read, fitted, and taken along. */
 
+import { told } from "../../../view/language.js";
 import { need } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { printWith } from "../shared/printing.js";
@@ -18,7 +19,7 @@ export function wireButtons(bench, { own, save, fit, compare, tracker, early }) 
   on("save", save);
   on("fit", fit);
   on("compare", compare);
-  on("scene", () => download("real-carts.yml", bench.report?.scene ?? "", "text/yaml"));
+  on("scene", () => download("real-carts.yml", told(bench.report?.scene ?? ""), "text/yaml"));
   on("tracker", async () => {
     const { text } = await tracker();
     if (text) download("model-run.txt", text, "text/plain;charset=utf-8");

@@ -1,5 +1,6 @@
 /** `<carts-measured>`: readings of real carts, the model laid over them by hand, and its fit by Python. */
 
+import { tr } from "../../../view/language.js";
 import { missing } from "../../../view/measured/units.js";
 import { need } from "../shared/dom.js";
 import { Asking } from "./asking.js";
@@ -208,11 +209,11 @@ export function measuredElement(client, base) {
     /** @param {boolean} compare */
     async #fit(compare) {
       this.#tried = true;
-      this.picture?.busy("Starting numpy and scipy …");
+      this.picture?.busy(tr("Starting numpy and scipy …"));
       try {
         await client.need(PACKAGES);
         await this.#asking.ask("ready");
-        this.picture?.busy("Fitting …");
+        this.picture?.busy(tr("Fitting …"));
         performance.mark("carts:measured-asked");
         if (!(await this.#newest("fit", { compare }, (found) => this.#fitted(found)))) return;
         performance.mark("carts:measured-fit");
@@ -242,7 +243,7 @@ export function measuredElement(client, base) {
 
     /** @param {string} text */
     #note(text) {
-      this.picture?.note(`Python cannot do this here: ${text}`);
+      this.picture?.note(tr("Python cannot do this here: {text}", { text }));
       if (client.state === "failed") this.dataset.state = "failed";
     }
   };

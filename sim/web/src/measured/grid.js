@@ -1,10 +1,11 @@
 /** Readings typed into a table: a text for the reader of files. A block of cells can be pasted into it. */
 
+import { tr } from "../../../view/language.js";
 import { html } from "../shared/dom.js";
 
 const ROWS = 10; // to begin with, and more each time
 const MOST = 500;
-const COLUMNS = ["t", "x of A", "x of B"];
+const CARTS = ["", "A", "B"]; // of each column; the first holds times
 
 export class Grid {
   /** @param {HTMLElement} body of the table @param {() => void} changed */
@@ -20,7 +21,8 @@ export class Grid {
     for (let k = 0; k < count && this.body.children.length < MOST; k += 1) {
       const number = this.body.children.length + 1;
       const row = html("tr");
-      for (const column of COLUMNS) {
+      for (const cart of CARTS) {
+        const column = cart ? tr("{letter} of {cart}", { letter: "x", cart }) : "t";
         const cell = html("td");
         const box = /** @type {HTMLInputElement} */ (html("input"));
         Object.assign(box, {
@@ -28,7 +30,7 @@ export class Grid {
           inputMode: "decimal",
           autocomplete: "off",
         });
-        box.setAttribute("aria-label", `${column}, row ${number}`);
+        box.setAttribute("aria-label", tr("{column}, row {row}", { column, row: number }));
         cell.append(box);
         row.append(cell);
       }
@@ -76,12 +78,12 @@ export class Grid {
     const left = [...(row?.querySelectorAll("input") ?? [])].indexOf(event.target);
     const all = this.cells;
     for (const [k, cells] of block.entries()) {
-      all[top + k] ??= COLUMNS.map(() => "");
-      for (const [j, cell] of cells.slice(0, COLUMNS.length - left).entries()) {
+      all[top + k] ??= CARTS.map(() => "");
+      for (const [j, cell] of cells.slice(0, CARTS.length - left).entries()) {
         /** @type {string[]} */ (all[top + k])[left + j] = cell;
       }
     }
-    this.cells = Array.from(all, (cells) => cells ?? COLUMNS.map(() => ""));
+    this.cells = Array.from(all, (cells) => cells ?? CARTS.map(() => ""));
     this.changed();
   }
 }

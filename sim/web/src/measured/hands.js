@@ -1,5 +1,6 @@
 /** The model set by hand: a slider and a number for each of its quantities, bound together. */
 
+import { tr } from "../../../view/language.js";
 import { need } from "../shared/dom.js";
 import { complain, ifTyped, numberIn } from "../shared/number-box.js";
 
@@ -45,9 +46,14 @@ export class Hands {
     const most = FASTER * Math.max(...speeds, 1e-3);
     const [a = "A", b = "B"] = names;
     this.#set("touch", begin, end);
-    this.#set("va", -most, most, `velocity of ${a} before`);
-    this.#set("vb", -most, most, `velocity of ${b} before`);
-    this.#set("ratio", Number(RATIO[0]), Number(RATIO[1]), `mass of ${b} ÷ mass of ${a}`);
+    this.#set("va", -most, most, tr("velocity of {cart} before", { cart: a }));
+    this.#set("vb", -most, most, tr("velocity of {cart} before", { cart: b }));
+    this.#set(
+      "ratio",
+      Number(RATIO[0]),
+      Number(RATIO[1]),
+      tr("mass of {b} ÷ mass of {a}", { a, b }),
+    );
     this.#set("e", 0, 1);
     this.#set("duration", 0.001, Math.min(LONGEST, (end - begin) / 2));
   }

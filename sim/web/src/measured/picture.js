@@ -1,6 +1,7 @@
 /** Everything that is drawn of the readings and of the model: figure, residuals, carts, table, faults. */
 
-import { heads, told } from "../../../view/measured/units.js";
+import { told, tr } from "../../../view/language.js";
+import { heads, howRead } from "../../../view/measured/units.js";
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
@@ -50,7 +51,7 @@ export class Picture {
   /** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
   readings(name, read, motion) {
     this.forget();
-    say(this.#part("said"), [name, ...told(read)].filter(Boolean).join("; "));
+    say(this.#part("said"), [Source.called(name), ...howRead(read)].filter(Boolean).join("; "));
     this.#part("legend").replaceChildren(...legend(read));
     this.#part("model").hidden = !motion;
     this.#part("world").hidden = !motion;
@@ -77,26 +78,32 @@ export class Picture {
     this.figure.show(tracks, heads(read), null);
     if (forces && summed) {
       const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
-      this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
+      this.figure.rest([{ t: forces.t, value: sum }], [sum], tr("sum in N"), 1);
     }
     showTable(need(this.root, ".carts-measured-table table"), read, null);
-    say(this.#part("spread"), forces && summed ? "Lower picture: the sum of both forces." : "");
+    say(this.#part("spread"), forces && summed ? tr("Lower picture: the sum of both forces.") : "");
     if (read.report) showResult(this.#part("result"), read.report);
   }
 
   /** The model over the readings. @param {Read} read @param {Drawn} drawn */
   draw(read, drawn) {
     this.figure.show(read.tracks, heads(read), drawn.curve, drawn.parameters.touch);
-    this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1000);
+    this.figure.rest(read.tracks, drawn.residuals, tr("rest in mm"), 1000);
     this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
     showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
     const all = read.tracks[0].t.length + read.tracks[1].t.length;
-    const of =
-      (drawn.counted ?? all) < all ? ` (of the ${drawn.counted} readings that the fit counts)` : "";
-    const spread = fixed(1000 * drawn.spread, drawn.spread < FINE ? 2 : 0);
+    const spread = `${fixed(1000 * drawn.spread, drawn.spread < FINE ? 2 : 0)} mm`;
+    const count = drawn.counted ?? all;
+    const size =
+      count < all
+        ? tr("{spread} (of the {count} readings that the fit counts)", { spread, count })
+        : spread;
     say(
       this.#part("spread"),
-      `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm${of}.`,
+      tr(
+        "Lower picture: residuals, the rest (measured minus model). Their root mean square is {size}.",
+        { size },
+      ),
     );
     this.#begin = Number(drawn.curve.t[0]);
     this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
@@ -112,7 +119,7 @@ export class Picture {
     this.scrub.value = String(this.player.time);
     this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
     say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
-    say(this.#part("play"), this.player.playing ? "Pause" : "Play");
+    say(this.#part("play"), this.player.playing ? tr("Pause") : tr("Play"));
   }
 
   /** What a fit says. @param {import("../../../view/measured/types.js").Report} report */
@@ -129,8 +136,11 @@ export class Picture {
     const fit = what !== "" && what !== "read";
     const rows = faults.map(({ line, reason, hint }, k) => {
       const row = document.createElement("li");
-      const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
-      row.textContent = `${where}${Source.told(name, reason)}${hint ? ` (${hint})` : ""}`;
+      const found = Source.told(name, reason);
+      const help = hint ? tr("{reason} ({hint})", { reason: found, hint: told(hint) }) : found;
+      const where = line === null ? "" : Source.place(name, line);
+      const text = where ? tr("{name}: {text}", { name: where, text: help }) : help;
+      row.textContent = `${k ? "" : whose}${text}`;
       return row;
     });
     this.#part("unfitted").replaceChildren(...(fit ? rows : []));
@@ -156,8 +166,8 @@ export class Picture {
 /** What a curve shows. @type {Record<Read["kind"], (name: string) => string>} */
 const NAMES = {
   length: (name) => name,
-  force: (name) => `force on ${name}`,
-  acceleration: (name) => `phone on ${name}`,
+  force: (cart) => tr("force on {cart}", { cart }),
+  acceleration: (cart) => tr("phone on {cart}", { cart }),
 };
 
 /** @param {Read} read @returns {HTMLElement[]} */

@@ -1,23 +1,26 @@
 /** What a fit says: numbers with their intervals, what is not told and why, sentences. */
 
+import { ended, told, tr } from "../../../view/language.js";
 import { tableOf } from "../../../view/measured/table.js";
 import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/measured/types.js").Report} Report */
+/** @typedef {import("../../../view/language.js").Said} Said */
 
 /** @param {HTMLElement} place @param {Report} report */
 export function showResult(place, report) {
   place.hidden = false;
-  const parts = [html("p", "carts-heading", "What the readings say")];
+  const parts = [html("p", "carts-heading", tr("What the readings say"))];
   if (report.known) {
-    parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
-    if (report.added) parts.push(html("p", "", report.added));
-    if (report.doubt) parts.push(html("p", "carts-measured-doubt", report.doubt));
+    const fitted = tr("Fitted with {law}.", { law: told(report.law_words) });
+    parts.push(html("p", "carts-measured-law-words", fitted));
+    if (report.added) parts.push(html("p", "", told(report.added)));
+    if (report.doubt) parts.push(html("p", "carts-measured-doubt", told(report.doubt)));
     parts.push(table(report));
     parts.push(...notPrinted(report.untold));
   }
   const said = html("ul", "carts-measured-sentences");
-  said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
+  said.append(...report.sentences.map((sentence) => html("li", "", told(sentence))));
   parts.push(said);
   if (report.rungs) parts.push(ladder(report.rungs));
   place.replaceChildren(...parts);
@@ -30,10 +33,14 @@ export function showResult(place, report) {
 function notPrinted(untold) {
   /** @type {Map<string, string[]>} */
   const names = new Map();
-  for (const { name, reason } of untold) names.set(reason, [...(names.get(reason) ?? []), name]);
+  for (const one of untold) {
+    const reason = told(one.reason);
+    names.set(reason, [...(names.get(reason) ?? []), told(one.name)]);
+  }
   return [...names].map(([reason, hidden]) => {
     const row = html("p", "carts-measured-untold");
-    row.append(html("strong", "", `Not printed: ${hidden.join("; ")}.`), ` ${upper(reason)}.`);
+    const which = tr("Not printed: {names}.", { names: hidden.join("; ") });
+    row.append(html("strong", "", which), ` ${ended(upper(reason))}`);
     return row;
   });
 }
@@ -43,19 +50,19 @@ function notPrinted(untold) {
  * @param {NonNullable<Report["rungs"]>} rungs
  */
 function ladder({ line, taken, rows }) {
-  const item = (/** @type {{sentence: string}} */ { sentence }) => html("li", "", sentence);
+  const item = (/** @type {{sentence: Said}} */ { sentence }) => html("li", "", told(sentence));
   const list = html("ol", "carts-ladder");
   list.append(
     ...rows.filter(({ verdict }) => verdict !== "not-shown").map(item),
-    html("li", "carts-ladder-line", line),
+    html("li", "carts-ladder-line", told(line)),
     ...rows.filter(({ verdict }) => verdict === "not-shown").map(item),
   );
   const root = html("details", "carts-measured-ladder"); // a lesson may ask for it first
   root.append(
-    html("summary", "", "What do these readings call for?"),
-    html("p", "", "Each effect alone, largest first:"),
+    html("summary", "", tr("What do these readings call for?")),
+    html("p", "", tr("Each effect alone, largest first:")),
     list,
-    html("p", "carts-quiet", taken),
+    html("p", "carts-quiet", told(taken)),
   );
   return root;
 }
@@ -64,7 +71,7 @@ function ladder({ line, taken, rows }) {
 function table(report) {
   const made = html("table", "carts-table carts-measured-known");
   const head = html("tr");
-  for (const text of ["what", "value ± half of the 95 % interval"]) {
+  for (const text of [tr("what"), tr("value ± half of the 95 % interval")]) {
     const cell = html("th", "", text);
     cell.setAttribute("scope", "col");
     head.append(cell);
@@ -72,12 +79,12 @@ function table(report) {
   const top = html("thead");
   top.append(head);
   const body = html("tbody");
-  for (const { key, name, text } of report.known) {
+  for (const { key, name, interval } of report.known) {
     const row = html("tr");
     row.dataset.key = key;
-    const title = html("th", "", name);
+    const title = html("th", "", told(name));
     title.setAttribute("scope", "row");
-    row.append(title, html("td", "", text.replace(`${name}: `, "")));
+    row.append(title, html("td", "", told(interval)));
     body.append(row);
   }
   made.append(top, body);

@@ -1,5 +1,6 @@
 /** Units, the span of time, the law, what else is fitted, and what was weighed: asked once, always shown. */
 
+import { tr } from "../../../view/language.js";
 import { html, need } from "../shared/dom.js";
 import { complain, complainUnlessPositive, ifTyped, numberIn } from "../shared/number-box.js";
 
@@ -61,13 +62,13 @@ export class Settings {
       return box;
     });
     this.place.replaceChildren(
-      html("span", "", "weighed: "),
+      html("span", "", `${tr("weighed:")} `),
       ...names.flatMap((name, k) => {
         const label = html("label", "", `${name} `);
         label.append(/** @type {HTMLInputElement} */ (this.#masses[k]), " kg");
         return [label, " "];
       }),
-      html("span", "carts-quiet", "if you have a balance"),
+      html("span", "carts-quiet", tr("if you have a balance")),
     );
   }
 

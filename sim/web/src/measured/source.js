@@ -1,5 +1,7 @@
 /** Where readings come from: files, pasted text, a typed table, or those that the lesson brings along. */
 
+import { listed } from "../../../view/bodies.js";
+import { told, tr } from "../../../view/language.js";
 import { need } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { decoded } from "./decoded.js";
@@ -9,11 +11,14 @@ import { Grid } from "./grid.js";
 export const MOST_BYTES = 4_000_000; // of one file, as in sim/measured/sheet/cells.py; a test holds the two together
 export const MOST_ZIPPED = 30_000_000; // of a zip, in which a film may be, as in sim/measured/zipped.py
 const ZIP_NAME = /\.(zip|trz)$/i;
+const FILE_NAME = /^\S+\.\w+$/;
 const ZIP = 0x504b0304; // the first four bytes
-const TYPED = "typed readings";
+const TYPED = "typed readings"; // as it is kept; shown in the reader’s language
+const LINE = "line {line}"; // how Python names one: in_line of sim/measured/refusal.py
 
 /** @typedef {(name: string, texts: string[]) => void} Take */
 /** @typedef {import("../../../view/measured/types.js").Refused} Refused */
+/** @typedef {import("../../../view/language.js").Said} Said */
 
 export class Source {
   /** @type {(now: undefined) => void} */
@@ -45,7 +50,7 @@ export class Source {
     const file = /** @type {HTMLInputElement} */ (need(root, ".carts-measured-file"));
     this.#enable(false);
     this.on("open", () => file.click());
-    this.on("take", () => this.take("pasted readings", [this.paste.value]));
+    this.on("take", () => this.take(tr("pasted readings"), [this.paste.value]));
     this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
     this.on("more", () => this.grid.grow());
     file.addEventListener("change", () => {
@@ -92,55 +97,76 @@ export class Source {
     await this.#opened;
     const film = files.find(isFilm);
     if (film) return this.films.open(film);
-    if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
+    if (files.length > 2) return this.tell(tr("Choose one file with both carts, or one for each."));
     for (const { name, size } of files) {
       const most = ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES;
       if (size <= most) continue;
-      const limit = `at most ${most / 1e6} MB`;
-      return this.tell(`This file is too large to be readings of two carts: ${limit}.`);
+      const limit = tr("at most {most} MB", { most: most / 1e6 });
+      return this.tell(
+        tr("This file is too large to be readings of two carts: {limit}.", { limit }),
+      );
     }
     const texts = [];
     for (const file of files) {
       const bytes = await file.arrayBuffer().catch(() => null); // a folder, or a file that is gone
-      if (!bytes) return this.tell(`${Source.notRead(file.name)}choose a file that is there.`);
+      if (!bytes) return this.tell(Source.notRead(file.name) + tr("choose a file that is there."));
       const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
       if ("refused" in found) {
-        const why = found.refused.map(({ reason, hint }) => `${reason} (${hint})`).join(". ");
-        return this.tell(Source.notRead(file.name) + why);
+        const why = found.refused.map(({ reason, hint }) =>
+          tr("{reason} ({hint})", { reason: told(reason), hint: told(hint) }),
+        );
+        return this.tell(Source.notRead(file.name) + why.join(". "));
       }
       texts.push(found.text);
     }
-    this.take(files.map((file) => file.name).join(" and "), texts);
+    this.take(listed(files.map((file) => file.name)), texts);
   }
 
   /** @param {ArrayBuffer} bytes @returns {Promise<{text: string} | Refused>} */
   #unzipped(bytes) {
     return this.unzip(base64(bytes)).catch(({ message }) => ({
-      refused: [{ line: null, reason: message, hint: "a zip needs Python to be opened" }],
+      refused: [{ line: null, reason: message, hint: tr("a zip needs Python to be opened") }],
     }));
   }
 
   /** @param {string} name @param {string[]} texts */
   save(name, texts) {
-    const one = name && !/\band\b| /.test(name) && !ZIP_NAME.test(name) ? name : "readings.txt";
+    const own = texts.length === 1 && FILE_NAME.test(name) && !ZIP_NAME.test(name);
+    const one = own ? name : "readings.txt";
     for (const text of texts) download(one, text, "text/plain;charset=utf-8");
   }
 
-  /** A message with the lines that it names called so too. @param {string} name @param {string} text */
-  static told(name, text) {
-    return text.replace(/\bline (\d+)/g, (_, line) => Source.place(name, Number(line)));
+  /** A message with the lines that it names called so too. @param {string} name @param {Said} reason @returns {string} */
+  static told(name, reason) {
+    return told(withPlaces(name, reason));
+  }
+
+  /** What readings are called. @param {string} name @returns {string} */
+  static called(name) {
+    return name === TYPED ? tr("typed readings") : name;
   }
 
   /** Whose faults are told. @param {string} name */
   static notRead(name) {
-    return name && name !== TYPED ? `${name} was not read: ` : "";
+    return name && name !== TYPED ? `${tr("{name} was not read:", { name })} ` : "";
   }
 
   /** What a line of a text is called where it stands. @param {string} name @param {number} line */
   static place(name, line) {
-    if (name !== TYPED) return `line ${line}`;
-    return line > 1 ? `row ${line - 1}` : "the table";
+    if (name !== TYPED) return tr("line {line}", { line });
+    return line > 1 ? tr("row {row}", { row: line - 1 }) : tr("the table");
   }
+}
+
+/** @param {string} name of the readings @param {Said} reason @returns {Said} with every line in it as it is called there */
+function withPlaces(name, reason) {
+  if (typeof reason === "string") return reason;
+  if (reason.code === LINE) return Source.place(name, Number(reason.values.line));
+  const values = Object.entries(reason.values).map(([key, value]) => [
+    key,
+    withPlaces(name, value),
+  ]);
+  return { ...reason, values: Object.fromEntries(values) };
 }
 
 /** @param {ArrayBuffer} bytes */
