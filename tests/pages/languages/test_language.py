@@ -16,6 +16,7 @@ from sim.pages.language import ENGLISH, LANGUAGES, of_page, speaking, told, tr, 
 from sim.pages.language.catalogue import (
     FOLDER,
     UnknownLanguageError,
+    measured_words_script,
     read,
     words_script,
 )
@@ -113,8 +114,8 @@ def translated_in(script: Path) -> list[str]:
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_what_a_script_says_is_among_the_words_that_its_page_gets(language: str) -> None:
-    given = words_script(language)
-    for path in sorted([*(ROOT / "sim/web/src").rglob("*.js"), *(ROOT / "sim/view").glob("*.js")]):
+    given = words_script(language) + measured_words_script(language)
+    for path in sorted([*(ROOT / "sim/web/src").rglob("*.js"), *(ROOT / "sim/view").rglob("*.js")]):
         for text in translated_in(path):
             key = json.dumps(text, ensure_ascii=False)
             assert f"{key}:" in given, f"{path.name}: put {key} on a line of its own"

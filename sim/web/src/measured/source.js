@@ -148,7 +148,9 @@ export class Source {
 
   /** Whose faults are told. @param {string} name */
   static notRead(name) {
-    return name && name !== TYPED ? `${tr("{name} was not read:", { name })} ` : "";
+    if (!name || name === TYPED) return "";
+    const told = tr("{name} was not read:", { name });
+    return `${told} `;
   }
 
   /** What a line of a text is called where it stands. @param {string} name @param {number} line */
