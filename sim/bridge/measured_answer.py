@@ -41,7 +41,7 @@ from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
 from sim.measured.zipped import texts_of
-from sim.scene.said import Said, wire
+from sim.scene.said import Said, said, wire
 
 SHORTEST = 1e-4
 """s. A contact that a reader can set by hand."""
@@ -130,7 +130,7 @@ def _model(request: Mapping[str, Any]) -> dict[str, Any]:
 def _analysed(request: Mapping[str, Any]) -> tuple[Measured, Analysis]:
     measured = _measured(request)
     if measured.kind != "length":
-        raise FitError("these are no positions: the model is fitted to positions")
+        raise FitError(said("these are no positions: the model is fitted to positions"))
     chosen = request.get("effect") or "none"
     effect: Effect | None = None if chosen == "called" else cast(Effect, chosen)
     weighed = request.get("masses") or {}
@@ -207,7 +207,7 @@ def _tracker(request: Mapping[str, Any]) -> dict[str, Any]:
     if found.refused:
         raise found.refused
     if found.fit is None:
-        raise FitError("the model's run is written for a bounce only")
+        raise FitError(said("the model's run is written for a bounce only"))
     return {"text": model_as_tracker(found.story.measured, found.fit)}
 
 

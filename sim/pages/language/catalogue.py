@@ -18,7 +18,10 @@ INNER = tuple(
 )
 """Layers that know no languages and say their sentences as templates: see sim.scene.said."""
 
-MEASURED = ("sim/measured", "sim/view/measured", "sim/web/src/measured", "sim/web/src/film")
+MEASURED = (
+    *("sim/measured", "sim/bridge/measured_answer.py", "sim/view/measured"),
+    *("sim/web/src/measured", "sim/web/src/film"),
+)
 """What says its sentences only where a block holds readings: few pages do, and it says many."""
 
 ENGLISH = "en"
