@@ -16,6 +16,7 @@ from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import KINDS
 from sim.measured.tracks import read_measured
 from tests.measured.devices import Motion, motion_capture, sensor_carts
+from tests.measured.heard import heard
 
 TEXT = motion_capture(Motion())
 FOUND = story_of(read_measured([TEXT]))
@@ -84,7 +85,7 @@ def test_the_page_and_the_command_set_the_same(tmp_path: Path) -> None:
             {"kind": "hand", "from": 0.0, "until": 0.5, "cart": first},
             {"kind": "hand", "from": 0.0, "until": 0.5, "cart": "nobody"}]  # fmt: skip
     asked = {"kind": "measured", "do": "fit", "texts": [TEXT], "compare": True, "segments": rows}
-    report = measured_answer(asked)[0]["report"]
+    report = heard(measured_answer(asked)[0])["report"]
     assert report["segments"] == told["segments"]
     assert report["known"] == told["known"]
 

@@ -9,6 +9,7 @@ import pytest
 from sim.bridge.measured_answer import measured_answer
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.tracks import read_measured
+from tests.measured.heard import heard
 from tests.measured.makers import as_text, film, truth
 
 MU = 0.01
@@ -21,7 +22,8 @@ FREE = as_text(film(truth(), rate=60))
 def asked(text: str, **more: Any) -> dict[str, Any]:
     header, _ = measured_answer({"do": "fit", "texts": [text], **more})
     assert "refused" not in header, header
-    return header
+    made: dict[str, Any] = heard(header)
+    return made
 
 
 def known(report: dict[str, Any], key: str) -> dict[str, Any]:

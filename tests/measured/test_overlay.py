@@ -18,6 +18,7 @@ from sim.measured.model.motion import Motion
 from sim.measured.overlay import by_hand, first_try, frequency, overlay
 from sim.scene import read_scene
 from tests.measured.force_sensors import sensors
+from tests.measured.heard import heard
 from tests.measured.makers import as_text, film, truth
 
 MADE = truth()
@@ -31,7 +32,8 @@ def asked(do: str, **more: Any) -> dict[str, Any]:
     assert header["ok"]
     assert not numbers
     json.dumps(header, allow_nan=False)
-    return header
+    made: dict[str, Any] = heard(header)
+    return made
 
 
 @pytest.mark.parametrize("law", ["bumper", "paper"])

@@ -40,6 +40,13 @@ def test_scripts_are_loaded_only_where_they_are_needed() -> None:
     assert "carts.css" in finished()
 
 
+def test_words_of_readings_come_behind_the_others_and_only_where_readings_are() -> None:
+    page = finished(language="ms", measured=True)
+    names = re.findall(r'<script src="../assets/carts/([^"]+)"', page)
+    assert names[:3] == ["words.ms.js", "words-measured.ms.js", "measured.js"]
+    assert "words-measured" not in finished(language="ms") + finished(measured=True)
+
+
 def test_a_script_that_the_theme_did_not_write_is_not_allowed() -> None:
     assert finished().count("sha256-") == 3  # two of the theme, and the watchdog
     smuggled = PAGE.replace("<body>", "<body><script>steal()</script>")

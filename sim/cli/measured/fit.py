@@ -226,8 +226,7 @@ def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
     if report["kind"] == "motion" and report["known"]:
         above = (f"Fitted with {report['law_words']}.", report["added"], report["doubt"])
         lines += [*filter(None, above), ""]
-        rows = [(one["name"], one["text"].removeprefix(f"{one['name']}: ")) for one in
-                report["known"]]  # fmt: skip
+        rows = [(one["name"], one["interval"]) for one in report["known"]]
         lines += [table(("what", "value ± half of the 95 % interval"), rows), ""]
         lines += _not_printed(report["untold"])
         lines.append("")

@@ -17,7 +17,7 @@ from sim.pages.language.extract import sentences
 from sim.scene.said import from_wire, in_words
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts
 from tests.measured.makers import as_text, film, truth
-from tests.measured.test_reading_refused import REFUSED
+from tests.measured.refused_texts import REFUSED
 from tests.pages.given.interface_words import BRACKETS
 from tests.web.figures.measured_site import BLOCKS, element
 
