@@ -24,6 +24,7 @@ from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import OFFERED, Units
 from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.language import mark
 from sim.pages.text.author_text import shown_here
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml.source import KeyPath, Source
@@ -36,7 +37,7 @@ READ = {"properties": {"title": PROSE}}
 """The text that readers read, as a schema."""
 SUFFIXES = (".txt", ".csv", ".tsv")
 FOLDER = "data"
-USUAL_TITLE = "Real carts beside the model"
+USUAL_TITLE = mark("Real carts beside the model")
 
 
 @dataclass(frozen=True, slots=True)
