@@ -858,7 +858,7 @@
   // src/shared/enter.js
   var isEnter = ({ key, isComposing, keyCode }) => key === "Enter" && !isComposing && keyCode !== 229;
   function onEnter(box, act) {
-    box?.addEventListener("keydown", (event) => isEnter(event) && act());
+    box?.addEventListener("keydown", (event) => isEnter(event) && !event.repeat && act());
   }
 
   // src/answers/codes.js
@@ -1161,11 +1161,14 @@
     const table = html("div", "carts-answers-table");
     const told2 = status();
     root.append(table, told2, importRow(book2, told2));
-    const draw = () => table.replaceChildren(...rows(book2, told2));
+    const draw = () => {
+      if (table.querySelector(".carts-answers-whose > *")) return;
+      table.replaceChildren(...rows(book2, told2, draw));
+    };
     draw();
     return { root, draw };
   }
-  function rows(book2, told2) {
+  function rows(book2, told2, draw) {
     const files = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString());
     files.sort((a, b) => Number(b.page === book2.page) - Number(a.page === book2.page));
     if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
@@ -1195,7 +1198,7 @@
       };
       const save = button(
         tr("Save file"),
-        () => book2.student ? keep(book2.student) : askWhose(asked2, book2, keep),
+        () => book2.student ? keep(book2.student) : askWhose(asked2, book2, keep, draw),
         "carts-answers-save"
       );
       const csv = button(
@@ -1223,7 +1226,7 @@
     const more = all - done;
     return more > 0 ? `${asked2} + ${counted("1 more answer", "{n} more answers", more)}` : asked2;
   }
-  function askWhose(place2, book2, keep) {
+  function askWhose(place2, book2, keep, draw) {
     const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
     const above = document.querySelector(".carts-answers-who .carts-answers-code");
     box.value = above?.value ?? "";
@@ -1243,11 +1246,16 @@
         );
       }
       const anew = await book2.become(code, true).catch(() => false);
+      if (book2.student === code) end();
       if (anew) setTimeout(() => location.reload(), AFTER_SAVING);
     };
     onEnter(box, () => void withCode());
-    const without = () => {
+    const end = () => {
       place2.replaceChildren();
+      draw();
+    };
+    const without = () => {
+      end();
       keep("");
     };
     place2.replaceChildren(
@@ -1601,6 +1609,9 @@
         });
         this.#ask(false);
         this.#follow();
+        const done = need(this, ".carts-quiz-done");
+        done.tabIndex = -1;
+        done.focus();
         this.dispatchEvent(
           new CustomEvent("carts-handed-in", { bubbles: true, detail: this.facts.form })
         );
@@ -1740,27 +1751,33 @@
 
   // src/question/gate.js
   var OPEN_ALL = "carts-open-questions";
-  function wait(element, answered2, signal) {
+  function wait(element, signal) {
     const id = element.dataset.after;
-    if (!id || element.dataset.opened !== void 0) return;
-    const open2 = () => element.dataset.opened = "";
+    if (!id) return;
+    const open2 = () => element.dataset.opened ??= "";
     const seen = element.dataset.found === void 0 ? "watched" : "found";
     const look = () => {
       const scene = document.getElementById(id);
-      if (!scene || [seen, "reason"].some((name) => name in scene.dataset)) open2();
+      if (!scene || [seen, "unshown"].some((name) => name in scene.dataset)) open2();
     };
-    if (answered2) return open2();
+    if (element.answered) open2();
     queueMicrotask(() => signal.aborted || look());
     for (const kind of ["carts-watched", "carts-found", "carts-error"]) {
       document.addEventListener(kind, look, { signal });
     }
-    document.addEventListener(OPEN_ALL, open2, { signal });
+    const byKey = () => element.dataset.opened = "key";
+    document.addEventListener(OPEN_ALL, byKey, { signal });
+    const close = ({ target }) => {
+      const again = target.id === id && element.dataset.opened === "";
+      if (again && !element.answered) delete element.dataset.opened;
+    };
+    document.addEventListener("carts-unwatched", close, { signal });
   }
   var CartsAfter = class extends HTMLElement {
     #leaving = new AbortController();
     connectedCallback() {
       this.#leaving = new AbortController();
-      wait(this, false, this.#leaving.signal);
+      wait(this, this.#leaving.signal);
     }
     disconnectedCallback() {
       this.#leaving.abort();
@@ -2028,6 +2045,9 @@
     const watched = sceneBeside(question)?.hasAttribute("data-watched") ?? false;
     return watched && !("before" in entry) ? { ...entry, before: null } : entry;
   }
+  function tried(entry) {
+    return entry.judged ? entry : { ...entry, tries: (entry.tries ?? 0) + 1, judged: true };
+  }
   function checked(entry, verdict) {
     const right = entry.right || (verdict === "right" ? entry.tries : 0);
     return right === entry.right ? entry : { ...entry, right };
@@ -2255,10 +2275,10 @@
       const box = root.querySelector("input.carts-q-typed");
       onEnter(box, () => check2?.click());
       check2?.addEventListener("click", () => {
-        const tried = attempt();
-        if (!tried) return;
+        const tried2 = attempt();
+        if (!tried2) return;
         this.place.removeAttribute("aria-live");
-        this.marked(...this.#show(tried));
+        this.marked(...this.#show(tried2));
       });
       const hints = [...need(root, ".carts-q-hints").children];
       const more = root.querySelector(".carts-q-hint");
@@ -2272,9 +2292,9 @@
       this.place.replaceChildren();
       delete this.root.dataset.verdict;
     }
-    again(tried) {
+    again(tried2) {
       this.place.setAttribute("aria-live", "off");
-      return this.#show(tried)[0];
+      return this.#show(tried2)[0];
     }
     #show({ value, own, tries }) {
       const facts = this.root.facts;
@@ -3177,7 +3197,7 @@
         book2.addEventListener("elsewhere", elsewhere2, { signal });
         book2.addEventListener("change", () => this.#form?.follow?.(book2), { signal });
         whenWatched(this, () => this.#ready && this.#keepAs(atTheRun(this.#entry)), signal);
-        if (this.#ready) wait(this, this.answered, signal);
+        if (this.#ready) wait(this, signal);
       }
       get answered() {
         return !isEmpty(this.#form?.value);
@@ -3212,7 +3232,7 @@
         this.#enable();
         this.dataset.ready = "";
         this.#form?.follow?.(book2);
-        wait(this, this.answered, this.#leaving.signal);
+        wait(this, this.#leaving.signal);
       }
       #show() {
         const found2 = book2.get(this.formName ?? "worksheet", this.facts.id);
@@ -3296,7 +3316,7 @@
             return null;
           }
         }
-        this.#keepAs({ ...this.#entry, tries: (this.#entry.tries ?? 0) + 1, judged: true });
+        this.#keepAs(tried(this.#entry));
         return this.#tried();
       }
       #tried() {

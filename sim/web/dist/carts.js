@@ -1434,7 +1434,7 @@
   // src/shared/enter.js
   var isEnter = ({ key, isComposing, keyCode }) => key === "Enter" && !isComposing && keyCode !== 229;
   function onEnter(box2, act) {
-    box2?.addEventListener("keydown", (event) => isEnter(event) && act());
+    box2?.addEventListener("keydown", (event) => isEnter(event) && !event.repeat && act());
   }
 
   // ../view/bodies.js
@@ -4313,6 +4313,8 @@
     #means = [];
     #run = null;
     #tries = 0;
+    #tried = "";
+    // the number that was checked last, and for which force: once more it is no other try
     #found = /* @__PURE__ */ new Map();
     constructor(root, id, found3) {
       this.id = `${id}-forces`;
@@ -4377,7 +4379,9 @@
       if (!("value" in read)) {
         return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));
       }
-      this.#tries += 1;
+      const tried = `${keyOf(mean)} ${mean.value} ${read.value}`;
+      if (tried !== this.#tried) this.#tries += 1;
+      this.#tried = tried;
       const off = read.value / mean.value - 1;
       if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
       this.#found.set(keyOf(mean), this.#said(mean));
@@ -4847,6 +4851,25 @@
     return `M${points.join("L")}`;
   }
 
+  // src/shared/number-box.js
+  function numberIn({ value }) {
+    const read = readTyped(value);
+    return "value" in read ? read.value : null;
+  }
+  function problemIn({ value }) {
+    const read = readTyped(value);
+    if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+    return "problem" in read ? read.problem : "";
+  }
+  function complain(box2, problem) {
+    const place4 = box2.closest("label, [data-hand]") ?? box2.parentElement;
+    const told4 = place4.querySelector(".carts-error") ?? html("span", "carts-error");
+    if (!problem) return told4.remove();
+    told4.setAttribute("role", "alert");
+    place4.append(told4);
+    say(told4, problem);
+  }
+
   // src/predict/curve-features.js
   var LITTLE = 0.05;
   var FEATURES = { F: force, v: velocity2, x: position };
@@ -4983,8 +5006,10 @@
       this.pad = need(root, ".carts-pad");
       this.boxes = [...root.querySelectorAll(".carts-height")];
       this.boxes.forEach((box2, k) => {
-        box2.addEventListener("input", () => {
-          if (Number.isFinite(box2.valueAsNumber)) this.#take(k, box2.valueAsNumber);
+        box2.addEventListener("input", () => this.#set(k, numberIn(box2)));
+        box2.addEventListener("change", () => {
+          complain(box2, problemIn(box2));
+          this.#show(k);
         });
       });
       this.pad.addEventListener("pointerdown", (event) => {
@@ -5006,6 +5031,9 @@
     }
     set value(value) {
       if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = [...value];
+      this.boxes.forEach((_2, k) => {
+        this.#show(k);
+      });
       this.#draw();
     }
     enable(on) {
@@ -5074,19 +5102,26 @@
       const scale = 360 / frame2.width;
       const k = Math.round(((event.clientX - frame2.left) * scale - LEFT4) / STEP2);
       const height = (this.place.zero - (event.clientY - frame2.top) * scale) / this.place.per;
-      if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
+      if (k >= 0 && k < this.#heights.length) {
+        this.#set(k, Math.round(2 * height) / 2);
+        this.#show(k);
+      }
     }
-    #take(k, height) {
-      this.#heights[k] = Math.min(HIGHEST, Math.max(this.place.low, height));
+    #set(k, height) {
+      this.#heights[k] = height === null ? null : Math.min(HIGHEST, Math.max(this.place.low, height));
       this.#draw();
       this.changed();
+    }
+    #show(k) {
+      const [box2, height] = [this.boxes[k], this.#heights[k] ?? null];
+      if (!box2 || numberIn(box2) === height) return;
+      box2.value = String(height ?? "");
+      complain(box2, "");
     }
     #draw() {
       this.#heights.forEach((height, k) => {
         const knob = this.pad.querySelector(`[data-index="${k}"]`);
         if (knob) put(knob, "cy", String(this.place.zero - this.place.per * (height ?? 0)));
-        const box2 = this.boxes[k];
-        if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
       });
       const drawn2 = this.#heights.map((height) => height ?? 0);
       put(need(this.pad, '[data-part="sketch"]'), "d", path(this.place, drawn2));
@@ -5697,6 +5732,7 @@
     delete element.dataset.watched;
     const others = remembered().filter((one) => one !== name && !one.startsWith(`${name}/`));
     retain(KEY, others);
+    element.dispatchEvent(new Event("carts-unwatched", { bubbles: true }));
   }
   var nameOf2 = (element) => `${location.pathname}#${element.id}`;
   function remember2(names) {
@@ -7306,10 +7342,15 @@ ${lines4.join("\n")}
     #mark() {
       need(this.element, ".carts-mark").setAttribute("aria-label", LIVE);
     }
+    get #nothing() {
+      const more = this.element.querySelector(".carts-find, .carts-preset");
+      return !this.acts.stepwise() && (!this.acts.told() || more !== null);
+    }
     #fail(error = this.client.error ?? new Error(NOT_STARTED)) {
       const { dataset } = this.element;
       dataset.state = "failed";
       dataset.reason = error.reason ?? "failed";
+      if (this.#nothing) dataset.unshown = "";
       this.acts.failed();
       const note2 = need(this.element, ".carts-note");
       note2.dataset.why = `${error.message} ${without(this.acts.told(), this.acts.stepwise())}`;

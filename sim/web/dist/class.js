@@ -85,6 +85,8 @@
     refused = [];
     codes = ["", ""];
     // as typed, of each group
+    unsaved = false;
+    // marks, codes or code words of this visit are nowhere else
     tables = [];
     most = "";
     // marks of the tests in them, as typed
@@ -119,6 +121,7 @@
     }
     name(file, typed) {
       const before = this.#who(file);
+      this.unsaved = true;
       file.row[STUDENT] = codeWord(typed);
       file.named = true;
       if (this.files.some((other) => this.#who(other) === before)) return;
@@ -162,6 +165,10 @@
     divide(two) {
       this.two = two;
       if (!two) this.codes = [this.codes.filter(Boolean).join("\n"), ""];
+    }
+    typeCodes(group, text) {
+      this.unsaved = true;
+      this.codes[group] = text;
     }
     marksFile() {
       const rows = [...this.marks.values()].map((mark) => ({
@@ -212,32 +219,25 @@
     const title = html("summary", "", tr("Files"));
     const rows = html("ul");
     root.append(title, rows);
+    const made = /* @__PURE__ */ new WeakMap();
+    const lineOf = (file) => {
+      const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
+      const [name, , lesson, , student, form2] = file.row;
+      const words = JSON.stringify([name, lesson, student, form2, group]);
+      const before = made.get(file);
+      if (before?.words === words) return before.line;
+      const line = lineFor(classroom, file, group, changed);
+      made.set(file, { words, line });
+      return line;
+    };
     const fill = () => {
       if (!root.open) return rows.replaceChildren();
-      rows.replaceChildren(
-        ...classroom.files.map((file) => {
-          const line = html("li");
-          const label = html("label");
-          const box = html("input");
-          Object.assign(box, { type: "checkbox", checked: !file.out });
-          box.addEventListener("change", () => {
-            file.out = !box.checked;
-            changed();
-          });
-          const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
-          const [name, , lesson, , student, form2] = file.row;
-          label.append(
-            box,
-            " ",
-            html("bdi", "", student || tr("no code word")),
-            ` · ${form2} · ${lesson}${group} `
-          );
-          label.append(html("span", "carts-class-quiet", name));
-          line.append(label);
-          if (!student || file.named) line.append(" ", codeFor(classroom, file, changed));
-          return line;
-        })
-      );
+      classroom.files.map(lineOf).forEach((line, k) => {
+        const before = rows.children[k];
+        if (!before) rows.append(line);
+        else if (before !== line) before.replaceWith(line);
+      });
+      while (rows.children.length > classroom.files.length) rows.lastElementChild?.remove();
     };
     root.addEventListener("toggle", fill);
     const draw = () => {
@@ -249,6 +249,27 @@
       fill();
     };
     return { root, draw };
+  }
+  function lineFor(classroom, file, group, changed) {
+    const line = html("li");
+    const label = html("label");
+    const box = html("input");
+    Object.assign(box, { type: "checkbox", checked: !file.out });
+    box.addEventListener("change", () => {
+      file.out = !box.checked;
+      changed();
+    });
+    const [name, , lesson, , student, form2] = file.row;
+    label.append(
+      box,
+      " ",
+      html("bdi", "", student || tr("no code word")),
+      ` · ${form2} · ${lesson}${group} `,
+      html("span", "carts-class-quiet", name)
+    );
+    line.append(label);
+    if (!student || file.named) line.append(" ", codeFor(classroom, file, changed));
+    return line;
   }
   function keysWord(count2) {
     if (!count2) return tr("no key file");
@@ -293,10 +314,7 @@
     const whose = html("bdi");
     const box = html("textarea");
     Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
-    const take = (text) => {
-      classroom.codes[group] = text;
-    };
-    typedIn(box, take, changed);
+    typedIn(box, (text) => classroom.typeCodes(group, text), changed);
     root.append(whose, tr("A line each: code word, form, code"), box);
     const draw = () => {
       say(whose, classroom.two ? `${classroom.groups[group]} · ` : "");
@@ -578,6 +596,7 @@
       const answer = one.answers[at];
       if (!answer || marks > one.worth) return;
       const { lesson, form: form2, id: item } = one;
+      classroom.unsaved = true;
       classroom.give({ lesson, form: form2, student: answer.student, item, marks });
       at = Math.min(at + 1, one.answers.length - 1);
       show();
@@ -775,6 +794,7 @@
       tr("Save marks"),
       () => {
         download("class.marks.json", element.classroom.marksFile(), "application/json");
+        element.classroom.unsaved = false;
         say2(
           tr("Saved as {name}. Drop it here with the files next time.", { name: "class.marks.json" })
         );
@@ -831,6 +851,23 @@
     return { root, draw };
   }
 
+  // src/class/staying.js
+  function stay(classroom, signal) {
+    const drop = (event) => {
+      if (event.defaultPrevented) return;
+      event.preventDefault();
+      if (event.dataTransfer) event.dataTransfer.dropEffect = "none";
+    };
+    addEventListener("dragover", drop, { signal });
+    addEventListener("drop", drop, { signal });
+    const leave = (event) => {
+      if (!classroom.unsaved) return;
+      event.preventDefault();
+      event.returnValue = true;
+    };
+    addEventListener("beforeunload", leave, { signal });
+  }
+
   // src/class/tables.js
   var TIMES = [
     ["", tr("as the table says")],
@@ -854,11 +891,18 @@
     typedIn(most, take, changed);
     label.append(most);
     root.append(html("p", "carts-class-tables-title", tr("Tables of marks")), rows, label);
+    let shown = [];
     const draw = () => {
       root.hidden = classroom.tables.length === 0;
       if (most.value !== classroom.most) most.value = classroom.most;
-      if (rows.childElementCount === classroom.tables.length && !root.hidden) return;
-      rows.replaceChildren(...classroom.tables.map((table) => row(classroom, table, changed)));
+      const { tables } = classroom;
+      if (tables.length !== shown.length || tables.some((table, k) => table !== shown[k]))
+        rows.replaceChildren(...tables.map((table) => row(classroom, table, changed)));
+      shown = [...tables];
+      for (const [k, name] of rows.querySelectorAll("bdi").entries()) {
+        const { name: own, group } = tables[k];
+        say(name, classroom.two ? `${own} · ${classroom.groups[group]}` : own);
+      }
     };
     return { root, draw };
   }
@@ -876,8 +920,7 @@
       classroom.tables = classroom.tables.filter((other) => other !== table);
       changed();
     });
-    const whose = classroom.two ? ` · ${classroom.groups[table.group]}` : "";
-    line.append(html("bdi", "", table.name + whose), " ", when, " ", remove);
+    line.append(html("bdi"), " ", when, " ", remove);
     return line;
   }
 
@@ -905,7 +948,11 @@
       #report = html("div", "carts-class-report");
       #parts = [];
       #reader = null;
+      #leaving = new AbortController();
+      // ends what the element hears of the window
       connectedCallback() {
+        this.#leaving = new AbortController();
+        stay(this.classroom, this.#leaving.signal);
         if (this.#parts.length) return;
         this.classList.add("carts", "carts-class");
         const change = () => void this.show();
@@ -950,6 +997,9 @@
         this.#redraw();
         this.dataset.state = "ready";
       }
+      disconnectedCallback() {
+        this.#leaving.abort();
+      }
       take(files, group) {
         const lifetime = this.#lifetime;
         this.complete = this.complete.then(() => this.#take(files, group, lifetime));
@@ -966,7 +1016,7 @@
         const answers = files.filter((file) => !isTable(file));
         const begun = performance.now();
         say(this.#status, client.state === "ready" ? tr("Reading …") : tr("Starting Python …"));
-        Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
+        Object.assign(this.#bar, { hidden: false, max: answers.length, value: 0 });
         let soon = 0;
         try {
           await readAll(
@@ -977,7 +1027,7 @@
               soon ||= performance.now() + SOON;
               this.classroom.take(found, group);
               this.#bar.value = done;
-              say(this.#status, tr("{done} of {all} files read", { done, all: files.length }));
+              say(this.#status, tr("{done} of {all} files read", { done, all: answers.length }));
               if (!this.#drawn && this.classroom.files.length && performance.now() > soon)
                 await this.show();
             }
@@ -1005,10 +1055,7 @@
           },
           (error) => {
             this.#statistics = null;
-            const { message } = error;
-            const short = tr("Means are shown; intervals and tests are not there: {message}", {
-              message
-            });
+            const short = tr("Means are shown; intervals and tests are not there: {message}", error);
             say(this.#status, short);
           }
         );
@@ -1304,19 +1351,19 @@
   var STAYS = 3e3;
   var leaving = false;
   var waiting = [];
-  function stay() {
+  function stay2() {
     leaving = false;
     for (const go of waiting) go();
     waiting = [];
   }
   addEventListener("beforeunload", () => {
     leaving = true;
-    setTimeout(stay, STAYS);
+    setTimeout(stay2, STAYS);
   });
   addEventListener("pagehide", () => {
     leaving = true;
   });
-  addEventListener("pageshow", stay);
+  addEventListener("pageshow", stay2);
   if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
   });
   var isLeaving = () => leaving;
@@ -1521,7 +1568,7 @@
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = Number.NEGATIVE_INFINITY;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (performance.now() - seen < 1e3) return;\n    seen = performance.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SLOW = "slow";

@@ -10597,7 +10597,7 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
   var PARTS = [19, 61, 103, 211, 499, 997, 9973];
   var TOLERANCES = [1e-6, 1e-9, 1e-12];
   function inside({ id, title, names, measured: measured2, rows, floor, digits = {}, run, breaks }) {
-    const told32 = told(run.header).map(
+    const told3 = told(run.header).map(
       ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
     );
     const said = measured2 && `Measured ${measured2}.`;
@@ -10610,7 +10610,7 @@ ${choice(names)}
 <p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
 <div class="carts-cost-body">
 <div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
-<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told32}</tbody></table></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
 </div>
 <div class="carts-cost-measure">
 <p class="carts-heading">Error against time</p>
@@ -11181,22 +11181,23 @@ ${second && across3}
     acceleration: ["a", "m/s²"]
   };
   var open = ({ assumed, chosen }) => assumed.filter((kind2) => !chosen?.[kind2]);
-  var told3 = ({ assumed, chosen, read }) => [
+  var howRead = ({ assumed, chosen, read }) => [
     ...assumed.flatMap(
-      (kind2) => chosen?.[kind2] ? `${QUANTITY[kind2][0]} in ${chosen[kind2]} (as chosen)` : []
+      (kind2) => chosen?.[kind2] ? tr("{letter} in {unit} (as chosen)", { letter: QUANTITY[kind2][0], unit: chosen[kind2] }) : []
     ),
-    ...read
+    ...read.map(told2)
   ];
   function heads(read) {
     const left = open(read);
-    const named2 = (kind2, of = "") => {
+    const named2 = (kind2, cart2 = "") => {
       const [letter, unit] = QUANTITY[kind2];
-      return `${letter}${of}${left.some((one) => one === kind2) ? "" : ` in ${unit}`}`;
+      const what = cart2 ? tr("{letter} of {cart}", { letter, cart: cart2 }) : letter;
+      return left.some((one) => one === kind2) ? what : tr("{letter} in {unit}", { letter: what, unit });
     };
     return {
       time: named2("time"),
       value: named2(read.kind),
-      tracks: read.names.map((name) => named2(read.kind, ` of ${name}`))
+      tracks: read.names.map((name) => named2(read.kind, name))
     };
   }
 
@@ -11206,7 +11207,7 @@ ${second && across3}
     const { names, tracks } = read;
     const { time, tracks: its } = heads(read);
     const head = [time, ...its];
-    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    if (residuals) head.push(...names.map((cart2) => tr("residual of {cart} in mm", { cart: cart2 })));
     const found = /* @__PURE__ */ new Map();
     for (const [k, track] of tracks.entries()) {
       for (const [n, t] of track.t.entries()) {
@@ -11223,42 +11224,44 @@ ${second && across3}
   // ../view/measured/skeleton.js
   var MOST_ROWS = 60;
   var UNITS3 = [
-    ["length", "lengths are in"],
-    ["time", "times are in"],
-    ["force", "forces are in"]
+    ["length", () => tr("lengths are in")],
+    ["time", () => tr("times are in")],
+    ["force", () => tr("forces are in")]
   ];
   var HANDS = [
-    ["touch", "first touch at", "s"],
-    ["va", "velocity of A before", "m/s"],
-    ["vb", "velocity of B before", "m/s"],
-    ["ratio", "mass of B ÷ mass of A", ""],
-    ["e", "bounciness e", ""],
-    ["duration", "the contact lasts", "s"]
+    ["touch", () => tr("first touch at"), "s"],
+    ["va", () => tr("velocity of {cart} before", { cart: "A" }), "m/s"],
+    ["vb", () => tr("velocity of {cart} before", { cart: "B" }), "m/s"],
+    ["ratio", () => tr("mass of {b} ÷ mass of {a}", { a: "A", b: "B" }), ""],
+    ["e", () => tr("bounciness e"), ""],
+    ["duration", () => tr("the contact lasts"), "s"]
   ];
+  var SIGNED = ["touch", "va", "vb"];
+  var LAWS = { bumper: () => tr("bumper"), paper: () => tr("paper") };
   function inside4(facts) {
     const { id, title } = facts;
-    const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file or a film, drop it here, or type readings.</text>`;
+    const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">${tr("Open a file or a film, drop it here, or type readings.")}</text>`;
     return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
-<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label="the model’s carts; rings are the measured places"></svg>
-<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">Play</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label="time"><output class="carts-measured-clock"></output></div></div>
+<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">${tr("Play")}</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")}><output class="carts-measured-clock"></output></div></div>
 <div class="carts-measured-figures">
 <p class="carts-measured-legend"></p>
 <div class="carts-measured-spans" hidden></div>
-<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label="readings over time; the numbers are in the table below">${!facts.read && hint}</svg>
-<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label="residuals: measured minus model" hidden></svg>
+<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label=${tr("readings over time; the numbers are in the table below")}>${!facts.read && hint}</svg>
+<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label=${tr("residuals: measured minus model")} hidden></svg>
 <p class="carts-measured-spread" role="status"></p>
 </div>
 ${model(facts)}
 <div class="carts-measured-result" hidden></div>
 <div class="carts-measured-back" hidden>
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">Save the fitted scene</button> <button type="button" class="carts-button carts-measured-tracker">Save the model’s run for Tracker</button> <button type="button" class="carts-button carts-measured-print">Print this alone</button></p>
-<details class="carts-more"><summary>The fitted scene as a block of a lesson</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label="block of a lesson"></textarea></details>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">${tr("Save the fitted scene")}</button> <button type="button" class="carts-button carts-measured-tracker">${tr("Save the model’s run for Tracker")}</button> <button type="button" class="carts-button carts-measured-print">${tr("Print this alone")}</button></p>
+<details class="carts-more"><summary>${tr("The fitted scene as a block of a lesson")}</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label=${tr("block of a lesson")}></textarea></details>
 </div>
 ${table3(facts)}
-<noscript><p class="carts-noscript">The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.</p></noscript>
+<noscript><p class="carts-noscript">${tr("The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.")}</p></noscript>
 </div>`;
   }
   function source({ name, units, offered, read }) {
@@ -11267,16 +11270,16 @@ ${table3(facts)}
         (unit) => html`<option value=${unit}${units?.[kind2] === unit && html` selected`}>${unit}</option>`
       );
       const said = read && !read.assumed.some((one) => one === kind2) && html` hidden`;
-      return html`${k > 0 && " "}<label${said}>${text3} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
+      return html`${k > 0 && " "}<label${said}>${text3()} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">${tr("choose …")}</option>${options}</select></label>`;
     });
-    const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
+    const own = html`<button type="button" class="carts-button carts-measured-own" disabled>${tr("The lesson’s readings")}</button> `;
     return html`<div class="carts-measured-source">
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,.trk,.trz,.zip,text/plain,text/csv,application/zip" multiple hidden tabindex="-1" aria-label="files with readings"> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
-<details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
-<details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>${tr("Open a file")}</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,.trk,.trz,.zip,text/plain,text/csv,application/zip" multiple hidden tabindex="-1" aria-label=${tr("files with readings")}> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>${tr("Save these readings")}</button></p>
+<details class="carts-more carts-measured-paste"><summary>${tr("Paste readings")}</summary><label>${tr("Text from Tracker, a spreadsheet or a sensor")} <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>${tr("Read this text")}</button></p></details>
+<details class="carts-more carts-measured-type"><summary>${tr("Type readings")}</summary><div class="carts-scroll" role="group" aria-label=${tr("table to type readings into")}><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "A" })}</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "B" })}</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>${tr("More rows")}</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>${tr("Read this table")}</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read ? told3(read).join("; ") : ""}`}</p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? howRead(read).join("; ") : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
   }
@@ -11285,20 +11288,20 @@ ${table3(facts)}
   }
   function model({ id, law }) {
     const hands = HANDS.map(
-      ([key2, text3, unit]) => html`<div class="carts-measured-hand" data-hand=${key2}><label for="${id}-${key2}">${text3}</label><input type="range" class="carts-measured-slide" aria-label=${text3} disabled><span class="carts-measured-typed"><input type="number" id="${id}-${key2}" step="any" inputmode="decimal" disabled> ${unit}</span></div>`
+      ([key2, text3, unit]) => html`<div class="carts-measured-hand" data-hand=${key2}><label for="${id}-${key2}">${text3()}</label><input type="range" class="carts-measured-slide" aria-label=${text3()} disabled><span class="carts-measured-typed"><input type="text" id="${id}-${key2}" inputmode=${SIGNED.includes(key2) ? "text" : "decimal"} autocomplete="off" disabled> ${unit}</span></div>`
     );
     const laws = ["bumper", "paper"].map(
-      (name) => html`<option value=${name}${law === name && html` selected`}>${name}</option>`
+      (name) => html`<option value=${name}${law === name && html` selected`}>${LAWS[name]?.()}</option>`
     );
     return html`<div class="carts-measured-model" hidden>
-<p class="carts-heading">Set the model by hand, or let it be fitted</p>
+<p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
 <div class="carts-measured-hands">${hands}</div>
-<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option><option value="both">friction and a tilt</option><option value="called">what the readings call for</option></select></label></p>
+<p class="carts-measured-row"><label>${tr("contact law")} <select class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
-<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
-<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> I saw that the carts stayed together</label> <span class="carts-quiet">where a sensor lost one of them</span></p>
+<p class="carts-measured-row"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
+<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unfitted"></ul></div>
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">${tr("Fit the model")}</button> <button type="button" class="carts-button carts-measured-compare">${tr("Compare with friction and tilt")}</button> <span class="carts-measured-busy" role="status"></span></p>
 </div>`;
   }
   function table3({ read }) {
@@ -11306,7 +11309,7 @@ ${table3(facts)}
     const heads2 = head.map((cell2) => html`<th scope="col">${cell2}</th>`);
     const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
-    return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+    return html`<details class="carts-more carts-measured-table"><summary>${tr("Table of the readings")}</summary><div class="carts-scroll" role="group" tabindex="0" aria-label=${tr("readings")}><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">${counted("and 1 more row", "and {n} more rows", more)}</p>`}</details>`;
   }
 
   // ../view/bodies.js
@@ -11440,7 +11443,7 @@ ${table3(facts)}
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
-    label: (told4) => tr("on {on} by {by} (slope): {size} N", told4),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -11708,9 +11711,9 @@ ${table3(facts)}
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key: key2, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told4) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told4 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks3.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -11935,15 +11938,15 @@ ${table3(facts)}
     const after2 = speeds.map(ended).join(" ");
     const size = `${figures(impulse)} N s`;
     const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told4 = (...sentences) => sentences.filter(Boolean).join(" ");
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return told4(tr("{pair} hit and stay together.", { pair }), shown2, after2);
+          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after2);
         }
-        if (impulse && joined(event, scale)) return told4(...hitAndGoOn(event, telling, pair), shown2);
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
         if (impulse) {
-          return told4(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return tr("{mover} touches {other}.", {
@@ -11954,24 +11957,24 @@ ${table3(facts)}
       case "peak":
         return peakSentence(event, telling, laws, bare, pair);
       case "separate": {
-        if (!joined(event, scale)) return told4(tr("{pair} separate.", { pair }), shown2, after2);
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
         const ended2 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay = tr("The push between {pair} has ended; they stay together.", ended2);
-          return told4(stay, shown2, after2);
+          return told3(stay, shown2, after2);
         }
-        return told4(pushEnded(event, telling, ended2.pair), shown2);
+        return told3(pushEnded(event, telling, ended2.pair), shown2);
       }
       case "stick":
-        return told4(tr("{pair} stay together.", { pair }), after2);
+        return told3(tr("{pair} stay together.", { pair }), after2);
       case "stop":
         return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
         return names[1] ? tr("{pair} start to move.", { pair }) : tr("{cart} starts to move.", { cart: pair });
       case "release":
         if (impulse || !event.force) {
-          return told4(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
+          return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
         }
         return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
           pair,
@@ -11989,11 +11992,11 @@ ${table3(facts)}
     if (laws[key2] === APART) {
       return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force }) : tr("{pair} are nearest.", { pair });
     }
-    const told4 = forces2 && greatest3;
+    const told3 = forces2 && greatest3;
     if (laws[key2] !== "bumper") {
-      return told4 ? tr("{pair} push hardest: {force} on each.", { pair, force }) : tr("{pair} push hardest.", { pair });
+      return told3 ? tr("{pair} push hardest: {force} on each.", { pair, force }) : tr("{pair} push hardest.", { pair });
     }
-    if (told4) {
+    if (told3) {
       return bare.has(key2) ? tr("{pair}: squeezed the most, {force} on each.", { pair, force }) : tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
     }
     return bare.has(key2) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
@@ -12068,10 +12071,10 @@ ${table3(facts)}
     });
   }
   function labels({ kind: kind2, on, by, size }) {
-    const told4 = { on, by, size };
-    const brief2 = { ...told4, by: by.replaceAll("the ", "") };
+    const told3 = { on, by, size };
+    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind2).label?.(told4) ?? tr("on {on} by {by}: {size} N", told4),
+      viewOf(kind2).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -12276,14 +12279,14 @@ ${rows}</tbody></table></div>
   function phrase(effect, header, numbers) {
     const { kind: kind2, carts, between: between2 } = effect;
     const view = viewOf(kind2);
-    const told4 = {
+    const told3 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
       both: bodiesOf(between2 ?? carts, header.track),
       agent: agent(effect),
       seen: (text3) => numbers ? text3 : ""
     };
-    const parts2 = view.phrase?.(effect, told4) ?? [nameOf(effect)];
+    const parts2 = view.phrase?.(effect, told3) ?? [nameOf(effect)];
     return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {
@@ -12611,7 +12614,7 @@ ${spec.sure && certainty(id)}
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
 <div class="carts-compared" tabindex="-1" hidden></div>
-<label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off" placeholder=" "></textarea></label>
+<label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" maxlength="20000" autocomplete="off" placeholder=" "></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
 <p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
 </div>`;
@@ -12654,8 +12657,9 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
     const knobs = KNOBS.map(
       (k) => html`<circle class="carts-knob" data-index=${k} cx=${LEFT5 + STEP * k} cy=${place2.zero} r="7"/>`
     );
+    const mode = place2.low < 0 ? "text" : "decimal";
     const heights = TIMES2[quantity === "F" ? "contact" : "run"].map(
-      (name) => html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place2.low} max=${HIGHEST} step="0.5" disabled></label>`
+      (name) => html`<label>${name} <input type="text" class="carts-height" inputmode=${mode} autocomplete="off" disabled></label>`
     );
     const flat = path2(place2, [0, 0, 0, 0, 0]);
     return html`<div class="carts-sketch">
@@ -12676,7 +12680,7 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
     return html`<div class="carts-options" role="radiogroup" aria-labelledby="${id}-ask">${rows}</div>`;
   }
   function text({ fence: { id } }) {
-    return html`<textarea class="carts-words" rows="3" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
+    return html`<textarea class="carts-words" rows="3" maxlength="20000" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
   }
 
   // ../view/skins.js
@@ -13046,11 +13050,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told4 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told4);
+      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
       const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told4,
+        ...told3,
         velocity: seen
       });
     });
@@ -13712,8 +13716,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told4 = { name, size };
-      const ways = way === "up" ? [tr("{name}: {size} down", told4), tr("{name}: {size} up", told4)] : [tr("{name}: {size} to the left", told4), tr("{name}: {size} to the right", told4)];
+      const told3 = { name, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
       const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
@@ -14566,8 +14570,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       need(this.details, "tbody").replaceChildren(...rows);
     }
     #times(run) {
-      const told4 = this.details.open && OF_CONTACTS.includes(this.quantity);
-      const within = told4 ? contactTimes(run) : [];
+      const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
+      const within = told3 ? contactTimes(run) : [];
       const times2 = /* @__PURE__ */ new Set([...tableTimes(run), ...within]);
       return [...times2].filter((t) => t <= this.#seen).sort((a, b) => a - b);
     }
@@ -14649,8 +14653,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.impulse?.show(run);
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t);
-      const told4 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
-      this.table.show(run, told4, this.#times(run));
+      const told3 = this.#stacked ? this.ledger?.entries ?? [] : this.#curves;
+      this.table.show(run, told3, this.#times(run));
     }
     grow(seen) {
       this.#seen = seen;
@@ -14779,10 +14783,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const run = this.#run;
       if (!run) return;
       const { t: times2, x, v, a } = run.trajectory;
-      const told4 = isTold(run);
+      const told3 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const force = told4 ? resultant(run, name, t, this.zero) : null;
+        const force = told3 ? resultant(run, name, t, this.zero) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt2(times2, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
           ["v", (valueAt2(times2, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
@@ -14931,8 +14935,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       pieces.push({ key: `arrow ${key2}`, cls: `carts-block-arrow carts-acts ${style}`, d });
       const row2 = `row ${force.kind}`;
       if (named2) {
-        const told4 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text3 = told4.find((one) => fits(x, length, one, layout.width)) ?? String(told4.at(-1));
+        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text3 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
         const [at, anchor] = beside(x, length, text3.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key2}`, cls, text: text3, x: px(at), y: px(y + 5), anchor });
@@ -15035,7 +15039,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told4 = [];
+      const told3 = [];
       for (const push2 of this.#pushes) {
         const forces2 = forcesOn(run, push2, t).map(
           (force) => Math.abs(force) < NOISE * view.force ? 0 : force
@@ -15058,23 +15062,23 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
-          told4.push({ push: push2, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
+          told3.push({ push: push2, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
         }
       }
-      this.#names(told4);
+      this.#names(told3);
     }
-    #names(told4) {
-      const [only] = told4;
+    #names(told3) {
+      const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
-        const on = told4.some(({ push: push2 }) => push2.pair === pair);
+        const on = told3.some(({ push: push2 }) => push2.pair === pair);
         for (const group of groups) {
           put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told4.length === 1 && only && this.#inFull(only)) return;
+      if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push: push2, sizes, x } of told4) {
+      for (const { push: push2, sizes, x } of told3) {
         const size = Math.max(...sizes);
         const [text3, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
         if (!text3 || !other) continue;
@@ -15092,8 +15096,8 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         }
       }
     }
-    #inFull(told4) {
-      return this.#named(told4, told4.link && ` (${told4.link})`) || this.#named(told4, "");
+    #inFull(told3) {
+      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     #named({ push: push2, sizes, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));

@@ -391,12 +391,84 @@
     }
   };
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var plain = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function withExponent(text) {
+    return plain(text).replace(POWER_OF_TEN, (_, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
+  // src/shared/typed.js
+  var LONGEST2 = 40;
+  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function readTyped(typed) {
+    const text = withExponent(tidy(typed));
+    if (!text) return { problem: tr("Type a number, for example 0.5") };
+    if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
+    const grouped = twoReadings(text);
+    if (grouped) return { problem: grouped };
+    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
+      const value = Number(text.replace(",", "."));
+      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
+    }
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
+      return { text: text.replace(/(\d),(\d)/, "$1.$2") };
+    }
+    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+  }
+  function tidy(typed) {
+    const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
+    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
+  }
+  function twoReadings(typed) {
+    const text = GROUPED.exec(typed)?.[0];
+    if (!text) return "";
+    const whole = text.replaceAll(",", "");
+    if (/[,.].*[,.]/.test(text)) return tr("Type {number} without commas.", { number: whole });
+    const decimal = String(Number(text.replace(",", ".")));
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text,
+      decimal,
+      whole
+    });
+  }
+
+  // src/shared/number-box.js
+  function numberIn({ value }) {
+    const read = readTyped(value);
+    return "value" in read ? read.value : null;
+  }
+  function problemIn({ value }) {
+    const read = readTyped(value);
+    if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+    return "problem" in read ? read.problem : "";
+  }
+  var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";
+  function complainUnlessPositive(box, problem) {
+    const low = Number(numberIn(box) ?? 1) <= 0;
+    complain(box, low ? tr("A number above 0, please.") : problem);
+  }
+  function complain(box, problem) {
+    const place = box.closest("label, [data-hand]") ?? box.parentElement;
+    const told = place.querySelector(".carts-error") ?? html("span", "carts-error");
+    if (!problem) return told.remove();
+    told.setAttribute("role", "alert");
+    place.append(told);
+    say(told, problem);
+  }
+
   // src/film/setup.js
   var AIMS = ["A", "B", "one", "other"];
   var METRES = { m: 1, cm: 0.01 };
   var Setup = class {
     points = {};
     aim = "A";
+    #slower = 1;
     constructor(root, changed) {
       const find = (name) => need(root, `.carts-film-${name}`);
       this.boxes = { length: find("length"), slower: find("slower") };
@@ -412,6 +484,9 @@
       }
       this.inputs = [...Object.values(this.boxes), this.unit];
       for (const input of this.inputs) input.addEventListener("input", changed);
+      const { length, slower } = this.boxes;
+      length.addEventListener("change", () => complainUnlessPositive(length, ifTyped(length)));
+      slower.addEventListener("change", () => complainUnlessPositive(slower, problemIn(slower)));
     }
     set(point) {
       this.points[this.aim] = point;
@@ -429,15 +504,17 @@
       return AIMS.every((aim) => this.points[aim]);
     }
     get length() {
-      return this.boxes.length.valueAsNumber * Number(METRES[this.unit.value]);
+      return (numberIn(this.boxes.length) ?? Number.NaN) * Number(METRES[this.unit.value]);
     }
     get slower() {
-      const typed = this.boxes.slower.valueAsNumber;
-      return typed > 0 ? typed : 1;
+      const typed = numberIn(this.boxes.slower) ?? 0;
+      if (typed > 0) this.#slower = typed;
+      return this.#slower;
     }
     get ruler() {
       const { one, other } = this.points;
       if (!one || !other || !(this.length > 0)) return null;
+      if (numberIn(this.boxes.slower) !== this.slower) return null;
       if (Math.hypot(one.x - other.x, one.y - other.y) < 1) return null;
       return { ends: [one, other], length: this.length };
     }
@@ -865,7 +942,7 @@ ${mending()}
   }
   function settings() {
     const units = ["m", "cm"].map((unit) => html2`<option value=${unit}>${unit}</option>`);
-    return html2`<p class="carts-film-row"><label>${tr("length of the ruler")} <input type="number" class="carts-film-length" min="0" step="any" disabled></label> <select class="carts-film-unit" aria-label=${tr("unit of the ruler’s length")} disabled>${units}</select> <label>${tr("slow motion: times slower than life")} <input type="number" class="carts-film-slower" min="0.1" step="any" value="1" disabled></label></p>`;
+    return html2`<p class="carts-film-row"><label>${tr("length of the ruler")} <input type="text" class="carts-film-length" inputmode="decimal" autocomplete="off" disabled></label> <select class="carts-film-unit" aria-label=${tr("unit of the ruler’s length")} disabled>${units}</select> <label>${tr("slow motion: times slower than life")} <input type="text" class="carts-film-slower" inputmode="decimal" autocomplete="off" value="1" disabled></label></p>`;
   }
   function mending() {
     return html2`<p class="carts-film-row carts-film-mend" hidden><button type="button" class="carts-button carts-film-next">${tr("Next lost place")}</button> <button type="button" class="carts-button carts-film-leave">${tr("Leave it out")}</button> <button type="button" class="carts-button carts-film-read">${tr("Read these places")}</button> <button type="button" class="carts-button carts-film-again">${tr("Set the marks anew")}</button></p>

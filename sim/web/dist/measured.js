@@ -1,10 +1,43 @@
 "use strict";
 (() => {
+  // ../view/language.js
+  var catalogue = globalThis.cartsWords ?? {};
+  var FORMS = "\0";
+  var RULE = catalogue["\0"] ?? "";
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
+  }
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
+  }
+  function inRow(parts) {
+    const [head = "", ...tail] = parts;
+    return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
+  function ended(sentence) {
+    return tr("{sentence}.", { sentence });
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
   // ../view/measured/units.js
   var CHOOSE = {
-    time: "what times are in",
-    length: "what lengths are in",
-    force: "what forces are in"
+    time: () => tr("what times are in"),
+    length: () => tr("what lengths are in"),
+    force: () => tr("what forces are in")
   };
   var QUANTITY = {
     time: ["t", "s"],
@@ -14,25 +47,28 @@
   };
   var open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
   function missing(read) {
-    const left = open(read).map((kind) => CHOOSE[kind]);
-    return left.length ? `This file does not say its units. Choose ${left.join(" and ")}.` : "";
+    const [one, other] = open(read).map((kind) => CHOOSE[kind]());
+    if (!one) return "";
+    const what = other ? tr("{first} and {last}", { first: one, last: other }) : one;
+    return tr("This file does not say its units. Choose {what}.", { what });
   }
-  var told = ({ assumed, chosen, read }) => [
+  var howRead = ({ assumed, chosen, read }) => [
     ...assumed.flatMap(
-      (kind) => chosen?.[kind] ? `${QUANTITY[kind][0]} in ${chosen[kind]} (as chosen)` : []
+      (kind) => chosen?.[kind] ? tr("{letter} in {unit} (as chosen)", { letter: QUANTITY[kind][0], unit: chosen[kind] }) : []
     ),
-    ...read
+    ...read.map(told)
   ];
   function heads(read) {
     const left = open(read);
-    const named = (kind, of = "") => {
+    const named = (kind, cart = "") => {
       const [letter, unit] = QUANTITY[kind];
-      return `${letter}${of}${left.some((one) => one === kind) ? "" : ` in ${unit}`}`;
+      const what = cart ? tr("{letter} of {cart}", { letter, cart }) : letter;
+      return left.some((one) => one === kind) ? what : tr("{letter} in {unit}", { letter: what, unit });
     };
     return {
       time: named("time"),
       value: named(read.kind),
-      tracks: read.names.map((name) => named(read.kind, ` of ${name}`))
+      tracks: read.names.map((name) => named(read.kind, name))
     };
   }
 
@@ -148,7 +184,7 @@
     on("save", save);
     on("fit", fit);
     on("compare", compare);
-    on("scene", () => download("real-carts.yml", bench.report?.scene ?? "", "text/yaml"));
+    on("scene", () => download("real-carts.yml", told(bench.report?.scene ?? ""), "text/yaml"));
     on("tracker", async () => {
       const { text: text2 } = await tracker();
       if (text2) download("model-run.txt", text2, "text/plain;charset=utf-8");
@@ -180,27 +216,101 @@
     }
   }
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var plain = (text2) => text2.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text2) => [...text2].map((sign) => RAISED[sign] ?? sign).join("");
+  function withExponent(text2) {
+    return plain(text2).replace(POWER_OF_TEN, (_, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
+  // src/shared/typed.js
+  var LONGEST = 40;
+  var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
+  function readTyped(typed) {
+    const text2 = withExponent(tidy(typed));
+    if (!text2) return { problem: tr("Type a number, for example 0.5") };
+    if (text2.length > LONGEST) return { problem: tr("That is too long for a number.") };
+    const grouped = twoReadings(text2);
+    if (grouped) return { problem: grouped };
+    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text2)) {
+      const value = Number(text2.replace(",", "."));
+      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text: text2 }) };
+    }
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text2)) {
+      return { text: text2.replace(/(\d),(\d)/, "$1.$2") };
+    }
+    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text: text2 }) };
+  }
+  function tidy(typed) {
+    const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
+    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
+  }
+  function twoReadings(typed) {
+    const text2 = GROUPED.exec(typed)?.[0];
+    if (!text2) return "";
+    const whole = text2.replaceAll(",", "");
+    if (/[,.].*[,.]/.test(text2)) return tr("Type {number} without commas.", { number: whole });
+    const decimal = String(Number(text2.replace(",", ".")));
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text: text2,
+      decimal,
+      whole
+    });
+  }
+
+  // src/shared/number-box.js
+  function numberIn({ value }) {
+    const read = readTyped(value);
+    return "value" in read ? read.value : null;
+  }
+  function problemIn({ value }) {
+    const read = readTyped(value);
+    if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+    return "problem" in read ? read.problem : "";
+  }
+  var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";
+  function complainUnlessPositive(box, problem) {
+    const low = Number(numberIn(box) ?? 1) <= 0;
+    complain(box, low ? tr("A number above 0, please.") : problem);
+  }
+  function complain(box, problem) {
+    const place2 = box.closest("label, [data-hand]") ?? box.parentElement;
+    const told4 = place2.querySelector(".carts-error") ?? html("span", "carts-error");
+    if (!problem) return told4.remove();
+    told4.setAttribute("role", "alert");
+    place2.append(told4);
+    say(told4, problem);
+  }
+
   // src/measured/hands.js
   var FASTER = 1.5;
   var RATIO = [0.1, 10];
-  var LONGEST = 0.4;
+  var LONGEST2 = 0.4;
   var Hands = class {
     constructor(root, changed) {
       this.rows = /* @__PURE__ */ new Map();
       for (const row of root.querySelectorAll(".carts-measured-hand")) {
         const slide = need(row, "input[type=range]");
-        const box = need(row, "input[type=number]");
+        const box = need(row, "input[type=text]");
         this.rows.set(row.dataset.hand ?? "", {
           slide,
           box
         });
         slide.addEventListener("input", () => {
-          box.value = shown(slide.valueAsNumber);
+          put2(box, slide.valueAsNumber);
           changed();
         });
         box.addEventListener("change", () => {
-          if (!Number.isFinite(box.valueAsNumber)) box.value = shown(slide.valueAsNumber);
-          slide.value = box.value;
+          complain(box, ifTyped(box));
+          if (!box.value.trim()) put2(box, slide.valueAsNumber);
+          const value = numberIn(box);
+          if (value === null) return;
+          slide.value = String(value);
           changed();
         });
       }
@@ -212,11 +322,16 @@
       const most = FASTER * Math.max(...speeds, 1e-3);
       const [a = "A", b = "B"] = names;
       this.#set("touch", begin, end);
-      this.#set("va", -most, most, `velocity of ${a} before`);
-      this.#set("vb", -most, most, `velocity of ${b} before`);
-      this.#set("ratio", Number(RATIO[0]), Number(RATIO[1]), `mass of ${b} ÷ mass of ${a}`);
+      this.#set("va", -most, most, tr("velocity of {cart} before", { cart: a }));
+      this.#set("vb", -most, most, tr("velocity of {cart} before", { cart: b }));
+      this.#set(
+        "ratio",
+        Number(RATIO[0]),
+        Number(RATIO[1]),
+        tr("mass of {b} ÷ mass of {a}", { a, b })
+      );
       this.#set("e", 0, 1);
-      this.#set("duration", 1e-3, Math.min(LONGEST, (end - begin) / 2));
+      this.#set("duration", 1e-3, Math.min(LONGEST2, (end - begin) / 2));
     }
     #set(key, low, high, label = "") {
       const row = this.rows.get(key);
@@ -235,11 +350,14 @@
       for (const [key, { slide, box }] of this.rows) {
         const value = Number(values[key]);
         slide.value = String(value);
-        box.value = shown(value);
+        put2(box, value);
       }
     }
     get value() {
-      const read = (key) => this.rows.get(key)?.box.valueAsNumber ?? 0;
+      const read = (key) => {
+        const row = this.rows.get(key);
+        return row ? numberIn(row.box) ?? row.slide.valueAsNumber : 0;
+      };
       return {
         touch: read("touch"),
         x: 0,
@@ -251,8 +369,9 @@
       };
     }
   };
-  function shown(value) {
-    return String(Number(value.toPrecision(4)));
+  function put2(box, value) {
+    box.value = String(Number(value.toPrecision(4)));
+    complain(box, "");
   }
   function fastest({ t, value }) {
     const apart = Math.max(1, Math.floor(t.length / 5));
@@ -264,16 +383,6 @@
     return found;
   }
 
-  // ../view/language.js
-  var catalogue = globalThis.cartsWords ?? {};
-  var RULE = catalogue["\0"] ?? "";
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
   // src/shared/kept-line.js
   var KeptLine = class {
     #puts = 0;
@@ -282,10 +391,10 @@
       this.root = html("p", "carts-unsaved");
       this.root.setAttribute("role", "status");
     }
-    async hear(put2) {
+    async hear(put3) {
       this.#puts += 1;
       const turn = this.#puts;
-      const kept = Boolean(await put2);
+      const kept = Boolean(await put3);
       if (turn !== this.#puts) return;
       say(this.root, kept ? "" : tr("Not saved"));
       this.owner.toggleAttribute("data-kept", kept);
@@ -438,10 +547,10 @@
 
   // src/shared/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
-  function newestFirst(put2) {
+  function newestFirst(put3) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value, alone2) {
-      const now = put2(key, value, alone2);
+      const now = put3(key, value, alone2);
       flights.set(key, { now, next: null });
       const over = () => {
         if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
@@ -498,7 +607,7 @@
   async function indexed(name) {
     const begin = await reopening(name);
     const read = async (ask) => answered(ask((await begin("readonly")).objectStore(STORE)));
-    const put2 = newestFirst(
+    const put3 = newestFirst(
       (key, value, alone2) => write(begin, (answers) => {
         if (value === GONE) answers.delete(key);
         else if (alone2) {
@@ -514,8 +623,8 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: put2,
-      remove: (key) => put2(key, GONE),
+      put: put3,
+      remove: (key) => put3(key, GONE),
       entries: async () => {
         const answers = (await begin("readonly")).objectStore(STORE);
         const [keys, values] = await Promise.all([
@@ -656,7 +765,7 @@
     const { site, page: page2 } = place();
     const key = `${page2}/${id}`;
     const opened2 = openAll(`${site}${READINGS}`);
-    const put2 = async (kept) => {
+    const put3 = async (kept) => {
       try {
         const store = await opened2;
         await store.put(key, kept, true);
@@ -668,7 +777,7 @@
     return {
       get: async () => (await opened2).get(key).catch(() => null),
       put: (kept) => {
-        const done = put2(kept);
+        const done = put3(kept);
         const own = kept.texts.length || kept.cells.length || kept.pasted;
         void line.hear(own ? done : Promise.resolve(true));
       }
@@ -822,9 +931,9 @@
         this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
         return;
       }
-      const shown2 = this.stills ? this.#waited : seconds2;
+      const shown = this.stills ? this.#waited : seconds2;
       this.#waited = 0;
-      let next = advance(before, shown2, this.speed, this.#parts, this.until);
+      let next = advance(before, shown, this.speed, this.#parts, this.until);
       if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
       const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : void 0;
       this.#move(halt ?? next);
@@ -1005,7 +1114,7 @@
     const { names, tracks } = read;
     const { time, tracks: its } = heads(read);
     const head = [time, ...its];
-    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    if (residuals) head.push(...names.map((cart) => tr("residual of {cart} in mm", { cart })));
     const found = /* @__PURE__ */ new Map();
     for (const [k, track] of tracks.entries()) {
       for (const [n, t] of track.t.entries()) {
@@ -1022,50 +1131,55 @@
   // src/measured/result.js
   function showResult(place2, report) {
     place2.hidden = false;
-    const parts = [html("p", "carts-heading", "What the readings say")];
+    const parts = [html("p", "carts-heading", tr("What the readings say"))];
     if (report.known) {
-      parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
-      if (report.added) parts.push(html("p", "", report.added));
-      if (report.doubt) parts.push(html("p", "carts-measured-doubt", report.doubt));
+      const fitted = tr("Fitted with {law}.", { law: told(report.law_words) });
+      parts.push(html("p", "carts-measured-law-words", fitted));
+      if (report.added) parts.push(html("p", "", told(report.added)));
+      if (report.doubt) parts.push(html("p", "carts-measured-doubt", told(report.doubt)));
       parts.push(table(report));
       parts.push(...notPrinted(report.untold));
     }
     const said = html("ul", "carts-measured-sentences");
-    said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
+    said.append(...report.sentences.map((sentence) => html("li", "", told(sentence))));
     parts.push(said);
     if (report.rungs) parts.push(ladder(report.rungs));
     place2.replaceChildren(...parts);
   }
   function notPrinted(untold) {
     const names = /* @__PURE__ */ new Map();
-    for (const { name, reason } of untold) names.set(reason, [...names.get(reason) ?? [], name]);
+    for (const one of untold) {
+      const reason = told(one.reason);
+      names.set(reason, [...names.get(reason) ?? [], told(one.name)]);
+    }
     return [...names].map(([reason, hidden]) => {
       const row = html("p", "carts-measured-untold");
-      row.append(html("strong", "", `Not printed: ${hidden.join("; ")}.`), ` ${upper(reason)}.`);
+      const which = tr("Not printed: {names}.", { names: hidden.join("; ") });
+      row.append(html("strong", "", which), ` ${ended(upper(reason))}`);
       return row;
     });
   }
   function ladder({ line, taken, rows }) {
-    const item = ({ sentence }) => html("li", "", sentence);
+    const item = ({ sentence }) => html("li", "", told(sentence));
     const list = html("ol", "carts-ladder");
     list.append(
       ...rows.filter(({ verdict }) => verdict !== "not-shown").map(item),
-      html("li", "carts-ladder-line", line),
+      html("li", "carts-ladder-line", told(line)),
       ...rows.filter(({ verdict }) => verdict === "not-shown").map(item)
     );
     const root = html("details", "carts-measured-ladder");
     root.append(
-      html("summary", "", "What do these readings call for?"),
-      html("p", "", "Each effect alone, largest first:"),
+      html("summary", "", tr("What do these readings call for?")),
+      html("p", "", tr("Each effect alone, largest first:")),
       list,
-      html("p", "carts-quiet", taken)
+      html("p", "carts-quiet", told(taken))
     );
     return root;
   }
   function table(report) {
     const made = html("table", "carts-table carts-measured-known");
     const head = html("tr");
-    for (const text2 of ["what", "value ± half of the 95 % interval"]) {
+    for (const text2 of [tr("what"), tr("value ± half of the 95 % interval")]) {
       const cell = html("th", "", text2);
       cell.setAttribute("scope", "col");
       head.append(cell);
@@ -1073,12 +1187,12 @@
     const top = html("thead");
     top.append(head);
     const body = html("tbody");
-    for (const { key, name, text: text2 } of report.known) {
+    for (const { key, name, interval } of report.known) {
       const row = html("tr");
       row.dataset.key = key;
-      const title = html("th", "", name);
+      const title = html("th", "", told(name));
       title.setAttribute("scope", "row");
-      row.append(title, html("td", "", text2.replace(`${name}: `, "")));
+      row.append(title, html("td", "", told(interval)));
       body.append(row);
     }
     made.append(top, body);
@@ -1103,6 +1217,14 @@
     place2.querySelector("thead")?.replaceChildren(top);
     place2.querySelector("tbody")?.replaceChildren(...body);
     place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
+  }
+
+  // ../view/bodies.js
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = inRow(names.slice(0, -1));
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
 
   // src/measured/decoded.js
@@ -1224,7 +1346,7 @@
   // src/measured/grid.js
   var ROWS = 10;
   var MOST = 500;
-  var COLUMNS = ["t", "x of A", "x of B"];
+  var CARTS = ["", "A", "B"];
   var Grid = class {
     constructor(body, changed) {
       this.body = body;
@@ -1237,7 +1359,8 @@
       for (let k = 0; k < count && this.body.children.length < MOST; k += 1) {
         const number = this.body.children.length + 1;
         const row = html("tr");
-        for (const column of COLUMNS) {
+        for (const cart of CARTS) {
+          const column = cart ? tr("{letter} of {cart}", { letter: "x", cart }) : "t";
           const cell = html("td");
           const box = html("input");
           Object.assign(box, {
@@ -1245,7 +1368,7 @@
             inputMode: "decimal",
             autocomplete: "off"
           });
-          box.setAttribute("aria-label", `${column}, row ${number}`);
+          box.setAttribute("aria-label", tr("{column}, row {row}", { column, row: number }));
           cell.append(box);
           row.append(cell);
         }
@@ -1280,12 +1403,12 @@
       const left = [...row?.querySelectorAll("input") ?? []].indexOf(event.target);
       const all = this.cells;
       for (const [k, cells] of block.entries()) {
-        all[top + k] ??= COLUMNS.map(() => "");
-        for (const [j, cell] of cells.slice(0, COLUMNS.length - left).entries()) {
+        all[top + k] ??= CARTS.map(() => "");
+        for (const [j, cell] of cells.slice(0, CARTS.length - left).entries()) {
           all[top + k][left + j] = cell;
         }
       }
-      this.cells = Array.from(all, (cells) => cells ?? COLUMNS.map(() => ""));
+      this.cells = Array.from(all, (cells) => cells ?? CARTS.map(() => ""));
       this.changed();
     }
   };
@@ -1294,8 +1417,10 @@
   var MOST_BYTES = 4e6;
   var MOST_ZIPPED = 3e7;
   var ZIP_NAME = /\.(zip|trz)$/i;
+  var FILE_NAME = /^\S+\.\w+$/;
   var ZIP = 1347093252;
   var TYPED = "typed readings";
+  var LINE = "line {line}";
   var Source = class _Source {
     #open = () => {
     };
@@ -1318,7 +1443,7 @@
       const file = need(root, ".carts-measured-file");
       this.#enable(false);
       this.on("open", () => file.click());
-      this.on("take", () => this.take("pasted readings", [this.paste.value]));
+      this.on("take", () => this.take(tr("pasted readings"), [this.paste.value]));
       this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
       this.on("more", () => this.grid.grow());
       file.addEventListener("change", () => {
@@ -1354,46 +1479,65 @@
       await this.#opened;
       const film = files.find(isFilm);
       if (film) return this.films.open(film);
-      if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
+      if (files.length > 2) return this.tell(tr("Choose one file with both carts, or one for each."));
       for (const { name, size } of files) {
         const most = ZIP_NAME.test(name) ? MOST_ZIPPED : MOST_BYTES;
         if (size <= most) continue;
-        const limit = `at most ${most / 1e6} MB`;
-        return this.tell(`This file is too large to be readings of two carts: ${limit}.`);
+        const limit = tr("at most {most} MB", { most: most / 1e6 });
+        return this.tell(
+          tr("This file is too large to be readings of two carts: {limit}.", { limit })
+        );
       }
       const texts = [];
       for (const file of files) {
         const bytes = await file.arrayBuffer().catch(() => null);
-        if (!bytes) return this.tell(`${_Source.notRead(file.name)}choose a file that is there.`);
+        if (!bytes) return this.tell(_Source.notRead(file.name) + tr("choose a file that is there."));
         const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
         if ("refused" in found) {
-          const why = found.refused.map(({ reason, hint: hint2 }) => `${reason} (${hint2})`).join(". ");
-          return this.tell(_Source.notRead(file.name) + why);
+          const why = found.refused.map(
+            ({ reason, hint: hint2 }) => tr("{reason} ({hint})", { reason: told(reason), hint: told(hint2) })
+          );
+          return this.tell(_Source.notRead(file.name) + why.join(". "));
         }
         texts.push(found.text);
       }
-      this.take(files.map((file) => file.name).join(" and "), texts);
+      this.take(listed(files.map((file) => file.name)), texts);
     }
     #unzipped(bytes) {
       return this.unzip(base64(bytes)).catch(({ message }) => ({
-        refused: [{ line: null, reason: message, hint: "a zip needs Python to be opened" }]
+        refused: [{ line: null, reason: message, hint: tr("a zip needs Python to be opened") }]
       }));
     }
     save(name, texts) {
-      const one = name && !/\band\b| /.test(name) && !ZIP_NAME.test(name) ? name : "readings.txt";
+      const own = texts.length === 1 && FILE_NAME.test(name) && !ZIP_NAME.test(name);
+      const one = own ? name : "readings.txt";
       for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
     }
-    static told(name, text2) {
-      return text2.replace(/\bline (\d+)/g, (_, line) => _Source.place(name, Number(line)));
+    static told(name, reason) {
+      return told(withPlaces(name, reason));
+    }
+    static called(name) {
+      return name === TYPED ? tr("typed readings") : name;
     }
     static notRead(name) {
-      return name && name !== TYPED ? `${name} was not read: ` : "";
+      if (!name || name === TYPED) return "";
+      const told4 = tr("{name} was not read:", { name });
+      return `${told4} `;
     }
     static place(name, line) {
-      if (name !== TYPED) return `line ${line}`;
-      return line > 1 ? `row ${line - 1}` : "the table";
+      if (name !== TYPED) return tr("line {line}", { line });
+      return line > 1 ? tr("row {row}", { row: line - 1 }) : tr("the table");
     }
   };
+  function withPlaces(name, reason) {
+    if (typeof reason === "string") return reason;
+    if (reason.code === LINE) return Source.place(name, Number(reason.values.line));
+    const values = Object.entries(reason.values).map(([key, value]) => [
+      key,
+      withPlaces(name, value)
+    ]);
+    return { ...reason, values: Object.fromEntries(values) };
+  }
   function isZip(bytes) {
     return new DataView(bytes).byteLength > 4 && new DataView(bytes).getUint32(0) === ZIP;
   }
@@ -1542,7 +1686,7 @@
     }
     readings(name, read, motion) {
       this.forget();
-      say(this.#part("said"), [name, ...told(read)].filter(Boolean).join("; "));
+      say(this.#part("said"), [Source.called(name), ...howRead(read)].filter(Boolean).join("; "));
       this.#part("legend").replaceChildren(...legend(read));
       this.#part("model").hidden = !motion;
       this.#part("world").hidden = !motion;
@@ -1565,23 +1709,27 @@
       this.figure.show(tracks, heads(read), null);
       if (forces && summed) {
         const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
-        this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
+        this.figure.rest([{ t: forces.t, value: sum }], [sum], tr("sum in N"), 1);
       }
       showTable(need(this.root, ".carts-measured-table table"), read, null);
-      say(this.#part("spread"), forces && summed ? "Lower picture: the sum of both forces." : "");
+      say(this.#part("spread"), forces && summed ? tr("Lower picture: the sum of both forces.") : "");
       if (read.report) showResult(this.#part("result"), read.report);
     }
     draw(read, drawn) {
       this.figure.show(read.tracks, heads(read), drawn.curve, drawn.parameters.touch);
-      this.figure.rest(read.tracks, drawn.residuals, "rest in mm", 1e3);
+      this.figure.rest(read.tracks, drawn.residuals, tr("rest in mm"), 1e3);
       this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
       showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
       const all = read.tracks[0].t.length + read.tracks[1].t.length;
-      const of = (drawn.counted ?? all) < all ? ` (of the ${drawn.counted} readings that the fit counts)` : "";
-      const spread = fixed(1e3 * drawn.spread, drawn.spread < FINE ? 2 : 0);
+      const spread = `${fixed(1e3 * drawn.spread, drawn.spread < FINE ? 2 : 0)} mm`;
+      const count = drawn.counted ?? all;
+      const size = count < all ? tr("{spread} (of the {count} readings that the fit counts)", { spread, count }) : spread;
       say(
         this.#part("spread"),
-        `Lower picture: residuals, the rest (measured minus model). Their root mean square is ${spread} mm${of}.`
+        tr(
+          "Lower picture: residuals, the rest (measured minus model). Their root mean square is {size}.",
+          { size }
+        )
       );
       this.#begin = Number(drawn.curve.t[0]);
       this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
@@ -1596,7 +1744,7 @@
       this.scrub.value = String(this.player.time);
       this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
       say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
-      say(this.#part("play"), this.player.playing ? "Pause" : "Play");
+      say(this.#part("play"), this.player.playing ? tr("Pause") : tr("Play"));
     }
     told(report) {
       showResult(this.#part("result"), report);
@@ -1609,8 +1757,11 @@
       const fit = what !== "" && what !== "read";
       const rows = faults.map(({ line, reason, hint: hint2 }, k) => {
         const row = document.createElement("li");
-        const where = `${k ? "" : whose}${line === null ? "" : `${Source.place(name, line)}: `}`;
-        row.textContent = `${where}${Source.told(name, reason)}${hint2 ? ` (${hint2})` : ""}`;
+        const found = Source.told(name, reason);
+        const help = hint2 ? tr("{reason} ({hint})", { reason: found, hint: told(hint2) }) : found;
+        const where = line === null ? "" : Source.place(name, line);
+        const text2 = where ? tr("{name}: {text}", { name: where, text: help }) : help;
+        row.textContent = `${k ? "" : whose}${text2}`;
         return row;
       });
       this.#part("unfitted").replaceChildren(...fit ? rows : []);
@@ -1628,8 +1779,8 @@
   };
   var NAMES = {
     length: (name) => name,
-    force: (name) => `force on ${name}`,
-    acceleration: (name) => `phone on ${name}`
+    force: (cart) => tr("force on {cart}", { cart }),
+    acceleration: (cart) => tr("phone on {cart}", { cart })
   };
   function legend(read) {
     return read.names.flatMap((name, k) => {
@@ -1664,6 +1815,9 @@
       for (const input of [...this.units, this.run, this.from, this.until]) {
         input.addEventListener("change", () => changed(true));
       }
+      for (const box of [this.from, this.until, this.distance]) {
+        box.addEventListener("change", () => complain(box, ifTyped(box)));
+      }
       for (const input of [this.law, this.effect, this.distance, this.together]) {
         input.addEventListener("change", () => changed(false));
       }
@@ -1675,22 +1829,25 @@
       this.#masses = names.map((_, k) => {
         const box = html("input");
         Object.assign(box, {
-          type: "number",
-          step: "any",
-          min: "0",
+          type: "text",
+          inputMode: "decimal",
+          autocomplete: "off",
           value: before[k] ?? ""
         });
-        box.addEventListener("change", () => this.changed(false));
+        box.addEventListener("change", () => {
+          complainUnlessPositive(box, ifTyped(box));
+          this.changed(false);
+        });
         return box;
       });
       this.place.replaceChildren(
-        html("span", "", "weighed: "),
+        html("span", "", `${tr("weighed:")} `),
         ...names.flatMap((name, k) => {
           const label = html("label", "", `${name} `);
           label.append(this.#masses[k], " kg");
           return [label, " "];
         }),
-        html("span", "carts-quiet", "if you have a balance")
+        html("span", "carts-quiet", tr("if you have a balance"))
       );
     }
     offer({ assumed, runs = [], run = "" }) {
@@ -1706,12 +1863,13 @@
     }
     clear(effect) {
       this.effect.value = effect;
-      for (const box of [...this.#masses, this.distance]) box.value = "";
+      for (const box of [...this.#masses, this.distance, this.from, this.until]) {
+        box.value = "";
+        complain(box, "");
+      }
       this.together.checked = false;
       this.#wanted = "";
       this.run.replaceChildren();
-      this.from.value = "";
-      this.until.value = "";
     }
     fill(kept) {
       for (const select of this.units) {
@@ -1749,20 +1907,20 @@
       };
     }
     get asked() {
-      const number = (box) => Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null;
       const masses = {};
       for (const [k, name] of this.#names.entries()) {
         const box = this.#masses[k];
-        if (box && box.valueAsNumber > 0) masses[name] = box.valueAsNumber;
+        const mass = box && numberIn(box);
+        if (mass && mass > 0) masses[name] = mass;
       }
       return {
         units: this.chosen,
         run: this.run.value || this.#wanted,
-        from: number(this.from),
-        until: number(this.until),
+        from: numberIn(this.from),
+        until: numberIn(this.until),
         law: this.law.value,
         effect: this.effect.value,
-        distance: number(this.distance),
+        distance: numberIn(this.distance),
         together: this.together.checked,
         masses
       };
@@ -2193,11 +2351,11 @@
       }
       async #fit(compare) {
         this.#tried = true;
-        this.picture?.busy("Starting numpy and scipy …");
+        this.picture?.busy(tr("Starting numpy and scipy …"));
         try {
           await client.need(PACKAGES);
           await this.#asking.ask("ready");
-          this.picture?.busy("Fitting …");
+          this.picture?.busy(tr("Fitting …"));
           performance.mark("carts:measured-asked");
           if (!await this.#newest("fit", { compare }, (found) => this.#fitted(found))) return;
           performance.mark("carts:measured-fit");
@@ -2221,7 +2379,7 @@
         this.picture?.refuse(this.#name, faults, what);
       }
       #note(text2) {
-        this.picture?.note(`Python cannot do this here: ${text2}`);
+        this.picture?.note(tr("Python cannot do this here: {text}", { text: text2 }));
         if (client.state === "failed") this.dataset.state = "failed";
       }
     };

@@ -144,6 +144,9 @@
   function tr(sentence, values = {}) {
     return filled(catalogue[sentence] ?? sentence, values);
   }
+  function counted(one, more, n, values = {}) {
+    return filled(form(one, more, n), { n, ...values });
+  }
   function form(one, more, n) {
     const ours = catalogue[more]?.split(FORMS);
     if (!ours) return n === 1 ? one : more;
@@ -1129,9 +1132,9 @@
 
   // src/teach/drafts.js
   var Drafts = class {
-    constructor(told4) {
+    constructor(told3) {
       const { site, page: page2 } = place();
-      this.hash = told4.hash;
+      this.hash = told3.hash;
       this.before = `${page2}#`;
       this.key = this.before + this.hash;
       this.own = null;
@@ -1324,9 +1327,9 @@
       this.session = session2;
     }
     async ask(text2) {
-      const { told: told4, client, page: page2 } = this.session;
+      const { told: told3, client, page: page2 } = this.session;
       const { header } = await client.ask(this.#looking, () => ({
-        ...{ kind: "teach", do: "look", lesson: told4.lesson, files: told4.files },
+        ...{ kind: "teach", do: "look", lesson: told3.lesson, files: told3.files },
         ...{ text: text2(), have: page2.have }
       }));
       return header;
@@ -1733,22 +1736,23 @@ ${second && across2}
     acceleration: ["a", "m/s²"]
   };
   var open2 = ({ assumed, chosen }) => assumed.filter((kind2) => !chosen?.[kind2]);
-  var told3 = ({ assumed, chosen, read }) => [
+  var howRead = ({ assumed, chosen, read }) => [
     ...assumed.flatMap(
-      (kind2) => chosen?.[kind2] ? `${QUANTITY[kind2][0]} in ${chosen[kind2]} (as chosen)` : []
+      (kind2) => chosen?.[kind2] ? tr("{letter} in {unit} (as chosen)", { letter: QUANTITY[kind2][0], unit: chosen[kind2] }) : []
     ),
-    ...read
+    ...read.map(told)
   ];
   function heads(read) {
     const left = open2(read);
-    const named3 = (kind2, of = "") => {
+    const named3 = (kind2, cart2 = "") => {
       const [letter, unit] = QUANTITY[kind2];
-      return `${letter}${of}${left.some((one) => one === kind2) ? "" : ` in ${unit}`}`;
+      const what = cart2 ? tr("{letter} of {cart}", { letter, cart: cart2 }) : letter;
+      return left.some((one) => one === kind2) ? what : tr("{letter} in {unit}", { letter: what, unit });
     };
     return {
       time: named3("time"),
       value: named3(read.kind),
-      tracks: read.names.map((name) => named3(read.kind, ` of ${name}`))
+      tracks: read.names.map((name) => named3(read.kind, name))
     };
   }
 
@@ -1758,7 +1762,7 @@ ${second && across2}
     const { names, tracks } = read;
     const { time, tracks: its } = heads(read);
     const head = [time, ...its];
-    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    if (residuals) head.push(...names.map((cart2) => tr("residual of {cart} in mm", { cart: cart2 })));
     const found = /* @__PURE__ */ new Map();
     for (const [k, track] of tracks.entries()) {
       for (const [n, t] of track.t.entries()) {
@@ -1775,42 +1779,44 @@ ${second && across2}
   // ../view/measured/skeleton.js
   var MOST_ROWS = 60;
   var UNITS = [
-    ["length", "lengths are in"],
-    ["time", "times are in"],
-    ["force", "forces are in"]
+    ["length", () => tr("lengths are in")],
+    ["time", () => tr("times are in")],
+    ["force", () => tr("forces are in")]
   ];
   var HANDS = [
-    ["touch", "first touch at", "s"],
-    ["va", "velocity of A before", "m/s"],
-    ["vb", "velocity of B before", "m/s"],
-    ["ratio", "mass of B ÷ mass of A", ""],
-    ["e", "bounciness e", ""],
-    ["duration", "the contact lasts", "s"]
+    ["touch", () => tr("first touch at"), "s"],
+    ["va", () => tr("velocity of {cart} before", { cart: "A" }), "m/s"],
+    ["vb", () => tr("velocity of {cart} before", { cart: "B" }), "m/s"],
+    ["ratio", () => tr("mass of {b} ÷ mass of {a}", { a: "A", b: "B" }), ""],
+    ["e", () => tr("bounciness e"), ""],
+    ["duration", () => tr("the contact lasts"), "s"]
   ];
+  var SIGNED = ["touch", "va", "vb"];
+  var LAWS = { bumper: () => tr("bumper"), paper: () => tr("paper") };
   function inside2(facts) {
     const { id, title } = facts;
-    const hint = html2`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file or a film, drop it here, or type readings.</text>`;
+    const hint = html2`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">${tr("Open a file or a film, drop it here, or type readings.")}</text>`;
     return html2`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
-<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label="the model’s carts; rings are the measured places"></svg>
-<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">Play</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label="time"><output class="carts-measured-clock"></output></div></div>
+<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">${tr("Play")}</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")}><output class="carts-measured-clock"></output></div></div>
 <div class="carts-measured-figures">
 <p class="carts-measured-legend"></p>
 <div class="carts-measured-spans" hidden></div>
-<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label="readings over time; the numbers are in the table below">${!facts.read && hint}</svg>
-<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label="residuals: measured minus model" hidden></svg>
+<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label=${tr("readings over time; the numbers are in the table below")}>${!facts.read && hint}</svg>
+<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label=${tr("residuals: measured minus model")} hidden></svg>
 <p class="carts-measured-spread" role="status"></p>
 </div>
 ${model(facts)}
 <div class="carts-measured-result" hidden></div>
 <div class="carts-measured-back" hidden>
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">Save the fitted scene</button> <button type="button" class="carts-button carts-measured-tracker">Save the model’s run for Tracker</button> <button type="button" class="carts-button carts-measured-print">Print this alone</button></p>
-<details class="carts-more"><summary>The fitted scene as a block of a lesson</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label="block of a lesson"></textarea></details>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">${tr("Save the fitted scene")}</button> <button type="button" class="carts-button carts-measured-tracker">${tr("Save the model’s run for Tracker")}</button> <button type="button" class="carts-button carts-measured-print">${tr("Print this alone")}</button></p>
+<details class="carts-more"><summary>${tr("The fitted scene as a block of a lesson")}</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label=${tr("block of a lesson")}></textarea></details>
 </div>
 ${table2(facts)}
-<noscript><p class="carts-noscript">The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.</p></noscript>
+<noscript><p class="carts-noscript">${tr("The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.")}</p></noscript>
 </div>`;
   }
   function source({ name, units, offered, read }) {
@@ -1819,16 +1825,16 @@ ${table2(facts)}
         (unit) => html2`<option value=${unit}${units?.[kind2] === unit && html2` selected`}>${unit}</option>`
       );
       const said = read && !read.assumed.some((one) => one === kind2) && html2` hidden`;
-      return html2`${k > 0 && " "}<label${said}>${text2} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">choose …</option>${options}</select></label>`;
+      return html2`${k > 0 && " "}<label${said}>${text2()} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">${tr("choose …")}</option>${options}</select></label>`;
     });
-    const own = html2`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
+    const own = html2`<button type="button" class="carts-button carts-measured-own" disabled>${tr("The lesson’s readings")}</button> `;
     return html2`<div class="carts-measured-source">
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,.trk,.trz,.zip,text/plain,text/csv,application/zip" multiple hidden tabindex="-1" aria-label="files with readings"> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
-<details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
-<details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>${tr("Open a file")}</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,.trk,.trz,.zip,text/plain,text/csv,application/zip" multiple hidden tabindex="-1" aria-label=${tr("files with readings")}> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>${tr("Save these readings")}</button></p>
+<details class="carts-more carts-measured-paste"><summary>${tr("Paste readings")}</summary><label>${tr("Text from Tracker, a spreadsheet or a sensor")} <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>${tr("Read this text")}</button></p></details>
+<details class="carts-more carts-measured-type"><summary>${tr("Type readings")}</summary><div class="carts-scroll" role="group" aria-label=${tr("table to type readings into")}><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "A" })}</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "B" })}</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>${tr("More rows")}</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>${tr("Read this table")}</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label class="carts-measured-runs" hidden>run <select class="carts-measured-run"></select></label> <label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read ? told3(read).join("; ") : ""}`}</p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? howRead(read).join("; ") : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
   }
@@ -1837,20 +1843,20 @@ ${table2(facts)}
   }
   function model({ id, law }) {
     const hands = HANDS.map(
-      ([key, text2, unit]) => html2`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text2}</label><input type="range" class="carts-measured-slide" aria-label=${text2} disabled><span class="carts-measured-typed"><input type="number" id="${id}-${key}" step="any" inputmode="decimal" disabled> ${unit}</span></div>`
+      ([key, text2, unit]) => html2`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text2()}</label><input type="range" class="carts-measured-slide" aria-label=${text2()} disabled><span class="carts-measured-typed"><input type="text" id="${id}-${key}" inputmode=${SIGNED.includes(key) ? "text" : "decimal"} autocomplete="off" disabled> ${unit}</span></div>`
     );
     const laws = ["bumper", "paper"].map(
-      (name) => html2`<option value=${name}${law === name && html2` selected`}>${name}</option>`
+      (name) => html2`<option value=${name}${law === name && html2` selected`}>${LAWS[name]?.()}</option>`
     );
     return html2`<div class="carts-measured-model" hidden>
-<p class="carts-heading">Set the model by hand, or let it be fitted</p>
+<p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
 <div class="carts-measured-hands">${hands}</div>
-<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option><option value="both">friction and a tilt</option><option value="called">what the readings call for</option></select></label></p>
+<p class="carts-measured-row"><label>${tr("contact law")} <select class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
-<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
-<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> I saw that the carts stayed together</label> <span class="carts-quiet">where a sensor lost one of them</span></p>
+<p class="carts-measured-row"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
+<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unfitted"></ul></div>
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">${tr("Fit the model")}</button> <button type="button" class="carts-button carts-measured-compare">${tr("Compare with friction and tilt")}</button> <span class="carts-measured-busy" role="status"></span></p>
 </div>`;
   }
   function table2({ read }) {
@@ -1858,7 +1864,7 @@ ${table2(facts)}
     const heads2 = head.map((cell) => html2`<th scope="col">${cell}</th>`);
     const lines3 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
-    return html2`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+    return html2`<details class="carts-more carts-measured-table"><summary>${tr("Table of the readings")}</summary><div class="carts-scroll" role="group" tabindex="0" aria-label=${tr("readings")}><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">${counted("and 1 more row", "and {n} more rows", more)}</p>`}</details>`;
   }
 
   // ../view/bodies.js
@@ -1976,7 +1982,7 @@ ${table2(facts)}
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("part of the weight of {on}, along the track: force on {on} by {by}", { on, by }),
-    label: (told4) => tr("on {on} by {by} (slope): {size} N", told4),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -2159,9 +2165,9 @@ ${table2(facts)}
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told4) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told4 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end2 !== void 0 && from < end2 && end2 <= until) {
         marks.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -2685,7 +2691,7 @@ ${spec.sure && certainty(id)}
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
 <div class="carts-compared" tabindex="-1" hidden></div>
-<label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off" placeholder=" "></textarea></label>
+<label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" maxlength="20000" autocomplete="off" placeholder=" "></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
 <p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
 </div>`;
@@ -2728,8 +2734,9 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     const knobs = KNOBS.map(
       (k) => html2`<circle class="carts-knob" data-index=${k} cx=${LEFT3 + STEP * k} cy=${place4.zero} r="7"/>`
     );
+    const mode = place4.low < 0 ? "text" : "decimal";
     const heights = TIMES[quantity === "F" ? "contact" : "run"].map(
-      (name) => html2`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place4.low} max=${HIGHEST} step="0.5" disabled></label>`
+      (name) => html2`<label>${name} <input type="text" class="carts-height" inputmode=${mode} autocomplete="off" disabled></label>`
     );
     const flat = path(place4, [0, 0, 0, 0, 0]);
     return html2`<div class="carts-sketch">
@@ -2750,7 +2757,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     return html2`<div class="carts-options" role="radiogroup" aria-labelledby="${id}-ask">${rows}</div>`;
   }
   function text({ fence: { id } }) {
-    return html2`<textarea class="carts-words" rows="3" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
+    return html2`<textarea class="carts-words" rows="3" maxlength="20000" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
   }
 
   // ../view/skins.js
@@ -3120,11 +3127,11 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told4 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told4);
+      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
       const seen2 = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told4,
+        ...told3,
         velocity: seen2
       });
     });
@@ -3556,8 +3563,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   // src/teach/own-file.js
   function ownFile(words, take) {
     const label = html("label", "carts-teach-own");
-    const told4 = html("span", "carts-error");
-    told4.setAttribute("role", "alert");
+    const told3 = html("span", "carts-error");
+    told3.setAttribute("role", "alert");
     const input = document.createElement("input");
     input.type = "file";
     input.accept = ".md,text/markdown";
@@ -3567,10 +3574,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
       const bytes = await file.arrayBuffer().catch(() => null);
       input.value = "";
-      say(told4, bytes ? "" : `${file.name} cannot be read.`);
+      say(told3, bytes ? "" : `${file.name} cannot be read.`);
       if (bytes) take(decoder.decode(bytes));
     });
-    label.append(html("span", "", words), " ", input, " ", told4);
+    label.append(html("span", "", words), " ", input, " ", told3);
     return label;
   }
   var OwnFile = class {
@@ -4200,12 +4207,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return this.#values.size > 0;
     }
     add(name, done) {
-      const told4 = done.then(
+      const told3 = done.then(
         (why) => why && `${name}: ${why}`,
         (error) => `${name}: ${error.message}`
       );
-      this.#values.set(told4, name);
-      void told4.then(() => this.#values.delete(told4));
+      this.#values.set(told3, name);
+      void told3.then(() => this.#values.delete(told3));
     }
     async all(patience = PATIENCE4) {
       if (!this.some) return [];
@@ -4213,10 +4220,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const late = new Promise((resolve) => {
         timer = setTimeout(resolve, patience);
       });
-      const one = ([told5, name]) => Promise.race([told5, late.then(() => `${name}: Python has not answered yet.`)]);
-      const told4 = await Promise.all([...this.#values].map(one));
+      const one = ([told4, name]) => Promise.race([told4, late.then(() => `${name}: Python has not answered yet.`)]);
+      const told3 = await Promise.all([...this.#values].map(one));
       clearTimeout(timer);
-      return [...new Set(told4.filter(Boolean))];
+      return [...new Set(told3.filter(Boolean))];
     }
   };
 
@@ -4229,12 +4236,12 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     look = null;
     #working = false;
     #typed = new UnderWay();
-    constructor({ told: told4, client, assets, drafts, link }) {
-      this.told = told4;
+    constructor({ told: told3, client, assets, drafts, link }) {
+      this.told = told3;
       this.client = client;
       this.drafts = drafts;
       this.link = link;
-      this.base = told4.text ?? "";
+      this.base = told3.text ?? "";
       this.history = new History(this.base);
       const article = link.closest("article") ?? document.body;
       this.page = new LessonPage(article, assets, (k) => this.panel.openBlock(k));
@@ -4409,10 +4416,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     const link = document.querySelector(".carts-teach-door a");
     const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
     const assets = new URL("../", address).href;
-    const told4 = await loadLesson(address);
+    const told3 = await loadLesson(address);
     const base = new URL(`runtime/${new URL(address).search}`, assets).href;
     const client = new Client((more) => startRuntime({ base, packages: [PACKAGE, ...more] }));
-    const made2 = new Session({ told: told4, client, assets, drafts: new Drafts(told4), link });
+    const made2 = new Session({ told: told3, client, assets, drafts: new Drafts(told3), link });
     await made2.open();
     return made2;
   }
