@@ -11,10 +11,10 @@ from typing import Any
 
 import click
 
-from sim.classroom.files.beside import Beside, no_group
 from sim.classroom.files.reading import Read, Reading, Refused
 from sim.classroom.report.report import WHOLE, Asked
 from sim.cli.classroom.files import group_of, with_slashes
+from sim.country.beside import Beside, no_group
 
 OF_ANSWERS = ("keys", "students", "marks", "codes")
 """Options that are made for answer files."""

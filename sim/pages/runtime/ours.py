@@ -34,7 +34,6 @@ NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js", "lesson_set.p
 lesson's readings, which holds their truth."""
 NOT_IN_CLASS = (
     *("lesson/goal.py", "lesson/schema.py", "classroom/paper.py"),
-    "classroom/files/beside.py",
     *(
         f"classroom/summary/{name}.py"
         for name in ("handed_on", "merge", "numbers", "of_answers", "once", "reading", "written")
