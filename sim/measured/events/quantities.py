@@ -141,14 +141,8 @@ def told_of(
         add("v_common", said("common velocity after"), lambda v: 0.5 * (v[2] + v[3]), "m/s")
         add("energy_lost", said("energy lost per reduced mass"),
             lambda v: 0.5 * (v[0] - v[1]) ** 2, "J/kg")  # fmt: skip
-        limit = beside and beside.below(speeds.approach)
-        reason = said("the carts stay together: there is no rebound")
-        if limit:
-            reason = said(
-                "the carts stay together as far as readings show: e is below {limit}",
-                limit=f"{limit:.2f}",
-            )
-        untold.append(Untold("e", BOUNCINESS, reason))
+        limit = beside.below(speeds.approach) if beside else None
+        untold.append(Untold("e", BOUNCINESS, _no_rebound(limit)))
     else:
         for k, name in enumerate(names):
             add(
@@ -163,20 +157,25 @@ def told_of(
             lambda v: 0.5 * ((v[3] - v[2]) ** 2 - (v[1] - v[0]) ** 2), "J/kg")  # fmt: skip
         reason = said("the carts were together before: nothing is thrown back")
         untold.append(Untold("e", BOUNCINESS, reason))
-    half = 0.5 * (contact.end - contact.begin)
-    known.append(
-        Known(
-            "touch",
-            said("middle of the contact at t"),
-            contact.middle,
-            contact.middle - half,
-            contact.middle + half,
-            half / HALF,
-            "s",
-        )
-    )
+    known.append(_middle(contact))
     untold += _weighed(ratio, names, masses or {}, known)
     return known, untold
+
+
+def _no_rebound(limit: float | None) -> str:
+    """Why e is not told where the carts stay together; `limit`: what it is below."""
+    if not limit:
+        return said("the carts stay together: there is no rebound")
+    return said(
+        "the carts stay together as far as readings show: e is below {limit}", limit=f"{limit:.2f}"
+    )
+
+
+def _middle(contact: Contact) -> Known:
+    half = 0.5 * (contact.end - contact.begin)
+    ends = contact.middle - half, contact.middle + half
+    name = said("middle of the contact at t")
+    return Known("touch", name, contact.middle, *ends, half / HALF, "s")
 
 
 def _velocity(k: int) -> Callable[[Values], float]:
