@@ -75,8 +75,8 @@ def test_an_answer_that_was_cleared_comes_back_from_a_file_and_stays() -> None:
 
 
 def test_what_one_tab_keeps_the_other_hears_and_only_of_its_own_student() -> None:
-    script = """const one = await load("shared/storage.js");
-    const other = await load("shared/storage.js?other");
+    script = """const one = await load("store/storage.js");
+    const other = await load("store/storage.js?other");
     const heard = [];
     (await other.openStore("tests")).hear((key) => heard.push(key));
     const all = await one.openAll("tests");
@@ -89,7 +89,7 @@ def test_what_one_tab_keeps_the_other_hears_and_only_of_its_own_student() -> Non
 
 def test_readings_and_drafts_are_no_answers_where_the_browser_keeps_nothing() -> None:
     script = f"""refuseTexts();
-    const storage = await load("shared/storage.js");
+    const storage = await load("store/storage.js");
     await (await storage.openAll("tests" + storage.READINGS)).put("p/bench", {{ texts: [] }});
     await (await storage.openAll("tests~teacher")).put("p#hash", {{ text: "" }});
     {BOOK}
@@ -123,7 +123,7 @@ def test_a_curve_that_is_changed_leaves_the_one_of_before() -> None:
 
 def test_a_law_that_is_begun_again_stays_among_the_earlier_ones() -> None:
     script = """const { lawKeeper } = await load("law/keep.js");
-    const { openStore } = await load("shared/storage.js");
+    const { openStore } = await load("store/storage.js");
     const keeper = lawKeeper({ id: "own", hash: "0123456789ab", ask: "?" });
     await keeper.get();
     await keeper.put("an hour of work");

@@ -100,7 +100,7 @@ const client = new Client((more) => start(more));
 const kept = new Map();
 globalThis.localStorage = undefined;
 const { Drafts } = await import(`${source}/teach/drafts.js`);
-const { place } = await import(`${source}/shared/storage.js`);
+const { place } = await import(`${source}/store/storage.js`);
 const stored = {
   ...{ kind: "kept", get: async (key) => kept.get(key) },
   put: async (key, value) => void kept.set(key, value),

@@ -255,6 +255,13 @@
     return [...quizzes].map((quiz) => quiz.dataset.form ?? "");
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+  function codeWord(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
+    return [...new Set(parts)].sort().join("+");
+  }
+
   // src/answers/entry.js
   var MOST_EARLIER = 500;
   function isEmpty(value) {
@@ -306,14 +313,7 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
-  // src/shared/code-word.js
-  var STUDENT = "student";
-  function codeWord(typed) {
-    const parts = typed.normalize("NFKC").toUpperCase().split(/[+&]/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
-    return [...new Set(parts)].sort().join("+");
-  }
-
-  // src/shared/text-store.js
+  // src/store/text-store.js
   var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
     try {
@@ -343,7 +343,7 @@
     };
   }
 
-  // src/shared/brought-over.js
+  // src/store/brought-over.js
   var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
@@ -386,7 +386,7 @@
     return String(kept.last) > String(text.last) ? kept : text;
   }
 
-  // src/shared/newest-first.js
+  // src/store/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put2) {
     const flights = /* @__PURE__ */ new Map();
@@ -416,7 +416,7 @@
     };
   }
 
-  // src/shared/indexed-store.js
+  // src/store/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE2 = 2e4;
@@ -502,7 +502,7 @@
     });
   }
 
-  // src/shared/shelter.js
+  // src/store/shelter.js
   function shelter(site) {
     const page = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
@@ -541,7 +541,7 @@
     };
   }
 
-  // src/shared/staying.js
+  // src/store/staying.js
   var asked = false;
   function letItStay() {
     const storage = navigator.storage;
@@ -552,7 +552,7 @@
     });
   }
 
-  // src/shared/tabs.js
+  // src/store/tabs.js
   function telling(store, site) {
     const channel = channelOf(`carts:${site}`);
     return {
@@ -582,7 +582,7 @@
     }
   }
 
-  // src/shared/storage.js
+  // src/store/storage.js
   var READINGS = "-measured";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {

@@ -3769,6 +3769,9 @@
     return { form: form2, lesson: page2.lesson, lessonHash: page2.hash, hash, ...entry2 };
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/answers/entry.js
   var MOST_EARLIER = 500;
   function isEmpty(value) {
@@ -3820,9 +3823,6 @@
     return all.length ? { ...entry2, earlier: all.slice(-MOST_EARLIER) } : entry2;
   }
 
-  // src/shared/code-word.js
-  var STUDENT = "student";
-
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   var BROWSER = () => localStorage;
@@ -3840,7 +3840,7 @@
     }
   }
 
-  // src/shared/text-store.js
+  // src/store/text-store.js
   var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
     try {
@@ -3870,7 +3870,7 @@
     };
   }
 
-  // src/shared/brought-over.js
+  // src/store/brought-over.js
   var PATIENCE2 = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
@@ -3913,7 +3913,7 @@
     return String(kept.last) > String(text.last) ? kept : text;
   }
 
-  // src/shared/newest-first.js
+  // src/store/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put2) {
     const flights = /* @__PURE__ */ new Map();
@@ -3943,7 +3943,7 @@
     };
   }
 
-  // src/shared/indexed-store.js
+  // src/store/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE3 = 2e4;
@@ -4029,7 +4029,7 @@
     });
   }
 
-  // src/shared/shelter.js
+  // src/store/shelter.js
   function shelter(site) {
     const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
@@ -4068,7 +4068,7 @@
     };
   }
 
-  // src/shared/staying.js
+  // src/store/staying.js
   var asked2 = false;
   function letItStay() {
     const storage = navigator.storage;
@@ -4079,7 +4079,7 @@
     });
   }
 
-  // src/shared/tabs.js
+  // src/store/tabs.js
   function telling(store, site) {
     const channel2 = channelOf(`carts:${site}`);
     return {
@@ -4109,7 +4109,7 @@
     }
   }
 
-  // src/shared/storage.js
+  // src/store/storage.js
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found3 = opened.get(site) ?? openOnce(site);
@@ -4160,7 +4160,7 @@
     };
   }
 
-  // src/shared/kept.js
+  // src/store/kept.js
   var Kept = class {
     #key = "";
     #store;

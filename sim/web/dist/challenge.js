@@ -108,6 +108,9 @@
     return { form, lesson: page.lesson, lessonHash: page.hash, hash, ...entry };
   }
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/answers/entry.js
   var MOST_EARLIER = 500;
   function isEmpty(value2) {
@@ -159,10 +162,7 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
-  // src/shared/code-word.js
-  var STUDENT = "student";
-
-  // src/shared/text-store.js
+  // src/store/text-store.js
   var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
     try {
@@ -192,7 +192,7 @@
     };
   }
 
-  // src/shared/brought-over.js
+  // src/store/brought-over.js
   var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
@@ -235,7 +235,7 @@
     return String(kept2.last) > String(text.last) ? kept2 : text;
   }
 
-  // src/shared/newest-first.js
+  // src/store/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put) {
     const flights = /* @__PURE__ */ new Map();
@@ -265,7 +265,7 @@
     };
   }
 
-  // src/shared/indexed-store.js
+  // src/store/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE2 = 2e4;
@@ -351,7 +351,7 @@
     });
   }
 
-  // src/shared/shelter.js
+  // src/store/shelter.js
   function shelter(site) {
     const page = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
@@ -390,7 +390,7 @@
     };
   }
 
-  // src/shared/staying.js
+  // src/store/staying.js
   var asked = false;
   function letItStay() {
     const storage = navigator.storage;
@@ -401,7 +401,7 @@
     });
   }
 
-  // src/shared/tabs.js
+  // src/store/tabs.js
   function telling(store, site) {
     const channel = channelOf(`carts:${site}`);
     return {
@@ -431,7 +431,7 @@
     }
   }
 
-  // src/shared/storage.js
+  // src/store/storage.js
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -482,7 +482,7 @@
     };
   }
 
-  // src/shared/kept.js
+  // src/store/kept.js
   var Kept = class {
     #key = "";
     #store;

@@ -191,7 +191,7 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
-  // src/shared/kept-line.js
+  // src/store/kept-line.js
   var KeptLine = class {
     #puts = 0;
     constructor(owner) {
@@ -2489,7 +2489,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
   }
 
-  // src/shared/text-store.js
+  // src/store/text-store.js
   var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
     try {
@@ -2519,7 +2519,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     };
   }
 
-  // src/shared/brought-over.js
+  // src/store/brought-over.js
   var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
@@ -2562,7 +2562,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return String(kept.last) > String(text.last) ? kept : text;
   }
 
-  // src/shared/newest-first.js
+  // src/store/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put2) {
     const flights = /* @__PURE__ */ new Map();
@@ -2592,7 +2592,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     };
   }
 
-  // src/shared/indexed-store.js
+  // src/store/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE2 = 2e4;
@@ -2678,7 +2678,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     });
   }
 
-  // src/shared/shelter.js
+  // src/store/shelter.js
   function shelter(site) {
     const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
@@ -2717,7 +2717,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     };
   }
 
-  // src/shared/staying.js
+  // src/store/staying.js
   var asked = false;
   function letItStay() {
     const storage = navigator.storage;
@@ -2728,7 +2728,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     });
   }
 
-  // src/shared/tabs.js
+  // src/store/tabs.js
   function telling(store, site) {
     const channel = channelOf(`carts:${site}`);
     return {
@@ -2758,7 +2758,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
   }
 
-  // src/shared/storage.js
+  // src/store/storage.js
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -2809,7 +2809,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     };
   }
 
-  // src/shared/kept.js
+  // src/store/kept.js
   var Kept = class {
     #key = "";
     #store;

@@ -383,7 +383,7 @@
     return found;
   }
 
-  // src/shared/kept-line.js
+  // src/store/kept-line.js
   var KeptLine = class {
     #puts = 0;
     constructor(owner) {
@@ -400,6 +400,9 @@
       this.owner.toggleAttribute("data-kept", kept);
     }
   };
+
+  // src/shared/code-word.js
+  var STUDENT = "student";
 
   // src/answers/entry.js
   var MOST_EARLIER = 500;
@@ -452,9 +455,6 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
-  // src/shared/code-word.js
-  var STUDENT = "student";
-
   // src/shared/tab.js
   var TAB = () => sessionStorage;
   var BROWSER = () => localStorage;
@@ -472,7 +472,7 @@
     }
   }
 
-  // src/shared/text-store.js
+  // src/store/text-store.js
   var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
     try {
@@ -502,7 +502,7 @@
     };
   }
 
-  // src/shared/brought-over.js
+  // src/store/brought-over.js
   var PATIENCE = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
@@ -545,7 +545,7 @@
     return String(kept.last) > String(text2.last) ? kept : text2;
   }
 
-  // src/shared/newest-first.js
+  // src/store/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put3) {
     const flights = /* @__PURE__ */ new Map();
@@ -575,7 +575,7 @@
     };
   }
 
-  // src/shared/indexed-store.js
+  // src/store/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE2 = 2e4;
@@ -661,7 +661,7 @@
     });
   }
 
-  // src/shared/shelter.js
+  // src/store/shelter.js
   function shelter(site) {
     const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
@@ -700,7 +700,7 @@
     };
   }
 
-  // src/shared/tabs.js
+  // src/store/tabs.js
   function telling(store, site) {
     const channel = channelOf(`carts:${site}`);
     return {
@@ -730,7 +730,7 @@
     }
   }
 
-  // src/shared/storage.js
+  // src/store/storage.js
   var READINGS = "-measured";
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {

@@ -791,6 +791,9 @@
   // src/teach/door.js
   var OPEN = "carts-teach";
 
+  // src/shared/code-word.js
+  var STUDENT = "student";
+
   // src/answers/entry.js
   var MOST_EARLIER = 500;
   function isEmpty(value) {
@@ -842,10 +845,7 @@
     return all.length ? { ...entry, earlier: all.slice(-MOST_EARLIER) } : entry;
   }
 
-  // src/shared/code-word.js
-  var STUDENT = "student";
-
-  // src/shared/text-store.js
+  // src/store/text-store.js
   var beginning = (site) => `carts:${site}:`;
   function textStore(site) {
     try {
@@ -875,7 +875,7 @@
     };
   }
 
-  // src/shared/brought-over.js
+  // src/store/brought-over.js
   var PATIENCE2 = 5e3;
   var marked = (site) => `carts-database:${site}`;
   async function takeTexts(store, site) {
@@ -918,7 +918,7 @@
     return String(kept.last) > String(text2.last) ? kept : text2;
   }
 
-  // src/shared/newest-first.js
+  // src/store/newest-first.js
   var GONE = /* @__PURE__ */ Symbol("forgotten");
   function newestFirst(put) {
     const flights = /* @__PURE__ */ new Map();
@@ -948,7 +948,7 @@
     };
   }
 
-  // src/shared/indexed-store.js
+  // src/store/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE3 = 2e4;
@@ -1034,7 +1034,7 @@
     });
   }
 
-  // src/shared/shelter.js
+  // src/store/shelter.js
   function shelter(site) {
     const page2 = globalThis;
     const name = /* @__PURE__ */ Symbol.for(`carts-shelter:${site}`);
@@ -1073,7 +1073,7 @@
     };
   }
 
-  // src/shared/tabs.js
+  // src/store/tabs.js
   function telling(store, site) {
     const channel2 = channelOf(`carts:${site}`);
     return {
@@ -1103,7 +1103,7 @@
     }
   }
 
-  // src/shared/storage.js
+  // src/store/storage.js
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found = opened.get(site) ?? openOnce(site);

@@ -6,7 +6,7 @@ from tests.web.question.node_page import on_page
 
 BOOK = """
 const { Book } = await load("answers/book.js");
-const { Kept } = await load("shared/kept.js");
+const { Kept } = await load("store/kept.js");
 const book = new Book();
 await book.ready;
 let [listed, told] = [0, 0];
@@ -19,8 +19,8 @@ give([listed, told, book.get("worksheet", "meeting").value]);
 """
 
 SIGNAL = """
-const { Kept } = await load("shared/kept.js");
-const { telling } = await load("shared/tabs.js");
+const { Kept } = await load("store/kept.js");
+const { telling } = await load("store/tabs.js");
 const other = telling({ put: async () => {} }, "tests");
 const said = [];
 const [first, second] = [new AbortController(), new AbortController()];

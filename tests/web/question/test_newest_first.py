@@ -9,7 +9,7 @@ import pytest
 from tests.web.scene.given.widget_site import in_node
 
 STORE = """
-const { newestFirst } = await import(source + "/shared/newest-first.js");
+const { newestFirst } = await import(source + "/store/newest-first.js");
 const began = [], open = [], said = [];
 let kept = null;
 const put = newestFirst((key, value) => {
@@ -33,7 +33,7 @@ give({ at_once, began, kept, said });
 """
 
 FORGETTING = """
-const { GONE, newestFirst } = await import(source + "/shared/newest-first.js");
+const { GONE, newestFirst } = await import(source + "/store/newest-first.js");
 let kept = [];
 const open = [];
 const put = newestFirst((key, value, alone) => new Promise((resolve) => open.push(() => {

@@ -26,7 +26,7 @@ const base = {
   },
 };
 globalThis.indexedDB = { open: () => asking(base) };
-const { indexed } = await import(`${source}/shared/indexed-store.js`);
+const { indexed } = await import(`${source}/store/indexed-store.js`);
 give(await (await indexed("carts:tests")).entries());
 """
 

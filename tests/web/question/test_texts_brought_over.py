@@ -8,8 +8,8 @@ from tests.web.question.node_page import on_page
 
 DATABASE = """
 const { keepEarlier } = await load("answers/entry.js");
-const { instead, takeTexts } = await load("shared/brought-over.js");
-const { textStore } = await load("shared/text-store.js");
+const { instead, takeTexts } = await load("store/brought-over.js");
+const { textStore } = await load("store/text-store.js");
 const base = new Map(data.base);
 const store = {
   get: async (key) => base.get(key),

@@ -1,5 +1,6 @@
 /** The answers of one page and one student: read once, written at every input, told to other tabs. */
 
+import { forgetTab } from "../shared/tab.js";
 import {
   forStudent,
   hearStudent,
@@ -8,8 +9,7 @@ import {
   READINGS,
   readStudent,
   writeStudent,
-} from "../shared/storage.js";
-import { forgetTab } from "../shared/tab.js";
+} from "../store/storage.js";
 import { isEmpty, keepEarlier, merged } from "./entry.js";
 import { isOptional, markOptional } from "./optional.js";
 import { isCurrent, outline } from "./outline.js";
@@ -18,9 +18,9 @@ import { isCurrent, outline } from "./outline.js";
 
 export class Book extends EventTarget {
   student = "";
-  /** @type {import("../shared/storage.js").Store | null} */
+  /** @type {import("../store/storage.js").Store | null} */
   store = null;
-  /** @type {import("../shared/storage.js").Store | null} */
+  /** @type {import("../store/storage.js").Store | null} */
   all = null;
   /** What this page knows, kept or not: a file can have it all. */
   /** @type {Map<string, any>} */

@@ -5,7 +5,7 @@ import { fromWire } from "../../../view/trajectory.js";
 import { bakedOf } from "../scene/baked.js";
 import { html, need, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
-import { KeptLine } from "../shared/kept-line.js";
+import { KeptLine } from "../store/kept-line.js";
 import { ends } from "../worlds/ends.js";
 import { Pictures } from "../worlds/pictures.js";
 import { alongWith } from "./along-with.js";

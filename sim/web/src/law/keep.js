@@ -2,7 +2,7 @@
 
 import { setAside } from "../answers/entry.js";
 import { isCurrent } from "../answers/outline.js";
-import { Kept } from "../shared/kept.js";
+import { Kept } from "../store/kept.js";
 
 /** @param {{id: string, hash: string, ask: string}} facts */
 export function lawKeeper({ id, hash, ask }) {

@@ -1,8 +1,8 @@
 /** What a reader opened, typed and set on this page is kept in the browser, apart from the answers. */
 
 import { need } from "../shared/dom.js";
-import { KeptLine } from "../shared/kept-line.js";
-import { openAll, place, READINGS } from "../shared/storage.js";
+import { KeptLine } from "../store/kept-line.js";
+import { openAll, place, READINGS } from "../store/storage.js";
 
 /** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 

@@ -9,8 +9,8 @@ import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { capital } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
-import { Kept } from "../shared/kept.js";
 import { readTyped, withoutNewtons } from "../shared/typed.js";
+import { Kept } from "../store/kept.js";
 import { anyTouch, massOf, meanForces, velocity } from "./mean-forces.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */

@@ -3,7 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { isCurrent } from "../answers/outline.js";
 import { need, say } from "../shared/dom.js";
-import { Kept } from "../shared/kept.js";
+import { Kept } from "../store/kept.js";
 
 /** @typedef {import("./predict.js").Entry} Entry */
 

@@ -1,7 +1,7 @@
 /** What was tried for a challenge, kept with the answers of its lesson: a teacher sees how the class has looked. */
 
 import { outline } from "../answers/outline.js";
-import { Kept } from "../shared/kept.js";
+import { Kept } from "../store/kept.js";
 
 const TYPE = "challenge";
 

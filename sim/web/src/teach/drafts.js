@@ -5,7 +5,7 @@
  * offered.
  */
 
-import { openAll, place } from "../shared/storage.js";
+import { openAll, place } from "../store/storage.js";
 
 /** @typedef {{text: string, base: string, last: string, hash: string}} Kept `base`: what it began from */
 /** @typedef {Kept & {key: string}} Draft where it is kept */

@@ -1,7 +1,7 @@
 /** Whether a reader's arrows belong to a world: the same one of the two is longer, and not in ours. */
 
 import { ALIKE } from "../predict/arrow-parts.js";
-import { openStore, place } from "../shared/storage.js";
+import { openStore, place } from "../store/storage.js";
 import { greatestOn } from "./ends.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */

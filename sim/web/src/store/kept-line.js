@@ -1,7 +1,7 @@
 /** A line that says that the text is not kept, as long as it is so: neither a run nor a judge says it. */
 
 import { tr } from "../../../view/language.js";
-import { html, say } from "./dom.js";
+import { html, say } from "../shared/dom.js";
 
 export class KeptLine {
   #puts = 0;

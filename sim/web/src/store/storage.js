@@ -7,8 +7,8 @@
  */
 
 import { stamped } from "../answers/outline.js";
+import { STUDENT } from "../shared/code-word.js";
 import { instead, takeTexts } from "./brought-over.js";
-import { STUDENT } from "./code-word.js";
 import { indexed, SETTLED } from "./indexed-store.js";
 import { memory, sheltered } from "./shelter.js";
 import { letItStay } from "./staying.js";

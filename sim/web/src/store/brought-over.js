@@ -4,8 +4,8 @@
  */
 
 import { merged } from "../answers/entry.js";
-import { STUDENT } from "./code-word.js";
-import { BROWSER, recall, retain } from "./tab.js";
+import { STUDENT } from "../shared/code-word.js";
+import { BROWSER, recall, retain } from "../shared/tab.js";
 import { keptAsText } from "./text-store.js";
 
 /** @typedef {import("./storage.js").Opened} Opened */
