@@ -192,3 +192,11 @@ def test_thousands_of_bad_files_are_counted_and_not_all_named() -> None:
     report = class_report([], [], reading.refused, Asked())
     assert len(report["files"]["refused"]) == MOST_NAMED
     assert report["files"]["refused_more"] == 1_000 - MOST_NAMED
+
+
+@pytest.mark.parametrize("packed_up", [False, True])
+def test_what_a_mac_put_beside_the_files_is_told_of_to_nobody(packed_up: bool) -> None:
+    beside = [Source(f"7b/._{one.name}", b"\0\5\26\7") for one in GOOD]
+    given = [*GOOD, *beside]
+    reading = Reading.of([Source("class.zip", zipped(given))] if packed_up else given)
+    assert (len(reading.files), reading.refused) == (len(GOOD), [])

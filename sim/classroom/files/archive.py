@@ -28,7 +28,8 @@ MOST_UNPACKED = 400_000_000
 LONGEST_NAME = 200
 READ_AT_ONCE = 1 << 16
 _ENCRYPTED = 0x1
-_IGNORED = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
+_IGNORED = ("/__MACOSX/", "/.DS_Store", "/Thumbs.db", "/desktop.ini", "/._")
+"""What computers put beside files: `._ANNA.json` lies beside ANNA.json where a Mac wrote it."""
 
 
 PASSWORD = template("this file has a password: make the zip without one")
@@ -51,6 +52,11 @@ def is_zip(content: bytes) -> bool:
     return content[:4] in (b"PK\x03\x04", b"PK\x05\x06", b"PK\x07\x08")
 
 
+def is_aside(name: str) -> bool:
+    """Whether a file of this name was put there by a computer, and by nobody."""
+    return any(part in f"/{name}" for part in _IGNORED)
+
+
 def entries(name: str, content: bytes, *, deep: bool = True) -> Iterator[Entry]:
     """What is in a zip, file by file; `name`: the zip's own.
 
@@ -69,7 +75,7 @@ def entries(name: str, content: bytes, *, deep: bool = True) -> Iterator[Entry]:
     unpacked = 0
     with archive:
         for entry in archive.infolist():
-            if entry.is_dir() or any(part in entry.filename for part in _IGNORED):
+            if entry.is_dir() or is_aside(entry.filename):
                 continue
             found, reason = _content(archive, entry)
             unpacked += len(found or b"")

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from sys import intern
 from typing import TypeGuard
 
-from sim.classroom.files.archive import LARGEST, TOO_LARGE, Entry, entries, is_zip, shown
+from sim.classroom.files.archive import LARGEST, TOO_LARGE, Entry, entries, is_aside, is_zip, shown
 from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
@@ -134,6 +134,8 @@ def outcomes(sources: Iterable[Source], most: int = MOST_FILES, skip: int = 0) -
 
 
 def _entries_of(source: Source) -> Iterator[Entry]:
+    if is_aside(source.name):
+        return iter(())
     if is_zip(source.content):
         return entries(source.name, source.content)
     return iter([Entry(source.name, source.content)])
