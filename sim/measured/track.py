@@ -28,7 +28,8 @@ class Track:
 class Reading:
     """What one file holds. `own`: each sensor may have its own zero and direction. `run`: the one
     that was read, of all `runs` that stand in it, where there are several. `assumed`: the kinds of
-    quantity whose columns name no unit: they were read in the one that was asked for."""
+    quantity whose columns name no unit: they were read in the one that was asked for. `unnamed`:
+    nothing says whose the only track is."""
 
     kind: Content
     tracks: tuple[Track, ...]
@@ -37,3 +38,4 @@ class Reading:
     run: str = ""
     runs: tuple[str, ...] = ()
     assumed: frozenset[Kind] = frozenset()
+    unnamed: bool = False

@@ -91,14 +91,14 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
         raise refuse(1, reason, said("read one by one"))
     if len(found) != 2:
         raise _not_two(len(found), kinds[0], last)
-    if found[0].name == found[1].name:
-        found = [Track(f"{t.name} {k}", t.t, t.value, t.lines) for k, t in enumerate(found, 1)]
+    own = any(one.own for one in readings)
+    unnamed = [track for one in readings if one.unnamed for track in one.tracks]
+    found = _named(found if own else _in_order(found, kinds[0]), unnamed)
     found, more = _from_nought(called_as_carts(found))
     notes += more
-    own = any(one.own for one in readings)
-    in_order = (found[0], found[1]) if own else _in_order(found, kinds[0])
     most = max(readings, key=lambda one: len(one.runs))
     assumed = frozenset[Kind]().union(*(one.assumed for one in readings))
+    in_order = (found[0], found[1])
     return Measured(kinds[0], in_order, tuple(notes), own, most.run, most.runs, assumed)
 
 
@@ -135,12 +135,22 @@ def _not_two(count: int, kind: Content, line: int) -> ReadingError:
     return refuse(line, found, hint)
 
 
-def _in_order(found: Sequence[Track], kind: Content) -> tuple[Track, Track]:
+def _in_order(found: list[Track], kind: Content) -> list[Track]:
     """Carts from left to right; sensors as they stand in the file."""
     first, second = found
     if kind == "length" and _mean(first.value) > _mean(second.value):
-        return second, first
-    return first, second
+        return [second, first]
+    return found
+
+
+def _named(found: list[Track], unnamed: Sequence[Track]) -> list[Track]:
+    """Both with a name of their own, in their order: those of files that name none are A and B."""
+    taken = {one.name for one in found if one not in unnamed}
+    free = iter(letter for letter in "AB" if letter not in taken)
+    found = [replace(one, name=next(free)) if one in unnamed else one for one in found]
+    if found[0].name != found[1].name:
+        return found
+    return [replace(one, name=f"{one.name} {k}") for k, one in enumerate(found, 1)]
 
 
 def _mean(values: Sequence[float]) -> float:

@@ -21,11 +21,7 @@ from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import MOST_FAULTS, Column, Table, of_signs, read_table
 from sim.measured.sheet.turned import along_the_track
-from sim.measured.sheet.whose import (
-    cart_names,
-    is_force,
-    place_of,
-)
+from sim.measured.sheet.whose import cart_names, is_force, is_named, place_of
 from sim.measured.track import FEWEST, Content, Reading, Track
 from sim.measured.units import LETTERS, OFFERED, Kind, Units, factor, kind_of_unit
 from sim.scene.said import listed, said, template
@@ -87,7 +83,8 @@ def _of_table(table: Table, units: Units) -> Reading:
     what: Content = "force" if kind == "force" else "length"
     asked: dict[Kind, list[Column]] = {"time": clocks, kind: wanted}
     assumed = frozenset(one for one, its in asked.items() if not all(c.unit for c in its))
-    return Reading(what, tuple(tracks), tuple(notes), assumed=assumed)
+    unnamed = len(read) == 1 and not is_named(read[0].name, read[0].unit, read[0].track)
+    return Reading(what, tuple(tracks), tuple(notes), assumed=assumed, unnamed=unnamed)
 
 
 def _time_column(table: Table) -> Column:

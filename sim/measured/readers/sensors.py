@@ -64,7 +64,7 @@ def read(text: str, units: Units) -> Reading:
     one = of_one_run(read_table(text), units.run)
     seen = _Seen(one.notes, run=one.run, runs=one.runs)
     found = len(one.runs) > 1 or units.run.casefold() in map(str.casefold, one.runs)
-    tracks = _tracks(one.table, replace(units, run="") if found else units, seen)
+    tracks, unnamed = _tracks(one.table, replace(units, run="") if found else units, seen)
     if not tracks:
         return plain.read(text, units)
     seen.notes.append(of_signs(one.table))
@@ -74,15 +74,16 @@ def read(text: str, units: Units) -> Reading:
         "length",
         tuple(tracks),
         tuple(seen.notes),
-        own=len(tracks) == 2,
+        own=True,
+        unnamed=unnamed,
         run=seen.run,
         runs=seen.runs,
         assumed=frozenset(seen.assumed),
     )
 
 
-def _tracks(table: Table, units: Units, seen: _Seen) -> list[Track]:
-    """A track for each cart, by position or else by velocity."""
+def _tracks(table: Table, units: Units, seen: _Seen) -> tuple[list[Track], bool]:
+    """A track for each cart, by position or else by velocity; and whether the only one has no name."""
     time: Column | None = None
     carts: dict[str, dict[Quantity, tuple[Column, Column]]] = {}
     for column in table.columns:
@@ -114,7 +115,7 @@ def _tracks(table: Table, units: Units, seen: _Seen) -> list[Track]:
         tracks.append(_track(table, name, (clock, column), units, seen, by_speed))
     if by_speed and tracks:
         seen.notes.append(said("positions are the velocities summed up"))
-    return tracks
+    return tracks, list(places) == [""]
 
 
 def _track(

@@ -81,17 +81,28 @@ def no_place_of_tracks(names: Sequence[str]) -> bool:
     return all(_NO_PLACE_OF_TRACKS.fullmatch(name) for name in names)
 
 
+def is_named(name: str, unit: str, track: str) -> bool:
+    """Whether anything says whose this column is, its track or its head."""
+    return bool(track) or _whose(name, unit) != ""
+
+
+def _whose(name: str, unit: str) -> str | None:
+    """The cart that a column is of; "" and None where its head does not say."""
+    whose = place_of(name)
+    whose = force_on(name) if whose is None else whose
+    if whose is None:
+        what, told = quantity_of(name, unit if kind_of_unit(unit) == "length" else "")
+        whose = told if what == "pos" and told else None
+    return whose
+
+
 def cart_names(heads: Sequence[tuple[str, str, str]]) -> list[str]:
     """What the carts are called: by their track, by their column, or A and B. `heads`: name, unit
     and track of each column."""
     found = []
     for name, unit, track in heads:
-        whose = place_of(name)
-        whose = force_on(name) if whose is None else whose
-        if whose is None:
-            what, whose = quantity_of(name, unit if kind_of_unit(unit) == "length" else "")
-            whose = whose if what == "pos" and whose else name
-        found.append((track or whose).strip())
+        whose = _whose(name, unit)
+        found.append((track or (name if whose is None else whose)).strip())
     if (
         len(found) == 2
         and found.count("2") == 1
