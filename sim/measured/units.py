@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
-from sim.scene.quantity import FORCE, LENGTH_READ, TIME, Dimension
+from sim.scene.quantity import FORCE, LENGTH_READ, SPEED, TIME_READ, Dimension
 
 Kind = Literal["time", "length", "force"]
-DIMENSIONS: dict[Kind, Dimension] = {"time": TIME, "length": LENGTH_READ, "force": FORCE}
+DIMENSIONS: dict[Kind, Dimension] = {"time": TIME_READ, "length": LENGTH_READ, "force": FORCE}
 OFFERED: dict[Kind, tuple[str, ...]] = {
-    "time": ("s", "ms"),
+    "time": ("s", "ms", "µs", "min"),
     "length": ("m", "cm", "mm"),
     "force": ("N", "mN", "kN"),
 }
@@ -27,6 +27,9 @@ _WRITTEN = {
     "centimeters": "cm", "centimetres": "cm", "millimeters": "mm", "millimetres": "mm",
     "centimeter": "cm", "centimetre": "cm", "millimeter": "mm", "millimetre": "mm",
     "zentimeter": "cm", "milliseconds": "ms", "millisekunden": "ms", "msec": "ms",
+    "millis": "ms", "us": "µs", "usec": "µs", "micros": "µs", "microseconds": "µs",
+    "mikrosekunden": "µs", "微秒": "µs", "nanos": "ns", "nanoseconds": "ns", "minutes": "min",
+    "minuten": "min", "分钟": "min",
     "inch": "in", "inches": "in", "foot": "ft", "feet": "ft",
     "м": "m", "米": "m", "см": "cm", "厘米": "cm", "мм": "mm", "毫米": "mm",
     "м/с": "m/s", "米/秒": "m/s", "mps": "m/s", "m s-1": "m/s", "m·s⁻¹": "m/s", "m s⁻¹": "m/s",
@@ -43,6 +46,7 @@ _HEAD = (
         r"(?P<name>.+?)\s+(?:in|en(?=\s+(?:[cm]?m|m?s)\b))\s+(?P<unit>[^\W\d_]{1,4}(?:/s|/h)?)\s*"
     ),
     re.compile(r"(?P<name>t|time|\w*\d|\w+_\w+|[xsd][a-zA-Z])[_ ](?P<unit>[cm]?m|m?s)"),
+    re.compile(r"(?P<name>t|(?i:time\w*?|elapsed\w*?|clock))[_ ](?P<unit>[mun]?s|[µμ]s|min)"),
     re.compile(r"(?P<name>.+?)\s+(?P<unit>[cm]m|ms|[cm]?m/s)"),
 )
 _TOLD = (
@@ -51,6 +55,12 @@ _TOLD = (
     re.compile(r"(?P<name>.+)\s+in\s+(?P<unit>.+)"),
 )
 """What else is a unit if it is one that is known: “x (in cm)”, “x, cm”, “x in inches”."""
+
+_INSIDE = re.compile(
+    r"(?P<name>[^()\[\]]*[^()\[\]\s])(?P<gap>\s*)[(\[]\s*(?:in\s+)?(?P<unit>[^()\[\]]+)[)\]]"
+    r"\s*(?P<who>[\w #.-]{1,12})"
+)
+"""Whose it is stands behind: “Position (cm) A”."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,10 +90,35 @@ def head(text: str) -> tuple[str, str]:
     for pattern in _TOLD:
         if (match := pattern.fullmatch(text)) and kind_of_unit(match["unit"]):
             return match["name"].strip(), match["unit"].strip()
+    if (match := _INSIDE.fullmatch(text)) and _is_unit(match["unit"], glued=not match["gap"]):
+        return f"{match['name']} {match['who']}", match["unit"].strip()
     for pattern in _HEAD:
         if match := pattern.fullmatch(text):
             return match["name"].strip(), match["unit"].strip()
     return text, ""
+
+
+_PER_SQUARE = re.compile(r"([cm]?m)\W?s(?:\W{0,2}[2²]|⁻²)", re.I)
+
+
+def _is_unit(text: str, *, glued: bool) -> bool:
+    """Of any quantity. “(s)” that is glued to a word is its plural: “Position(s) A”."""
+    unit = plain_unit(text)
+    if kind_of_unit(unit) or unit in SPEED.units:
+        return not (glued and unit == "s")
+    return of_acceleration(unit) is not None
+
+
+G = 9.80665
+"""m/s², what loggers call g."""
+
+
+def of_acceleration(unit: str) -> float | None:
+    """m/s². What one such unit is; None if it is none of an acceleration."""
+    unit = plain_unit(unit).lower()
+    if match := _PER_SQUARE.fullmatch(unit):
+        return factor(match[1], "length")
+    return {"g": G, "mg": 1e-3 * G}.get(unit)
 
 
 def plain_unit(unit: str) -> str:

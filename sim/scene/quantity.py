@@ -91,6 +91,11 @@ SPEED = _dimension(
     km_per_s="1000",
 )
 TIME = _dimension("time", "6 s", s="1", ms="1/1000", µs="1/1000000", min="60", h="3600")
+TIME_READ = Dimension(
+    TIME.name, TIME.si, TIME.example, TIME.units | {"ns": Fraction(1, 10**9)}
+)  # fmt: skip
+"""Of readings: the clock of a phone counts so."""
+
 FORCE = _dimension("force", "2 N", N="1", mN="1/1000", kN="1000")
 STIFFNESS = _dimension(
     "stiffness", "400 N/m", N_per_m="1", N_per_cm="100", N_per_mm="1000", kN_per_m="1000"

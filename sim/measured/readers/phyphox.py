@@ -15,18 +15,15 @@ import re
 
 from sim.measured.direction import along, axis_of, told
 from sim.measured.refusal import refuse
+from sim.measured.sheet.beside import check_units, no_unit
 from sim.measured.sheet.heads import quantity_of
-from sim.measured.sheet.table import Column, read_table
+from sim.measured.sheet.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
-from sim.measured.units import Units, factor, head, plain_unit
+from sim.measured.units import Kind, Units, factor, head, of_acceleration
 from sim.scene.said import said
-
-G = 9.80665
-"""m/s², what loggers of phones call g."""
 
 _AXIS = re.compile(r"(?:linear\s+)?acceleration[\s_]*(?P<axis>[xyz])", re.I)
 _BY_UNIT = re.compile(r"(?:.*[\s_]|a)?(?P<axis>[xyz])", re.I)
-_UNIT = re.compile(r"m\W?s\W{0,2}[2²]|m\W?s⁻²|g", re.I)
 _HEAD = re.compile(r"acceleration[\s_]*x\b[^\n]*acceleration[\s_]*y\b", re.I)
 
 
@@ -47,9 +44,21 @@ def _has_axes(line: str) -> bool:
 
 def _axis_of(name: str, unit: str) -> str:
     """The axis along which a column holds an acceleration; empty: it holds none."""
-    by_unit = _BY_UNIT.fullmatch(name) if _UNIT.fullmatch(plain_unit(unit)) else None
+    by_unit = _BY_UNIT.fullmatch(name) if of_acceleration(unit) else None
     match = _AXIS.fullmatch(name) or by_unit
     return match["axis"].lower() if match else ""
+
+
+def _sizes(table: Table, columns: list[Column]) -> list[float]:
+    """m/s². What 1 in each of these columns is; one without a unit is in m/s²."""
+    check_units(table, columns, "a_x (m/s^2)")
+    sizes = []
+    for column in columns:
+        size = of_acceleration(column.unit or "m/s²")
+        if size is None:
+            raise no_unit(table, column, said("accelerations in m/s², cm/s², mm/s², g or mg"))
+        sizes.append(size)
+    return sizes
 
 
 def read(text: str, units: Units) -> Reading:
@@ -64,7 +73,10 @@ def read(text: str, units: Units) -> Reading:
         reason = said("no acceleration along x and y")
         raise refuse(table.heads_line, reason, said("export all columns"))
     listed = list(found.values())
-    size = G if listed[0].unit == "g" else 1.0
+    seconds = factor(time.unit or units.time, "time")
+    if seconds is None:
+        raise no_unit(table, time, said("time in s, ms, µs or min"))
+    sizes = _sizes(table, listed)
     rows: list[tuple[float, tuple[float, float, float], int]] = []
     repeated = 0
     for k, line in enumerate(table.lines):
@@ -74,7 +86,8 @@ def read(text: str, units: Units) -> Reading:
         if rows and t <= rows[-1][0]:
             repeated += 1
             continue
-        three = [size * float(part or 0.0) for part in parts] + [0.0] * (3 - len(parts))
+        three = [size * float(part or 0.0) for size, part in zip(sizes, parts, strict=True)]
+        three += [0.0] * (3 - len(parts))
         rows.append((t, (three[0], three[1], three[2]), line))
     if len(rows) < FEWEST:
         reason = said(
@@ -86,6 +99,6 @@ def read(text: str, units: Units) -> Reading:
     if repeated:
         notes.append(said("{count} rows whose time does not go on, left out", count=str(repeated)))
     a = tuple(along(axis, p) for _, p, _ in rows)
-    seconds = factor(time.unit or units.time, "time") or 1.0
     track = Track("phone", tuple(seconds * t for t, _, _ in rows), a, tuple(r[2] for r in rows))
-    return Reading("acceleration", (track,), tuple(notes))
+    assumed = frozenset[Kind](() if time.unit else ("time",))
+    return Reading("acceleration", (track,), tuple(notes), assumed=assumed)

@@ -17,6 +17,7 @@ from dataclasses import replace
 from sim.measured.readers.idle import are_idle
 from sim.measured.readers.no_place import no_accelerations, no_velocities
 from sim.measured.refusal import Fault, ReadingError, in_line, of_things, refuse, shown, too_few
+from sim.measured.sheet.beside import check_units
 from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
 from sim.measured.sheet.runs import of_one_run, run_place
 from sim.measured.sheet.table import MOST_FAULTS, Column, Table, of_signs, read_table
@@ -160,13 +161,8 @@ def _named(columns: Sequence[Column], kind: Kind) -> list[str]:
 
 def _factors(table: Table, columns: Sequence[Column], kind: Kind, units: Units) -> list[float]:
     """Of the columns, to SI."""
-    own = [column.unit for column in columns]
-    if kind != "time" and len(own) == 2 and bool(own[0]) != bool(own[1]):
-        raise refuse(
-            table.heads_line,
-            said("one column names its unit and the other does not"),
-            said("write both heads with a unit, for example x_A ({unit})", unit=OFFERED[kind][0]),
-        )
+    if kind != "time":
+        check_units(table, columns, f"{LETTERS[kind]}_A ({OFFERED[kind][0]})")
     factors = []
     for column in columns:
         unit = column.unit or units.of(kind)

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field, replace
 
 from sim.measured.readers import plain
 from sim.measured.refusal import in_line, of_things, refuse, shown, too_few
+from sim.measured.sheet.beside import check_units, no_unit
 from sim.measured.sheet.heads import Quantity, has_speeds, is_time, quantity_of
 from sim.measured.sheet.prefixes import parted
 from sim.measured.sheet.runs import of_one_run, run_place
@@ -83,7 +84,7 @@ def read(text: str, units: Units) -> Reading:
 
 
 def _tracks(table: Table, units: Units, seen: _Seen) -> tuple[list[Track], bool]:
-    """A track for each cart, by position or else by velocity; and whether the only one has no name."""
+    """A track for each cart, by position or else by velocity; whether the only one is unnamed."""
     time: Column | None = None
     carts: dict[str, dict[Quantity, tuple[Column, Column]]] = {}
     for column in table.columns:
@@ -106,6 +107,7 @@ def _tracks(table: Table, units: Units, seen: _Seen) -> tuple[list[Track], bool]
         reason = said("{things}: {names}", things=of_things(len(places), "length"), names=names)
         raise refuse(table.heads_line, reason, said("leave two of them"))
     columns = [column for _, column in places.values()]
+    check_units(table, columns, "Velocity A (m/s)" if by_speed else "Position A (m)")
     columns, turned = (columns, []) if by_speed else along_the_track(table, columns)
     seen.notes += turned
     tracks = []
@@ -128,26 +130,23 @@ def _track(
 ) -> Track:
     clock, column = columns
     seconds = factor(clock.unit or units.time, "time")
-    speed = SPEED.units.get(plain_unit(column.unit or "m/s"))
-    metres = factor(column.unit or units.length, "length")
-    if by_speed:
+    metres = factor(column.unit or units.length, "length")  # a speed without a unit: in a second
+    if by_speed and column.unit:
+        speed = SPEED.units.get(plain_unit(column.unit))
         metres = None if speed is None else float(speed)
     if seconds is None or metres is None:
         wrong = clock if seconds is None else column
-        reason = said(
-            "“{unit}” is no unit that fits {column}",
-            unit=shown(wrong.unit),
-            column=shown(wrong.name),
-        )
         hint = (
-            said("time in s or ms, velocity in m/s, cm/s, mm/s or km/h")
+            said("time in s, ms, µs or min")
+            if seconds is None
+            else said("velocity in m/s, cm/s, mm/s or km/h")
             if by_speed
-            else said("time in s or ms, length in m, cm or mm")
+            else said("length in m, cm or mm")
         )
-        raise refuse(table.heads_line, reason, hint)
+        raise no_unit(table, wrong, hint)
     if not clock.unit:
         seen.assumed.add("time")
-    if not (column.unit or by_speed):
+    if not column.unit:
         seen.assumed.add("length")
     rows = [
         (t * seconds, x * metres, line)

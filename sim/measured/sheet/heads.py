@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from typing import Literal
 
-from sim.measured.units import plain_unit
-from sim.scene.quantity import LENGTH, SPEED, TIME
+from sim.measured.units import of_acceleration, plain_unit
+from sim.scene.quantity import LENGTH, SPEED, TIME_READ
 
 Quantity = Literal["time", "pos", "vel", "acc"]
 
@@ -25,10 +25,11 @@ WORDS: dict[Quantity, str] = {
     "acc": "a|acc|acceleration|beschleunigung|accélération|aceleración|accelerazione|aceleração|"
     "versnelling|acceleratie|przyspieszenie|ускорение|加速度|pecutan|முடுக்கம்",
 }
-SECONDS_SQUARED = re.compile(r"[cm]?m\W?s\W{0,2}[2²]|[cm]?m\W?s⁻²|g", re.I)
 SPEED_UNITS = r"(?:[cm]?m/s|km/h)"
 _SPEED_HEAD = re.compile(
-    rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:[\t;,|\"]|$|Run)", re.I
+    rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:\w{{1,8}}\s*)?"
+    r"(?:[\t;,|\"]|$|Run)",
+    re.I,
 )
 _GLUED = "[A-Za-z0-9]{1,12}"  # behind a word; behind a letter: xA, x1, xb
 _SEPARATED = r"[\s_.,:-]+(?:of\s+|ch\s*)?(?:(?:cart|wagen)\s+)?(?P<who>[A-Za-z0-9]{1,12})"
@@ -105,13 +106,13 @@ def _by_unit(unit: str) -> Quantity | None:
     unit = plain_unit(unit)
     if not unit:
         return None
-    if unit in TIME.units:
+    if unit in TIME_READ.units:
         return "time"
     if unit in LENGTH.units:
         return "pos"
     if unit in SPEED.units:
         return "vel"
-    return "acc" if SECONDS_SQUARED.fullmatch(unit) else None
+    return None if of_acceleration(unit) is None else "acc"
 
 
 def has_speeds(head: str) -> bool:

@@ -45,7 +45,7 @@ def without_figures(rows: Sequence[Row]) -> list[Row]:
 
 
 def _is_figure(row: Row) -> bool:
-    words = row.cells[0].casefold().replace(".", "").strip(" :=").removesuffix(" dev")
+    words = row.first.casefold().replace(".", "").strip(" :=").removesuffix(" dev")
     if len(row.cells) == 1:
         return words in _TITLES
     return words in _FIGURES and any(map(cells.is_number, row.cells[1:]))

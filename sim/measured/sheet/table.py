@@ -17,7 +17,7 @@ from sim.measured.sheet.marks import is_remark, without_marks
 from sim.measured.sheet.no_readings import ANEW, is_made_date, of_remarks
 from sim.measured.sheet.stacked import Start, stacked, without_figures
 from sim.measured.sheet.tidy import spread
-from sim.measured.units import kind_of_unit
+from sim.measured.units import kind_of_unit, plain_unit
 from sim.scene.said import Said, said, template
 
 MOST_FAULTS = 5
@@ -64,7 +64,7 @@ def read_table(text: str) -> Table:
         raise refuse(line, *_NO_ROW)
     above = [without_marks(row, len(rows[first].cells)) for row in rows[:first]]
     heads, heads_line = heads_of(above, multi)
-    data, starts = stacked(rows[first:], rows[:first])
+    data, starts = stacked([row for row in rows[first:] if any(row.cells)], rows[:first])
     heads, data, starts = spread(heads, data, starts)
     if found.separator == "," and (fault := signs.two_readings(data[0], len(heads))):
         raise ReadingError([fault])
@@ -75,11 +75,7 @@ def read_table(text: str) -> Table:
     numbers = _numbers(data, width, [one.name for one in heads] or None)
     if not heads:
         heads, heads_line = no_heads(width, data[0].line), data[0].line
-    clocks = {k for k, c in enumerate(data[0].cells) if _is_clock(c)}
-    units = [
-        one.unit or ("s" if k in clocks else "ms" if _in_ms(one.name, data[0], k) else "")
-        for k, one in enumerate(heads)
-    ]
+    units = [_unit(one.name, one.unit, _first(data, k)) for k, one in enumerate(heads)]
     signs.check_thousands(data, units)
     columns = tuple(
         Column(one.name, units[k], one.track, tuple(row[k] for row in numbers), one.run)
@@ -119,11 +115,24 @@ def _has_unit(cell: str) -> bool:
     return match is not None and kind_of_unit(match[1]) is not None
 
 
-def _in_ms(name: str, row: Row, k: int) -> bool:
-    """What Arduino's millis() counts, and what can only be milliseconds since 1970."""
-    cell = row.cells[k] if k < len(row.cells) else ""
+def _first(data: Sequence[Row], k: int) -> str:
+    """What stands first in a column."""
+    return next((row.cells[k] for row in data if k < len(row.cells) and row.cells[k]), "")
+
+
+def _unit(name: str, told: str, cell: str) -> str:
+    """What a column is in: times of day are seconds by now, whatever its head says of them; what
+    Arduino's millis() and micros() count, and what can only be milliseconds since 1970."""
+    if _is_clock(cell):
+        return "s"
+    counted = _COUNTED.match(name.lower())
+    if told or counted:
+        return told or plain_unit(counted[0] if counted else "")
     since = is_time(name) and cells.is_number(cell) and cells.number_of(cell) > 1e11
-    return since or name.lower().startswith("millis")
+    return "ms" if since else ""
+
+
+_COUNTED = re.compile("millis|micros|nanos")
 
 
 _WITH_UNIT = re.compile(r"[-\d.,]+ *(\D+)")
