@@ -90,12 +90,10 @@ def by_hand(measured: Measured, parameters: Parameters, law: Law) -> Overlay:
 def first_try(measured: Measured, law: Law) -> Parameters:
     """Where a reader starts by hand: velocities of the first readings, and else nothing known."""
     first, second = measured.tracks
-    distances = [
-        (x2 - x1, t)
-        for t, x1, x2 in ((t, x, _nearest(second.t, second.value, t))
-                          for t, x in zip(first.t, first.value, strict=True))
-    ]  # fmt: skip
-    distance, nearest = min(distances)
+    beside = _nearest(second.t, second.value, first.t)
+    distance, nearest = min(
+        (x2 - x1, t) for t, x1, x2 in zip(first.t, first.value, beside, strict=True)
+    )
     touch = nearest - 0.5 * USUAL_CONTACT
     v = (_slope(first.t, first.value, touch), _slope(second.t, second.value, touch))
     return Parameters(
@@ -109,8 +107,16 @@ def first_try(measured: Measured, law: Law) -> Parameters:
     )
 
 
-def _nearest(times: Sequence[float], values: Sequence[float], t: float) -> float:
-    return values[min(range(len(times)), key=lambda k: abs(times[k] - t))]
+def _nearest(
+    times: Sequence[float], values: Sequence[float], wanted: Sequence[float]
+) -> list[float]:
+    """The values that were read nearest to these times, which rise; in one passage."""
+    found, k = [], 0
+    for t in wanted:
+        while k + 1 < len(times) and abs(times[k + 1] - t) < abs(times[k] - t):
+            k += 1
+        found.append(values[k])
+    return found
 
 
 def _slope(times: Sequence[float], values: Sequence[float], until: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -158,3 +159,25 @@ def test_readings_that_a_program_made_are_called_evidence_of_no_law() -> None:
         assert ("your carts have confirmed it" in film_said) != synthetic
         assert ("changed the other's motion as Newton's third law says" in film_said) != synthetic
         assert ("read off the readings alone" in forces_said) != synthetic
+
+
+def test_where_a_reader_starts_by_hand_is_found_in_time_that_grows_with_the_readings() -> None:
+    """The readings that are looked at, counted: four times as many of them for four times as many,
+    and not sixteen times."""
+    looks = []
+    for rate in (100.0, 400.0):
+        measured = film(MADE, rate=rate)
+        tracks = [replace(one, t=Counted(one.t)) for one in measured.tracks]
+        first_try(replace(measured, tracks=(tracks[0], tracks[1])), "bumper")
+        looks.append(sum(one.t.looks for one in tracks))
+    assert looks[1] < 6 * looks[0]
+
+
+class Counted(tuple[float, ...]):
+    """Times that count how often one of them is looked up."""
+
+    looks = 0
+
+    def __getitem__(self, k: Any) -> Any:
+        self.looks += 1
+        return super().__getitem__(k)

@@ -18,6 +18,7 @@ from sim.measured.refusal import refuse
 from sim.measured.sheet.beside import check_units, no_unit
 from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.table import Column, Table, read_table
+from sim.measured.sheet.wrapped import counted_on
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Kind, Units, factor, head, of_acceleration
 from sim.scene.said import said
@@ -63,7 +64,7 @@ def _sizes(table: Table, columns: list[Column]) -> list[float]:
 
 def read(text: str, units: Units) -> Reading:
     """One phone, along the track; raises ReadingError."""
-    table = read_table(text)
+    table, clocks = counted_on(read_table(text))
     time = next((one for one in table.columns if factor(one.unit, "time")), table.columns[0])
     found: dict[str, Column] = {}
     for column in table.columns:
@@ -95,7 +96,7 @@ def read(text: str, units: Units) -> Reading:
         )
         raise refuse(table.lines[-1], reason)
     axis = axis_of([point for _, point, _ in rows])
-    notes = [said("acceleration of a phone, m/s²"), told(axis)]
+    notes = [said("acceleration of a phone, m/s²"), told(axis), *clocks]
     if repeated:
         notes.append(said("{count} rows whose time does not go on, left out", count=str(repeated)))
     a = tuple(along(axis, p) for _, p, _ in rows)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from sim.measured.refusal import refuse
 from sim.measured.sheet import stacked
 from sim.measured.sheet.table import Table
+from sim.measured.sheet.wrapped import counted_on
 from sim.measured.track import FEWEST
 from sim.scene.said import said
 
@@ -19,21 +20,30 @@ class OneRun:
     table: Table
     run: str
     runs: tuple[str, ...]
+    clocks: tuple[str, ...] = ()
 
     @property
     def notes(self) -> list[str]:
-        """For the reader, where there are others."""
+        """For the reader: of other runs, and of clocks that began anew."""
         left = ", ".join(run for run in self.runs if run != self.run)
         if not left:
-            return []
-        return [said("run {run} is read; other runs in the file: {runs}", run=self.run, runs=left)]
+            return list(self.clocks)
+        others = said("run {run} is read; other runs in the file: {runs}", run=self.run, runs=left)
+        return [others, *self.clocks]
 
 
 def of_one_run(table: Table, asked: str) -> OneRun:
     """One of the runs that stand side by side or below each other: the one that was asked for, else
     the first that is long enough; raises ReadingError where there are several and another was asked
-    for. A column without a label is of the run to its left; before all, it is for each.
+    for. A column without a label is of the run to its left; before all, it is for each. Clocks that
+    begin anew within it are counted on.
     """
+    one = _one_of(table, asked)
+    read, clocks = counted_on(one.table)
+    return replace(one, table=read, clocks=tuple(clocks))
+
+
+def _one_of(table: Table, asked: str) -> OneRun:
     if len(table.starts) > 1:
         return _of_those_below(table, asked)
     labels, current = [], ""
