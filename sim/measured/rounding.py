@@ -13,7 +13,9 @@ An estimate that is linear in the readings, with the weights p_k, is wrong by up
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -48,7 +50,7 @@ DECIMALS = 7
 def step_of(values: Floats) -> float:
     """m. The step to which all these readings, in the order of time, are rounded; 0 where there is
     none. The way of a cart from frame to frame is no such step, where more decimals tell it."""
-    step = _common(values)
+    step = common_step(values.tolist())
     return min(step, _decimal(values)) if _goes_evenly(values, step) else step
 
 
@@ -75,19 +77,16 @@ def _decimal(values: Floats) -> float:
     return 0.0
 
 
-def _common(values: Floats) -> float:
-    """m. What all differences are whole numbers of; 0 where there is nothing."""
-    import numpy as np
-
-    gaps = np.diff(np.unique(values))
-    gaps = gaps[gaps > SAME * float(np.ptp(values))]
-    if not len(gaps):
-        return 0.0
-    for share in range(1, SHARES + 1):
-        counts = gaps * share / float(np.min(gaps))
-        whole = np.round(counts)
-        if np.all(np.abs(counts - whole) < WHOLE * share):
-            return float(np.sum(gaps) / np.sum(whole))
+def common_step(values: Sequence[float]) -> float:
+    """What all differences are whole numbers of; 0 where there is nothing. Without numpy, for
+    pages that compare forces."""
+    told = sorted(set(values))
+    gaps = [b - a for a, b in itertools.pairwise(told) if b - a > SAME * (told[-1] - told[0])]
+    for share in range(1, SHARES + 1 if gaps else 1):
+        counts = [gap * share / min(gaps) for gap in gaps]
+        whole = [round(count) for count in counts]
+        if all(abs(c - w) < WHOLE * share for c, w in zip(counts, whole, strict=True)):
+            return math.fsum(gaps) / sum(whole)
     return 0.0
 
 

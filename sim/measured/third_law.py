@@ -11,15 +11,15 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from sim.measured.aligned import aligned, push
+from sim.measured.impulses import QUIET, Z, impulse, impulse_sd, rounded, widths
 from sim.measured.refusal import FitError
+from sim.measured.rounding import EVEN, common_step
 from sim.measured.tracks import Measured
 from sim.scene.said import said
-
-QUIET = 0.1
-"""Share of the greatest force below which a sensor counts as not pushed."""
 
 SURE = 6.0
 """Standard deviations that none of some thousand readings lies beyond by chance."""
@@ -37,9 +37,14 @@ LATEST = 20
 """Readings by which one clock is looked for behind the other at most, or a quarter of them all: a
 pulse still lies within what is compared then."""
 
+SCATTERED = 0.1
+"""Half of the ratio's interval from which on nothing can be said of a ratio of 1."""
+
+NEAR, MOST = 3.5, 0.9
+"""Steps; share of the quiet readings that lie so near, where no noise is much larger than a step."""
+
 MIDDLE = 0.6745  # median of |x| with noise 1
 STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
-Z = 1.96  # half a 95 % interval in standard deviations, for many readings
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,27 +72,44 @@ def third_law(measured: Measured) -> Pair:
     """Both sensors compared; raises FitError if they saw no push.
 
     Two phones, and sensors whose clocks do not overlap, are set by the contact; of phones only the
-    common push is compared, for hands push them too.
+    common push is compared, for hands push them too. So are two files that show one push at two
+    times: each may count from its own start.
     """
-    moved = None
-    phones = measured.kind == "acceleration"
     first, second = measured.tracks
+    phones = measured.kind == "acceleration"
     if phones or second.t[0] > first.t[-1] or first.t[0] > second.t[-1]:
-        measured, moved = aligned(measured)
-        first, second = measured.tracks
+        return _compared(*aligned(measured))
+    try:
+        found = _compared(measured)
+    except FitError as why:
+        with suppress(FitError):
+            if measured.two_files:
+                return _compared(*aligned(measured))
+        raise why from None
+    if not measured.two_files or found.ratio_half <= SCATTERED:
+        return found
+    with suppress(FitError):
+        found = min(found, _compared(*aligned(measured)), key=lambda one: one.ratio_half)
+    return found
+
+
+def _compared(measured: Measured, moved: float | None = None) -> Pair:
+    first, second = measured.tracks
+    phones = measured.kind == "acceleration"
     t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
     if len(t) < FEWEST:
         reason = said("the two sensors did not read at the same time")
         raise FitError(reason, said("one log with both"))
     raw = tuple(_at(first.t, first.value, t)), tuple(_at(second.t, second.value, t))
-    zeros = _zero(raw[0]), _zero(raw[1])
+    steps = common_step(first.value), common_step(second.value)
+    zeros = _zero(raw[0], steps[0]), _zero(raw[1], steps[1])
     a, b = ([value - zero for value in values] for values, zero in zip(raw, zeros, strict=True))
     if phones:
         low, high = push(a, b)
         low, high = (low, high) if high - low >= FEWEST else (0, len(t) - 1)
         t, a, b = t[low : high + 1], a[low : high + 1], b[low : high + 1]
     peaks = max(map(abs, a)), max(map(abs, b))
-    noise = _noise(a, peaks[0]), _noise(b, peaks[1])
+    noise = _noise(a, peaks[0], steps[0]), _noise(b, peaks[1], steps[1])
     for peak, sd, name in zip(peaks, noise, measured.names, strict=True):
         if peak <= SEEN * sd:
             raise FitError(
@@ -99,9 +121,10 @@ def third_law(measured: Measured) -> Pair:
     if turned:
         b = [-value for value in b]
     ratio, half = _slope(a, b)
+    half = max(half, rounded(a, ratio, steps))
     sums = [x + y for x, y in zip(a, b, strict=True)]
     worst = max(range(len(t)), key=lambda k: abs(sums[k]))
-    widths = _widths(t)
+    wide = widths(t)
     lag = _lag(t, a, b)
     spread = SURE * math.hypot(ratio * noise[0], noise[1])
     apart = _apart(t, a, b, ratio, lag)
@@ -112,8 +135,11 @@ def third_law(measured: Measured) -> Pair:
         turned=turned,
         noise=noise,
         peaks=peaks,
-        impulses=(_impulse(a, widths), _impulse(b, widths)),
-        impulse_sd=(_impulse_sd(noise[0], widths), _impulse_sd(noise[1], widths)),
+        impulses=(impulse(a, wide), impulse(b, wide)),
+        impulse_sd=(
+            impulse_sd(noise[0], wide, a, steps[0]),
+            impulse_sd(noise[1], wide, b, steps[1]),
+        ),
         ratio=ratio,
         ratio_half=half,
         worst=(t[worst], sums[worst]),
@@ -148,18 +174,23 @@ def _at(t: Sequence[float], values: Sequence[float], times: Sequence[float]) -> 
     return found
 
 
-def _zero(values: Sequence[float]) -> float:
-    """What the sensor reads when nothing pushes: most readings lie around it."""
+def _zero(values: Sequence[float], step: float) -> float:
+    """What the sensor reads when nothing pushes: most readings lie around it. Between two steps of
+    one that rounds, their mean tells, and the middle one is half a step off."""
     middle = _median(values)
     reach = max(abs(value - middle) for value in values)
-    return _median([value for value in values if abs(value - middle) <= QUIET * reach])
+    quiet = [value for value in values if abs(value - middle) <= QUIET * reach]
+    zero = _median(quiet)
+    near = [value for value in quiet if abs(value - zero) < NEAR * step]
+    return sum(near) / len(near) if len(near) > MOST * len(quiet) else zero
 
 
-def _noise(values: Sequence[float], peak: float) -> float:
-    """Standard deviation: of what is quiet, or by the steps from reading to reading if larger."""
+def _noise(values: Sequence[float], peak: float, step: float) -> float:
+    """Standard deviation: of what is quiet, or by the steps from reading to reading if larger; not
+    less than that of readings that are rounded to such a `step`."""
     quiet = _median([abs(value) for value in values if abs(value) <= QUIET * peak] or [0.0])
     steps = _median(abs(b - a) for a, b in itertools.pairwise(values))
-    return max(quiet / MIDDLE, steps / STEP)
+    return max(quiet / MIDDLE, steps / STEP, EVEN * step)
 
 
 def _median(values: Iterable[float]) -> float:
@@ -181,20 +212,6 @@ def _slope(a: Sequence[float], b: Sequence[float]) -> tuple[float, float]:
     slope = (bb - aa + math.hypot(bb - aa, 2.0 * ab)) / (2.0 * ab)
     r2 = min(1.0, ab * ab / (aa * bb))
     return slope, Z * slope * math.sqrt((1.0 - r2) / (r2 * (n - 2)))
-
-
-def _widths(t: Sequence[float]) -> list[float]:
-    """s. How long each reading stands for (trapezoids)."""
-    steps = [0.0, *(b - a for a, b in itertools.pairwise(t)), 0.0]
-    return [0.5 * (a + b) for a, b in itertools.pairwise(steps)]
-
-
-def _impulse(values: Sequence[float], widths: Sequence[float]) -> float:
-    return math.fsum(value * width for value, width in zip(values, widths, strict=True))
-
-
-def _impulse_sd(noise: float, widths: Sequence[float]) -> float:
-    return noise * math.sqrt(math.fsum(width * width for width in widths))
 
 
 def _lag(t: Sequence[float], a: Sequence[float], b: Sequence[float]) -> float:

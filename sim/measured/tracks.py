@@ -37,7 +37,8 @@ class Measured:
     `own`: each sensor may have a zero and a direction of its own; tracks as they stand in the file.
     `run`: the one that was read, of all `runs` that stand in the file, where there are several.
     `assumed`: the kinds of quantity whose columns name no unit. `synthetic`: a program made
-    them, with the laws built in, so they are evidence for none.
+    them, with the laws built in, so they are evidence for none. `two_files`: one for each track,
+    whose clocks may count from two instants.
     """
 
     kind: Content
@@ -48,6 +49,7 @@ class Measured:
     runs: tuple[str, ...] = ()
     assumed: frozenset[Kind] = frozenset()
     synthetic: bool = False
+    two_files: bool = False
 
     @property
     def names(self) -> tuple[str, str]:
@@ -98,8 +100,16 @@ def read_measured(texts: Sequence[str], units: Units | None = None) -> Measured:
     notes += more
     most = max(readings, key=lambda one: len(one.runs))
     assumed = frozenset[Kind]().union(*(one.assumed for one in readings))
-    in_order = (found[0], found[1])
-    return Measured(kinds[0], in_order, tuple(notes), own, most.run, most.runs, assumed)
+    return Measured(
+        kinds[0],
+        (found[0], found[1]),
+        tuple(notes),
+        own,
+        most.run,
+        most.runs,
+        assumed,
+        two_files=len(texts) > 1,
+    )
 
 
 def _check_sizes(tracks: Iterable[Track]) -> None:

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import math
 
-from sim.measured.third_law import Pair
+from sim.measured.third_law import SCATTERED, Pair
 from sim.measured.words import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
 from sim.scene.said import joined, said
 
-SCATTERED = 0.1
-"""Half of the ratio's interval from which on nothing can be said of a ratio of 1."""
-
 
 def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
     """What two force sensors say about the third law; nothing, where they are `synthetic`."""
-    found = [*_greatest(pair, names), _compared(pair, synthetic=synthetic)]
+    found = [*_greatest(pair, names), _compared(pair, names, synthetic=synthetic)]
     zeros = [number(zero, 3) for zero in pair.zeros]
     found.append(
         said("Zeros taken off: {first} N and {second} N.", first=zeros[0], second=zeros[1])
@@ -28,13 +25,12 @@ def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> l
                 cart=names[1],
             )
         )
-    step = (pair.t[-1] - pair.t[0]) / (len(pair.t) - 1)
-    if abs(pair.lag) > 0.5 * step:
+    if _late(pair):
         first, late = names if pair.lag > 0.0 else names[::-1]
         found.append(
             said(
-                "The readings of {late} come {time} ms later than those of {first}. That is the "
-                "clock of the sensors, not the carts.",
+                "The readings of {late} come {time} ms later than those of {first}. That is taken "
+                "for the clocks of the sensors, and not for the carts.",
                 late=late,
                 time=number(1e3 * abs(pair.lag), 1),
                 first=first,
@@ -81,7 +77,32 @@ def _greatest(pair: Pair, names: tuple[str, str]) -> list[str]:
     ]
 
 
-def _compared(pair: Pair, *, synthetic: bool) -> str:
+def _late(pair: Pair) -> bool:
+    """Whether one sensor's readings come later than the other's."""
+    return abs(pair.lag) > 0.5 * (pair.t[-1] - pair.t[0]) / (len(pair.t) - 1)
+
+
+def _equal(pair: Pair, names: tuple[str, str]) -> str:
+    """At every instant, where no clock was moved to find it so."""
+    percent = number(max(0.1, 100.0 * (abs(pair.ratio - 1.0) + pair.ratio_half)), 1)
+    if pair.set is None and not _late(pair):
+        return said(
+            "At every instant the two forces are equal in size and opposite, as far as these "
+            "sensors can tell (to about {percent} %).",
+            percent=percent,
+        )
+    late = (pair.set or 0.0) + pair.lag
+    return said(
+        "Once the readings of {late} are moved to be {time} ms earlier, the two forces are equal "
+        "in size and opposite at every instant, as far as these sensors can tell (to about "
+        "{percent} %). Whether both act at the same time is then not tested by these readings.",
+        late=names[1] if late > 0.0 else names[0],
+        time=number(1e3 * abs(late), 1),
+        percent=percent,
+    )
+
+
+def _compared(pair: Pair, names: tuple[str, str], *, synthetic: bool) -> str:
     """Whether both forces are equal and opposite, as far as the sensors tell."""
     time, most = pair.apart
     off = abs(pair.ratio - 1.0)
@@ -100,13 +121,8 @@ def _compared(pair: Pair, *, synthetic: bool) -> str:
             explained=number(pair.explained, 2),
         )
     if off <= pair.ratio_half:
-        equal = said(
-            "At every instant the two forces are equal in size and opposite, as far as these "
-            "sensors can tell (to about {percent} %).",
-            percent=number(max(0.1, 100.0 * (off + pair.ratio_half)), 1),
-        )
         alone = said("No model was used for this: it is read off the readings alone.")
-        return joined(equal, SYNTHETIC if synthetic else alone)
+        return joined(_equal(pair, names), SYNTHETIC if synthetic else alone)
     return said(
         "The two sensors differ by {percent} %, more than their noise explains. Swap the sensors "
         "and repeat. If the difference stays with a sensor, it is the sensor.",

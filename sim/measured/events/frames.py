@@ -55,6 +55,7 @@ def frames_of(
         joined = bool(flips) and len(given) < 2
     first, second = (given.get(name, 0.0) for name in names)
     found: list[str] = []
+    taken = distance is None
     if joined:
         a, b = (0.5 * (speeds.places[k] + speeds.places[k + 2]) for k in (0, 1))
         apart = distance or 0.0
@@ -63,13 +64,14 @@ def frames_of(
         elif names[0] not in given:
             first = a - signs[0] * (signs[1] * (b - second) - apart)
         else:  # both are the reader's, and tell it themselves
-            apart = signs[1] * (b - second) - signs[0] * (a - first)
-        found.append(_joined(names, signs, apart))
+            apart, taken = signs[1] * (b - second) - signs[0] * (a - first), False
+        found.append(_joined(names, signs, None if taken else apart))
     return Frames((Axis(signs[0], first), Axis(signs[1], second)), joined, tuple(found))
 
 
-def _joined(names: tuple[str, str], signs: tuple[int, int], apart: float) -> Said:
-    """What joining the axes by the contact has done, and what it has used up."""
+def _joined(names: tuple[str, str], signs: tuple[int, int], apart: float | None) -> Said:
+    """What joining the axes by the contact has done, and what it has used up. `apart`: None where
+    nobody said how far apart the marks are."""
     turned = listed([n for n, s in zip(names, signs, strict=True) if s < 0])
     how = (
         said("the readings of {cart} are turned", cart=turned)
@@ -78,11 +80,12 @@ def _joined(names: tuple[str, str], signs: tuple[int, int], apart: float) -> Sai
     )
     return said(
         "Each sensor has a zero and a direction of its own. They are joined by the contact: there "
-        "the velocities change in opposite directions ({turned}), and the marks are {apart} m "
-        "apart. So these readings do not test the direction of the forces; they still test their "
-        "sizes and their instants.",
+        "the velocities change in opposite directions ({turned}), and {marks}. So these readings "
+        "do not test the direction of the forces; they still test their sizes and their instants.",
         turned=how,
-        apart=f"{apart:.4g}",
+        marks=said("the marks are taken to be 0 m apart (give the distance)")
+        if apart is None
+        else said("the marks are {apart} m apart", apart=f"{apart:.4g}"),
     )
 
 
