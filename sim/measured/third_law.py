@@ -41,7 +41,7 @@ SCATTERED = 0.1
 """Half of the ratio's interval from which on nothing can be said of a ratio of 1."""
 
 NEAR, MOST = 3.5, 0.9
-"""Steps; share of the quiet readings that lie so near, where no noise is much larger than a step."""
+"""Steps; share of the quiet readings that lie so near, where no noise is much larger than they."""
 
 MIDDLE = 0.6745  # median of |x| with noise 1
 STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
