@@ -38,7 +38,7 @@ def forces() -> str:
 
 def test_a_unit_that_nobody_gave_is_called_assumed(tmp_path: Path) -> None:
     notes = read(fit(tmp_path / "film.txt", FILM, "--json"))
-    assert "t in s (assumed: the file names no unit; --time takes s or ms)" in notes
+    assert "t in s (assumed: the file names no unit; --time takes s, ms, µs or min)" in notes
     assert "x in m (assumed: the file names no unit; --length takes m, cm or mm)" in notes
     assert "as you say" not in fit(tmp_path / "film.txt", FILM).stdout
 
