@@ -53,5 +53,5 @@ def test_a_day_that_no_calendar_has_is_told(
     command: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     said = told("site_name: A\nextra: {begun: 2026-02-30}\n", command, monkeypatch, tmp_path)
-    assert "mkdocs.yml: error: a value cannot be read: day" in said
+    assert "mkdocs.yml: error: there is a day that no calendar has" in said
     assert "stands in quotes" in said

@@ -70,8 +70,8 @@ def read(root: Path) -> SiteFolder:
     except (UnicodeDecodeError, AttributeError):
         text = f"{SETTINGS}: error: this is no list of settings in UTF-8"
         raise click.ClickException(f"{text}\n  hint: for example site_name: My lessons") from None
-    except ValueError as error:  # 2026-02-30 is no text and no date
-        text = f"{SETTINGS}: error: a value cannot be read: {error}"
+    except ValueError:  # 2026-02-30 is no text and no date
+        text = f"{SETTINGS}: error: there is a day that no calendar has"
         hint = "a text that only looks like a date stands in quotes"
         raise click.ClickException(f"{text}\n  hint: {hint}") from None
     theme = settings.get("theme")  # its name alone, or a table
