@@ -62,10 +62,10 @@ def scene_lines(
     return lines
 
 
-def fence(lines: Sequence[str], identity: str) -> str:
-    """The scene as a block of a lesson."""
-    body = "\n".join(lines)
-    return f"```scene\nid: {identity}\n{body}\nshow: [x, v, F]\n```\n"
+def fence(lines: Sequence[str], identity: str, remarks: Sequence[str] = ()) -> str:
+    """The scene as a block of a lesson, with the same remarks."""
+    body = scene_text([f"id: {identity}", *lines, "show: [x, v, F]"], remarks)
+    return Said("```scene\n{scene}```\n", {"scene": body})
 
 
 def scene_text(lines: Sequence[str], remarks: Sequence[str] = ()) -> str:

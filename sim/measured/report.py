@@ -82,7 +82,7 @@ def motion_report(
         "calls_for": called_for(list(compared)) if compared else None,
         "sentences": said,
         "scene": scene_text(lines, remarks(fit, mass)),
-        "fence": fence(lines, FENCE_ID),
+        "fence": fence(lines, FENCE_ID, remarks(fit, mass)),
     }
 
 

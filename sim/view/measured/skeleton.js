@@ -6,7 +6,7 @@
 import { counted, tr } from "../language.js";
 import { html } from "../markup.js";
 import { tableOf } from "./table.js";
-import { howRead } from "./units.js";
+import { howRead, semicolons } from "./units.js";
 
 /** @typedef {import("./types.js").Facts} Facts */
 /** @typedef {import("../markup.js").Markup} Markup */
@@ -77,7 +77,7 @@ function source({ name, units, offered, read }) {
 <details class="carts-more carts-measured-type"><summary>${tr("Type readings")}</summary><div class="carts-scroll" role="group" aria-label=${tr("table to type readings into")}><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "A" })}</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "B" })}</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>${tr("More rows")}</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>${tr("Read this table")}</button></p></details>
 <p class="carts-measured-row">${choices}</p>
 <p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read ? howRead(read).join("; ") : ""}`}</p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? semicolons(howRead(read)) : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
 }

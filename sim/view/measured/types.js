@@ -13,7 +13,7 @@
  * @typedef {{key: string, name: Said, value: number, low: number, high: number, unit: string, interval: Said, text: Said}} Known
  * @typedef {{kind: string, names: string[], read: Said[], law_words: Said, added: Said, doubt: Said, effect: string, known: Known[],
  *   untold: {key: string, name: Said, reason: Said}[], noise: number, sentences: Said[], scene: Said,
- *   fence: string, calls_for: string | null, segments?: Segment[], rungs?: Rungs | null}} Report
+ *   fence: Said, calls_for: string | null, segments?: Segment[], rungs?: Rungs | null}} Report
  * @typedef {{scatter: number, line: Said, taken: Said, rows: {effect: string, changes: number, missed: number, without: number,
  *   verdict: "shown" | "not-shown" | "against", sentence: Said}[]}} Rungs in m
  * @typedef {{from: number, until: number, cart: string, kind: string}} Segment times in s

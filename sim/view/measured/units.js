@@ -60,3 +60,8 @@ export function heads(read) {
     tracks: read.names.map((name) => named(read.kind, name)),
   };
 }
+
+/** Parts of a line, told one after the other. @param {string[]} parts @returns {string} */
+export function semicolons([first = "", ...rest]) {
+  return rest.reduce((before, then) => tr("{first}; {then}", { first: before, then }), first);
+}

@@ -52,11 +52,11 @@ ${FORMS[spec.kind](baked, spec)}
 ${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
-<div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
+<div class="carts-talk" tabindex="-1" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
 <div class="carts-compared" tabindex="-1" hidden></div>
 <label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" maxlength="20000" autocomplete="off" placeholder=" "></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
-<p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
+<p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction and what was written below it?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
 </div>`;
 }
 

@@ -5322,7 +5322,7 @@
     }
     show(on, asked4) {
       this.box.hidden = !on;
-      if (on && asked4) need(this.box, ".carts-talk-run").focus();
+      if (on && asked4) this.box.focus();
     }
   };
   var Why = class {

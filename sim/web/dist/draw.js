@@ -11200,6 +11200,9 @@ ${second && across3}
       tracks: read.names.map((name) => named2(read.kind, name))
     };
   }
+  function semicolons([first = "", ...rest]) {
+    return rest.reduce((before2, then) => tr("{first}; {then}", { first: before2, then }), first);
+  }
 
   // ../view/measured/table.js
   var PLACES = 4;
@@ -11279,7 +11282,7 @@ ${table3(facts)}
 <details class="carts-more carts-measured-type"><summary>${tr("Type readings")}</summary><div class="carts-scroll" role="group" aria-label=${tr("table to type readings into")}><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "A" })}</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "B" })}</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>${tr("More rows")}</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>${tr("Read this table")}</button></p></details>
 <p class="carts-measured-row">${choices}</p>
 <p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
-<p class="carts-measured-said" role="status">${name && `${name}: ${read ? howRead(read).join("; ") : ""}`}</p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read ? semicolons(howRead(read)) : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
   }
@@ -12612,11 +12615,11 @@ ${FORMS2[spec.kind](baked, spec)}
 ${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
-<div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
+<div class="carts-talk" tabindex="-1" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
 <div class="carts-compared" tabindex="-1" hidden></div>
 <label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" maxlength="20000" autocomplete="off" placeholder=" "></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
-<p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
+<p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction and what was written below it?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
 </div>`;
   }
   function certainty(id) {

@@ -71,6 +71,9 @@
       tracks: read.names.map((name) => named(read.kind, name))
     };
   }
+  function semicolons([first = "", ...rest]) {
+    return rest.reduce((before, then) => tr("{first}; {then}", { first: before, then }), first);
+  }
 
   // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
@@ -1154,7 +1157,7 @@
     }
     return [...names].map(([reason, hidden]) => {
       const row = html("p", "carts-measured-untold");
-      const which = tr("Not printed: {names}.", { names: hidden.join("; ") });
+      const which = tr("Not printed: {names}.", { names: semicolons(hidden) });
       row.append(html("strong", "", which), ` ${ended(upper(reason))}`);
       return row;
     });
@@ -1509,6 +1512,8 @@
       }));
     }
     save(name, texts) {
+      if (!texts.length)
+        say(need(this.root, ".carts-measured-said"), tr("There are no readings yet."));
       const own = texts.length === 1 && FILE_NAME.test(name) && !ZIP_NAME.test(name);
       const one = own ? name : "readings.txt";
       for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
@@ -1686,7 +1691,7 @@
     }
     readings(name, read, motion) {
       this.forget();
-      say(this.#part("said"), [Source.called(name), ...howRead(read)].filter(Boolean).join("; "));
+      say(this.#part("said"), semicolons([Source.called(name), ...howRead(read)].filter(Boolean)));
       this.#part("legend").replaceChildren(...legend(read));
       this.#part("model").hidden = !motion;
       this.#part("world").hidden = !motion;
@@ -1750,7 +1755,7 @@
       showResult(this.#part("result"), report);
       this.#part("back").hidden = false;
       const fence = this.#part("fence");
-      fence.value = report.fence;
+      fence.value = told(report.fence);
     }
     refuse(name, faults, what) {
       const whose = what === "read" ? Source.notRead(name) : "";

@@ -123,8 +123,9 @@ def test_who_changes_a_prediction_by_keyboard_is_at_what_can_be_changed(
     for box in scene.locator(".carts-height, textarea").filter(visible=True).all():
         box.fill("2")
     scene.locator(".carts-lock").click()
-    expect(scene.locator(".carts-talk-run")).to_be_focused()
-    page.keyboard.press("Shift+Tab")  # back to “Change it once”
+    expect(scene.locator(".carts-talk")).to_be_focused()  # no button: Enter may still be held
+    page.keyboard.press("Enter")
+    page.keyboard.press("Tab")  # to “Change it once”
     page.keyboard.press("Enter")
     expect(scene.locator(".carts-predict").locator(first).first).to_be_focused()
 
@@ -169,7 +170,7 @@ def test_the_next_student_can_start_again(shared_page: SharePage, widget_site: P
     expect(page.locator("#choice .carts-results")).to_be_visible()
     on_scene(page, "el.time = 3", name="choice")
     again.click()
-    expect(asked).to_contain_text("Forget this prediction?")
+    expect(asked).to_contain_text("Forget this prediction and what was written below it?")
     page.get_by_role("button", name="Keep it").click()
     expect(asked).to_be_hidden()
     expect(again).to_be_focused()

@@ -1,7 +1,7 @@
 /** Everything that is drawn of the readings and of the model: figure, residuals, carts, table, faults. */
 
 import { told, tr } from "../../../view/language.js";
-import { heads, howRead } from "../../../view/measured/units.js";
+import { heads, howRead, semicolons } from "../../../view/measured/units.js";
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
@@ -51,7 +51,7 @@ export class Picture {
   /** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
   readings(name, read, motion) {
     this.forget();
-    say(this.#part("said"), [Source.called(name), ...howRead(read)].filter(Boolean).join("; "));
+    say(this.#part("said"), semicolons([Source.called(name), ...howRead(read)].filter(Boolean)));
     this.#part("legend").replaceChildren(...legend(read));
     this.#part("model").hidden = !motion;
     this.#part("world").hidden = !motion;
@@ -127,7 +127,7 @@ export class Picture {
     showResult(this.#part("result"), report);
     this.#part("back").hidden = false;
     const fence = /** @type {HTMLTextAreaElement} */ (this.#part("fence"));
-    fence.value = report.fence;
+    fence.value = told(report.fence);
   }
 
   /** Readings that cannot be read say so where they come from, a fit that cannot be made where it was asked for. @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults @param {string} what was asked of Python; "read": the picture is still that of earlier ones */

@@ -2,6 +2,7 @@
 
 import { ended, told, tr } from "../../../view/language.js";
 import { tableOf } from "../../../view/measured/table.js";
+import { semicolons } from "../../../view/measured/units.js";
 import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/measured/types.js").Report} Report */
@@ -39,7 +40,7 @@ function notPrinted(untold) {
   }
   return [...names].map(([reason, hidden]) => {
     const row = html("p", "carts-measured-untold");
-    const which = tr("Not printed: {names}.", { names: hidden.join("; ") });
+    const which = tr("Not printed: {names}.", { names: semicolons(hidden) });
     row.append(html("strong", "", which), ` ${ended(upper(reason))}`);
     return row;
   });

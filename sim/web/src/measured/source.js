@@ -2,7 +2,7 @@
 
 import { listed } from "../../../view/bodies.js";
 import { told, tr } from "../../../view/language.js";
-import { need } from "../shared/dom.js";
+import { need, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
 import { decoded } from "./decoded.js";
 import { Films, isFilm } from "./films.js";
@@ -131,6 +131,8 @@ export class Source {
 
   /** @param {string} name @param {string[]} texts */
   save(name, texts) {
+    if (!texts.length)
+      say(need(this.root, ".carts-measured-said"), tr("There are no readings yet."));
     const own = texts.length === 1 && FILE_NAME.test(name) && !ZIP_NAME.test(name);
     const one = own ? name : "readings.txt";
     for (const text of texts) download(one, text, "text/plain;charset=utf-8");

@@ -20,7 +20,7 @@ export class Talk {
   /** @param {boolean} on whether it is time to talk @param {boolean} asked by the reader just now */
   show(on, asked) {
     this.box.hidden = !on;
-    if (on && asked) need(this.box, ".carts-talk-run").focus();
+    if (on && asked) this.box.focus(); // not a button: Enter that is still held would press it
   }
 }
 
