@@ -9,6 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import main
+from tests.classroom.given.makers import bank, random_class, sources
 
 TABLE = "student,group,pre,post\n" + "\n".join(
     f"s{k},{'ab'[k % 2]},{k % 5},{2 + k % 7}" for k in range(16)
@@ -120,3 +121,21 @@ def test_what_is_no_table_is_named(tmp_path: Path) -> None:
 )
 def test_calls_that_cannot_be_meant_end_with_2(marks: Path, words: tuple[str, ...]) -> None:
     assert carts(*(str(marks) if word == "MARKS" else word for word in words)).exit_code == 2
+
+
+def test_a_table_in_a_folder_of_answer_files_is_not_passed_over_in_silence(tmp_path: Path) -> None:
+    for source in sources(random_class(bank(6), 6)):
+        (tmp_path / source.name).write_bytes(source.content)
+    (tmp_path / "marks.csv").write_text("student,pre\nANNA,3\n", encoding="utf-8")
+    told = CliRunner().invoke(main, ["class", str(tmp_path)])
+    assert f"{tmp_path.as_posix()}/marks.csv is a table, and read by --table alone" in told.stderr
+    assert told.exit_code == 0
+
+
+def test_a_sentence_of_a_group_says_which_form_and_group_it_is_of(tmp_path: Path) -> None:
+    """Four lines “2 students: no statistics for fewer than 5.” could not be told apart."""
+    table = tmp_path / "marks.csv"
+    rows = "\n".join(f"S{k},a,{k},{k + 1}" for k in range(2))
+    table.write_text(f"student,group,pre (10),post (10)\n{rows}\n", encoding="utf-8")
+    told = CliRunner().invoke(main, ["class", "--table", str(table)]).stdout
+    assert "- pre, " in told and "- post, " in told

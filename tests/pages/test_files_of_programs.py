@@ -59,3 +59,21 @@ def test_a_preview_looks_where_the_site_says_that_its_pages_are(folder: Path) ->
     root = folder.parent
     (root / "mkdocs.yml").write_text(SETTINGS, encoding="utf-8")
     assert list(Previewer(root, root / "site").folders) == [folder, root / "pages"]
+
+
+def test_what_is_saved_while_the_first_build_runs_is_built_too(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = folder.parent
+    (root / "mkdocs.yml").write_text(SETTINGS, encoding="utf-8")
+    preview, built = Previewer(root, root / "site"), []
+
+    def build(changed: set[Path], *, partial: bool) -> None:
+        built.append(changed)
+        if len(built) == 1:
+            (folder / "first.md").write_text("# First\n\nAnother text.\n", encoding="utf-8")
+
+    monkeypatch.setattr(preview, "_build", build)
+    preview.begin()
+    assert len(built) == 2
+    assert built[1] == {folder / "first.md"}

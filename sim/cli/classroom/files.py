@@ -11,7 +11,14 @@ from sim.classroom.files.archive import LARGEST, MOST_UNPACKED, is_zip
 from sim.classroom.files.reading import Source
 
 ENDINGS = (".json", ".zip")
+OF_TABLES = (".csv", ".tsv", ".xlsx", ".xls", ".ods")
 MOST_ZIP = MOST_UNPACKED
+
+
+def tables_in(paths: Iterable[Path]) -> Iterator[Path]:
+    """Tables of marks that lie in named folders: who reads answer files passes over them."""
+    for folder in filter(Path.is_dir, paths):
+        yield from sorted(p for p in folder.iterdir() if p.suffix.lower() in OF_TABLES)
 
 
 def sources(paths: Iterable[Path]) -> Iterator[Source]:

@@ -24,7 +24,7 @@ from sim.cli.classroom.calls import (
     warn_of_empty,
 )
 from sim.cli.classroom.country import country_report, of_country, to_hand_on, write_answers
-from sim.cli.classroom.files import sources
+from sim.cli.classroom.files import sources, tables_in
 from sim.cli.classroom.options import Options
 from sim.cli.classroom.out import Out
 from sim.cli.classroom.papers import Papers
@@ -33,6 +33,7 @@ from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_w
 from sim.cli.classroom.tables import tables_of
 from sim.cli.named_file import GivenFile
 from sim.pages.language import ENGLISH, LANGUAGES
+from sim.scene.said import said
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
@@ -202,6 +203,9 @@ def _answers(out: Out, papers: Papers, given: Given, keys: Sequence[Path]) -> No
     if out.summary:
         out.sums(lessons_of_answers(sorted_[0], reading.keys, wanted), wanted.groups)
     papers.write(out, *sorted_[:2], wanted)
+    for path in tables_in(given.files):
+        told = said("{file} is a table, and read by --table alone", file=path.as_posix())
+        out.say(told, err=True)
     out.report(report, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
 
 

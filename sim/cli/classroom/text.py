@@ -14,7 +14,7 @@ from sim.classroom.show.own_runs import own_run_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
 from sim.scene.notation import number
-from sim.scene.said import counted, in_words, said, template
+from sim.scene.said import commas, counted, in_words, said, template
 
 Tell = Callable[[str], str]
 """A sentence in the language of the report, safe for a terminal."""
@@ -71,7 +71,10 @@ def _lesson(lesson: Mapping[str, Any], files: Mapping[str, Any], tell: Tell) -> 
     title = _safe(lesson["title"])
     yield f"{title}\n{'=' * len(title)}"
     yield _means(lesson, tell)
-    says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
+    says: list[str] = [
+        said("{name}: {says}", name=commas([f["form"], g["group"]]), says=g["sentence"])
+        for f in lesson["forms"] for g in f["groups"] if "sentence" in g
+    ]  # fmt: skip
     says += [of_group(form["form"], left) for form in lesson["forms"]
              if form["of"] is not None and (left := left_open(form["items"]))]  # fmt: skip
     name_it = template("Name the key file too: --key FILE")
@@ -143,7 +146,7 @@ def _items(form: Mapping[str, Any], tell: Tell) -> str:
     made = f"{title}:\n{table(tuple(map(tell, ITEMS)), rows)}" if rows else ""
     talk = _lines([row["sentence"] for row in form["talk"]], tell)
     parts = [
-        made,
+        made or (f"{title}:" if form["sentences"] else ""),
         _lines(form["sentences"], tell),
         _lines(
             [

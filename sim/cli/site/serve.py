@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 PORTS = range(8000, 8010)
 """Tried in this order where no port is asked for."""
 
+MOST_FIRST = 3
+"""Builds before the server begins; who saves on and on is answered by it."""
+
 Seen = Mapping[Path, tuple[int, int]]  # time of the last change in ns, and size
 
 
@@ -63,7 +66,7 @@ def command(port: int | None, show: bool) -> None:
             taken = f"Port {port} is" if port else f"The ports {PORTS[0]} to {PORTS[-1]} are"
             raise click.ClickException(f"{taken} taken. Another one: carts serve --port 8123")
         try:
-            previewer.make()
+            previewer.begin()
             click.echo(f"Open {server.url} in your browser. Ctrl+C ends it.")
             if show:
                 webbrowser.open(server.url)
@@ -96,7 +99,8 @@ class Previewer:
         self.folders = {self.root / LESSONS: None, self.docs: None}  # which may be the same
         self.trouble = ""
         self.url = ""
-        self.seen: Seen = {}
+        self.seen: Seen = {}  # of the last build that went well
+        self.looked: Seen = {}  # of the last one
         self.config: MkDocsConfig | None = None
 
     def server(self, port: int) -> PageServer:
@@ -114,7 +118,7 @@ class Previewer:
         """Build what has changed since the last time, and say how long it took."""
         began = time.perf_counter()
         try:
-            seen = look(self.root / SETTINGS, *self.folders)
+            seen = self.looked = look(self.root / SETTINGS, *self.folders)
             both = {*seen, *self.seen}
             changed = {path for path in both if seen.get(path) != self.seen.get(path)}
             partial = self._partial(seen, changed)
@@ -129,6 +133,14 @@ class Previewer:
         names = ", ".join(sorted(Path(relpath(p, self.root)).as_posix() for p in changed)[:3])
         what = names if partial else "The site"
         click.echo(f"{what}: {time.perf_counter() - began:.1f} s")
+
+    def begin(self) -> None:
+        """Build, and again what was saved meanwhile: only the server looks for changes."""
+        for _ in range(MOST_FIRST):
+            self.make()
+            with suppress(OSError):
+                if look(self.root / SETTINGS, *self.folders) == self.looked:
+                    return
 
     def close(self) -> None:
         """Tell the plugins that it is over."""
