@@ -11,6 +11,11 @@ from sim.scene import read_scene
 from tests.reference.effects import integrate
 
 
+SUMMED = 1e-13
+"""Relative. The method's stages are summed by numpy, in an order that the processor decides: on some
+the two halves of a mirrored row are equal to the last bit, on some to the last two."""
+
+
 def mirrored_row() -> dict[str, Any]:
     """Five spheres: two and two come to the one in the middle, springs behind them."""
     masses, speeds = (1.7, 0.5, 1.3, 0.5, 1.7), (0.5, 1.0, 0.0, -1.0, -0.5)
@@ -39,4 +44,5 @@ def test_what_spheres_part_with_is_what_the_springs_beside_them_go_on_with() -> 
     assert done.solvers["adaptive"] > 0
     assert done.ledger.imbalance() < 1e-13
     assert done.v == pytest.approx(expected.v, abs=1e-11)
-    assert done.v == tuple(-v for v in reversed(done.v))
+    mirrored = tuple(-v for v in reversed(done.v))
+    assert done.v == pytest.approx(mirrored, rel=SUMMED)
