@@ -18,6 +18,7 @@ from sim.dynamics.batch.grid import Axes, Grid, run_points, solve
 from sim.scene import apply_changes
 from sim.scene.fence.map import read_map
 from sim.scene.read import SCENE_KEYS
+from sim.scene.said import joined, said, wire
 
 SLICE = 0.15
 """s. How long a page waits for a slice of runs: it can be drawn, and dropped, in between."""
@@ -41,7 +42,7 @@ def map_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
         "runs": len(grid.left),
         "done": done,
         "coarser": grid.coarser,
-        "why": _why(grid, bool(described.scene.effects)),
+        "why": wire(_why(grid, bool(described.scene.effects))),
     }
     if start:
         return header, array("d", [*map(float, grid.left[start:done]), *found])
@@ -60,22 +61,33 @@ def _why(grid: Grid, effects: bool) -> str:
     """How the values were found, in words."""
     points = _many(math.prod(len(values) for _, values in grid.axes))
     if not grid.left:
-        return (
-            f"At each of the {points} points there is at most one contact before the run ends: "
-            "all of them were computed together from the closed form, exact."
+        return said(
+            "At each of the {points} points there is at most one contact before the run ends: "
+            "all of them were computed together from the closed form, exact.",
+            points=points,
         )
-    fewer = " The grid is coarser because runs take time." if grid.coarser else ""
     if grid.closed:
-        return (
-            f"{_many(len(grid.left))} of {points} points have more than one contact, or one that "
-            "the end cuts off. Each of these is a run of its own, exact as that of a scene; the "
-            f"others come from the closed form.{fewer}"
+        how = said(
+            "{left} of {points} points have more than one contact, or one that the end cuts off. "
+            "Each of these is a run of its own, exact as that of a scene; the others come from "
+            "the closed form.",
+            left=_many(len(grid.left)),
+            points=points,
         )
-    reason = "Effects act in this scene" if effects else "No formula gives all points at once here"
-    return (
-        f"{reason}: each of the {points} points is a run of its own, exact as that of a "
-        f"scene.{fewer}"
-    )
+    elif effects:
+        how = said(
+            "Effects act in this scene: each of the {points} points is a run of its own, exact as "
+            "that of a scene.",
+            points=points,
+        )
+    else:
+        how = said(
+            "No formula gives all points at once here: each of the {points} points is a run of its "
+            "own, exact as that of a scene.",
+            points=points,
+        )
+    fewer = said("The grid is coarser because runs take time.") if grid.coarser else ""
+    return joined(how, fewer)
 
 
 def _many(number: int) -> str:

@@ -12,6 +12,7 @@ from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
 from sim.scene import SceneError, apply_changes, read_scene
 from sim.scene.fence.map import MOST, USUAL, read_map
+from sim.scene.said import from_wire
 from tests import registry
 
 MAP: dict[str, Any] = {
@@ -65,7 +66,7 @@ def test_runs_come_in_slices_that_make_up_the_whole(monkeypatch: pytest.MonkeyPa
         for place, value in zip(slice_[:half], slice_[half:], strict=True):
             values[int(place)] = value
     assert values == whole
-    assert "each of the 30 points is a run of its own" in header["why"]
+    assert "each of the 30 points is a run of its own" in from_wire(header["why"])
 
 
 def test_what_a_reader_types_is_refused_with_a_reason() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from sim.pages.head.page_head import Needs, finish
+from sim.pages.head.page_head import Needs, finish, own_words
 from sim.pages.head.policy import trusted_scripts
 
 PAGE = (
@@ -41,10 +41,13 @@ def test_scripts_are_loaded_only_where_they_are_needed() -> None:
 
 
 def test_words_of_readings_come_behind_the_others_and_only_where_readings_are() -> None:
-    page = finished(language="ms", measured=True)
+    own = own_words("<carts-measured id=a>", "ms")
+    page = finished(language="ms", measured=True, own_words=own)
     names = re.findall(r'<script src="../assets/carts/([^"]+)"', page)
     assert names[:3] == ["words.ms.js", "words-measured.ms.js", "measured.js"]
     assert "words-measured" not in finished(language="ms") + finished(measured=True)
+    assert own_words("<carts-measured id=a>", "en") == ()
+    assert own_words("<carts-scene id=a><carts-map id=b>", "ta") == ("map",)
 
 
 def test_a_script_that_the_theme_did_not_write_is_not_allowed() -> None:

@@ -15,7 +15,7 @@ from typing import Any
 from sim.lesson.opening import word_sum
 from sim.pages.head.policy import Audience, inline_scripts, is_trusted, policy_of_page
 from sim.pages.head.watchdog import watchdog
-from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.language import ENGLISH, OWN, speaking, words
 from sim.pages.text.films import plays_films
 from sim.pages.text.formulas import SHEET
 
@@ -40,6 +40,7 @@ class Needs:
     classroom: bool = False
     reports: bool = False  # tables as of class results
     measured: bool = False  # readings of real carts
+    own_words: tuple[str, ...] = ()  # elements whose words are a script of their own
     language: str = ENGLISH  # of the interface words
     challenge: bool = False  # a goal for the runs of a scene
     worlds: bool = False  # impossible ones, beside a scene
@@ -60,6 +61,7 @@ def needs_of(
         classroom="<carts-class" in html,
         reports="carts-class-report" in html,
         measured="<carts-measured" in html,
+        own_words=own_words(html, language),
         language=language,
         challenge="<carts-challenge" in html,
         worlds="<carts-worlds" in html,
@@ -68,6 +70,13 @@ def needs_of(
         tools='class="carts-tools"' in html,
         films=plays_films(html),
     )
+
+
+def own_words(html: str, language: str) -> tuple[str, ...]:
+    """The elements of a page that bring words of their own along; English needs none."""
+    if language == ENGLISH:
+        return ()
+    return tuple(element for element in OWN if f"<carts-{element}" in html)
 
 
 # Half a formula is narrower than the whole: the first picture of a page with formulas waits for
@@ -151,7 +160,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
         text = text.replace("<", "\\u003c")
         yield f'<script type="application/json" id="carts-lesson">{text}</script>'
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
-    names += [f"words-measured.{needs.language}.js"] if names and needs.measured else []
+    names += [f"words-{element}.{needs.language}.js" for element in needs.own_words]
     names += ["carts.js", "tour.js"] if needs.scenes else []
     names += ["tools.js"] if needs.tools else []
     names += ["challenge.js"] if needs.challenge else []

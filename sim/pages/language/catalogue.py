@@ -18,11 +18,19 @@ INNER = tuple(
 )
 """Layers that know no languages and say their sentences as templates: see sim.scene.said."""
 
-MEASURED = (
-    *("sim/measured", "sim/bridge/measured_answer.py", "sim/view/measured"),
-    *("sim/web/src/measured", "sim/web/src/film"),
-)
-"""What says its sentences only where a block holds readings: few pages do, and it says many."""
+OWN: dict[str, tuple[str, ...]] = {
+    "measured": (
+        *("sim/measured", "sim/bridge/measured_answer.py", "sim/view/measured"),
+        *("sim/web/src/measured", "sim/web/src/film"),
+    ),
+    "map": (
+        *("sim/scene/fence/map.py", "sim/bridge/map_answer.py"),
+        *("sim/view/map", "sim/web/src/map"),
+    ),
+}
+"""Elements that few pages have, `<carts-measured>`, and what says its sentences only in them: these
+are a script of their own, `words-measured.ms.js`, which other pages need not carry."""
+_ANY = tuple(place for places in OWN.values() for place in places)
 
 ENGLISH = "en"
 LANGUAGES = {
@@ -99,12 +107,14 @@ def words_script(language: str) -> str:
 
 
 @cache
-def measured_words_script(language: str) -> str:
-    """A script that adds what only a page with readings says; it stands behind the other one."""
+def own_words_script(element: str, language: str) -> str:
+    """A script that adds what only pages with an element of `OWN` say; it stands behind the other
+    one."""
     found = {
         key: said
         for key, (said, places) in _entries(language).items()
-        if any(place.startswith(MEASURED) for place in places) and not any(map(_in_page, places))
+        if any(place.startswith(OWN[element]) for place in places)
+        and not any(map(_in_page, places))
     }
     return f"Object.assign(globalThis.cartsWords,{_as_json(found)});\n" if found else ""
 
@@ -142,7 +152,7 @@ def _rule(language: str) -> dict[str, str]:
 
 
 def _in_page(location: str) -> bool:
-    """Whether every page says it: scripts say it themselves; what the inner layers say of a run
-    passes through them."""
+    """Whether a page says it whatever stands on it: scripts say it themselves; what the inner
+    layers say of a run passes through them."""
     inside = location.endswith(".js") or location.startswith(INNER)
-    return inside and not location.startswith(MEASURED)
+    return inside and not location.startswith(_ANY)

@@ -12,6 +12,7 @@ from typing import Any
 from sim.pages.blocks.bake import bake
 from sim.scene import Problem, SceneError, apply_changes
 from sim.scene.fence.map import Map
+from sim.scene.said import from_wire
 
 ROUGH = 9
 """Points per axis for the range that the sliders reach: extremes lie at the ends of an axis, as a
@@ -50,7 +51,9 @@ def bake_map(described: Map, plain: Mapping[str, Any]) -> MapRun | list[Problem]
         rough = _computed({**plain, "points": ROUGH}, dict(corner))
         if not isinstance(rough, list):
             seen += [value for value in rough[1] if not math.isnan(value)]
-    return MapRun(header["axes"], values, min(seen), max(seen), header["why"], _packages(described))
+    return MapRun(
+        header["axes"], values, min(seen), max(seen), from_wire(header["why"]), _packages(described)
+    )
 
 
 def _packages(described: Map) -> tuple[str, ...]:
@@ -78,7 +81,9 @@ def _computed(
     header, values = answer(request)
     if not header["ok"]:
         return [
-            Problem(tuple(row["path"]), row["code"], row["message"], row.get("hint", ""))
+            Problem(
+                tuple(row["path"]), row["code"], from_wire(row["message"]), from_wire(row["hint"])
+            )
             for row in header["problems"]
         ]
     while header["done"] < header["runs"]:

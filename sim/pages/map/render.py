@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.language import told
 from sim.pages.map.bake import MapRun
 from sim.pages.templates import element
 from sim.scene.fence.controls import Control
@@ -25,14 +26,14 @@ def render_map(
     """
     facts = _facts(described, written, run)
     values = [_known(value) for value in run.values]
-    title = described.title or sentence_case(described.show.label)
-    told = {"id": described.id, "title": title, "values": values, "why": run.why}
+    title = described.title or sentence_case(told(described.show.label))
+    shown = {"id": described.id, "title": title, "values": values, "why": told(run.why)}
     if not drawn:
-        return element("map", described.id, "", {**facts, "draw": told})
+        return element("map", described.id, "", {**facts, "draw": shown})
     from sim.pages.drawing import draw  # V8: only where a site is built
 
     picture = _picture(run, values) if len(run.axes) == 2 else ""
-    inside = draw("map", {"facts": facts, "draw": told, "picture": picture})
+    inside = draw("map", {"facts": facts, "draw": shown, "picture": picture})
     return element("map", described.id, inside, facts)
 
 
@@ -69,7 +70,7 @@ def _facts(described: Map, written: Mapping[str, Any], run: MapRun) -> dict[str,
         "map": dict(written),
         "of": described.of,
         "packages": list(run.packages),
-        "label": described.show.label,
+        "label": told(described.show.label),
         "unit": described.show.unit,
         "low": run.low,
         "high": run.high,
@@ -90,7 +91,7 @@ def _range(control: Control) -> dict[str, Any]:
     """What is set, between which two values as the reader sees them."""
     return {
         "set": control.set,
-        "label": control.label,
+        "label": told(control.label),
         "unit": control.unit,
         "per": control.per,
         "low": control.shown(control.low),

@@ -24,8 +24,8 @@ from sim.pages.language import (
     ENGLISH,
     UnknownLanguageError,
     language_folder,
-    measured_words_script,
     of_page,
+    own_words_script,
     words_script,
 )
 from sim.pages.offline import Hosting
@@ -168,9 +168,11 @@ class SiteBuild:
         for language in {needs.language for needs in self.needs.values()} - {ENGLISH}:
             script = site / site_files.ASSETS / f"words.{language}.js"
             script.write_text(words_script(language), encoding="utf-8")
-        for language in {n.language for n in self.needs.values() if n.measured} - {ENGLISH}:
-            script = site / site_files.ASSETS / f"words-measured.{language}.js"
-            script.write_text(measured_words_script(language), encoding="utf-8")
+        for element, language in {
+            (e, n.language) for n in self.needs.values() for e in n.own_words
+        }:
+            script = site / site_files.ASSETS / f"words-{element}.{language}.js"
+            script.write_text(own_words_script(element, language), encoding="utf-8")
         self.formulas.write(site / site_files.ASSETS)
         for address, text in self.prepared.items():
             script = site / site_files.ASSETS / PREPARED / address

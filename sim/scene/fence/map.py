@@ -20,6 +20,7 @@ from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.quantity import unit_of
 from sim.scene.read import SCENE_KEYS, collect_scene
+from sim.scene.said import said, template
 from sim.scene.tables import mapping, unknown_keys
 from sim.scene.track import body_name
 
@@ -166,10 +167,14 @@ def _show(value: object, scene: Scene, problems: list[Problem]) -> Shown | None:
         return None
     kind, _, of = str(value).partition(".")
     if value == "warmed":
-        return Shown(kind="warmed", of="", label="energy that warmed the bumpers", unit="J")
+        return Shown(
+            kind="warmed", of="", label=template("energy that warmed the bumpers"), unit="J"
+        )
     if kind == "v":
         if of in [cart.name for cart in scene.carts]:
-            return Shown(kind="v", of=of, label=f"velocity of {of} at the end", unit="m/s")
+            return Shown(
+                kind="v", of=of, label=said("velocity of {name} at the end", name=of), unit="m/s"
+            )
         refuse("unknown-path", f"there is no cart “{of[:40]}”", f"show: v.{scene.carts[0].name}")
         return None
     if kind == "F":
@@ -191,7 +196,7 @@ def _force(of: str, scene: Scene, refuse: Any) -> Shown | None:
             )
             return None
         names = [body_name(name, scene.track) for name in (left, right)]
-        label = f"greatest force between {names[0]} and {names[1]}"
+        label = said("greatest force between {first} and {last}", first=names[0], last=names[1])
         return Shown(kind="F", of=f"{left}-{right}", label=label, unit="N")
     pairs = ["-".join(scene.names_at(k)) for k, c in enumerate(scene.contacts) if c is not None]
     refuse("unknown-pair", f"“{of[:40]}” are not two neighbours", f"neighbours: {', '.join(pairs)}")

@@ -9,6 +9,6 @@
  *   low: number, high: number, axes: Axis[], here: number[], at: number | null, controls: import("../types.js").Control[],
  *   draw?: Drawn}} MapFacts low, high: of the values, whatever the sliders say; draw: for a page that draws it itself
  * @typedef {{id: string, title: string, values: (number | null)[], why: string}} Drawn
- * @typedef {{axes: number[][], rows: number, columns: number, values: Float64Array, why: string}} Grid
+ * @typedef {{axes: number[][], rows: number, columns: number, values: Float64Array, why: import("../language.js").Said}} Grid
  */
 export {};

@@ -1,5 +1,6 @@
 /** Values and points of a map as text. */
 
+import { tr } from "../language.js";
 import { decimalsFor, decimalsOf, fixed } from "../numbers.js";
 
 /** @typedef {import("./types.js").Axis} Axis */
@@ -10,7 +11,7 @@ const EXACT = 12; // digits without the rounding of a conversion
 
 /** Three figures; what is tiny beside the largest is nought. @param {number} value @param {Pick<MapFacts, "low" | "high">} facts @returns {string} */
 export function valueText(value, { low, high }) {
-  if (Number.isNaN(value)) return "no value";
+  if (Number.isNaN(value)) return tr("no value");
   const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
   const text = fixed(value, Math.min(decimalsFor(value || 1), most));
   return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
@@ -29,5 +30,5 @@ export function axisDecimals(axis) {
 
 /** @param {{label: string, unit: string}} of a number @returns {string} its name with its unit */
 export function named({ label, unit }) {
-  return unit ? `${label} in ${unit}` : label;
+  return unit ? tr("{label} in {unit}", { label, unit }) : label;
 }

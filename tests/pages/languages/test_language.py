@@ -15,8 +15,9 @@ from sim.bridge.protocol import answer
 from sim.pages.language import ENGLISH, LANGUAGES, of_page, speaking, told, tr, words
 from sim.pages.language.catalogue import (
     FOLDER,
+    OWN,
     UnknownLanguageError,
-    measured_words_script,
+    own_words_script,
     read,
     words_script,
 )
@@ -114,7 +115,7 @@ def translated_in(script: Path) -> list[str]:
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_what_a_script_says_is_among_the_words_that_its_page_gets(language: str) -> None:
-    given = words_script(language) + measured_words_script(language)
+    given = words_script(language) + "".join(own_words_script(one, language) for one in OWN)
     for path in sorted([*(ROOT / "sim/web/src").rglob("*.js"), *(ROOT / "sim/view").rglob("*.js")]):
         for text in translated_in(path):
             key = json.dumps(text, ensure_ascii=False)

@@ -12,13 +12,13 @@ import pytest
 
 from sim.bridge.protocol import answer
 from sim.pages.language import speaking, words
-from sim.pages.language.catalogue import measured_words_script, words_script
+from sim.pages.language.catalogue import own_words_script, words_script
 from sim.pages.language.extract import sentences
 from sim.scene.said import from_wire, in_words
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts
 from tests.measured.makers import as_text, film, truth
 from tests.measured.refused_texts import REFUSED
-from tests.pages.given.interface_words import BRACKETS
+from tests.pages.given.interface_words import BRACKETS, WORD, page_words, untold
 from tests.web.figures.measured_site import BLOCKS, element
 
 DATA = Path(__file__).parents[3] / "worksheets" / "data"
@@ -39,8 +39,6 @@ ASKED: dict[str, dict[str, Any]] = {
 SAID = {"read", "law_words", "added", "doubt", "reason", "hint", "sentences", "sentence", "line",
         "taken", "interval", "text", "scene", "name"}  # fmt: skip
 """Keys of an answer under which a reader finds sentences."""
-WORD = re.compile(r"[a-z]{3,}")
-"""Two of them are a sentence; one may be a unit, or a name in a file."""
 
 
 def headers() -> Iterator[Any]:
@@ -92,8 +90,7 @@ def test_all_that_is_said_of_readings_goes_to_the_page_as_templates(sent: list[A
 
 
 def test_a_page_in_malay_tells_readings_in_malay(sent: list[Any]) -> None:
-    given = json.loads(words_script("ms").partition("=")[2].removesuffix(";\n"))
-    given |= json.loads(measured_words_script("ms").partition(",")[2].removesuffix(");\n"))
+    given = page_words("ms", "measured")
     told = [in_words(from_wire(one), given) for one in sent if not isinstance(one, str)]
     english = re.compile(r"\b(the|is|are|of|with|by|these|what|which|they|not|left out)\b")
     assert [text for text in told if english.search(text.partition("carts:\n")[0])] == []
@@ -103,23 +100,13 @@ def test_a_page_in_malay_tells_readings_in_malay(sent: list[Any]) -> None:
 def test_the_bench_itself_is_told_in_the_language_of_its_page() -> None:
     for body in BLOCKS.values():
         with speaking(BRACKETS):
-            made = re.sub(r"<script.*?</script>", "", element(body), flags=re.DOTALL)
-        texts = [*re.findall(r">([^<]+)<", made), *re.findall(r'aria-label="([^"]*)"', made)]
-        left = [text for text in texts if len(WORD.findall(told_apart(text))) > 1]
-        assert set(left) <= {"Our own carts"}, body  # what an author wrote
-
-
-def told_apart(text: str) -> str:
-    """The text without names of files and without all that was told: [one [in another]]."""
-    text, left = re.sub(r"\S+\.(txt|csv)\b", "", text), ""
-    while text != left:
-        left, text = text, re.sub(r"\[[^\[\]]*\]", "", text)
-    return text
+            left = untold(element(body))
+        assert left <= {"Our own carts"}, body  # what an author wrote
 
 
 def test_only_pages_with_readings_carry_their_words() -> None:
     for language in ("ms", "ta", "zh-Hans"):
         key = '"The carts bounce: they come together, push each other and part.":'
-        assert key in measured_words_script(language)
+        assert key in own_words_script("measured", language)
         assert key not in words_script(language)
         assert words(language)

@@ -1,5 +1,6 @@
 /** Slider and number box of one axis of a map: they choose a point of the grid. */
 
+import { tr } from "../../../view/language.js";
 import { axisDecimals, shown } from "../../../view/map/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
@@ -69,10 +70,12 @@ export class AxisControl {
     const { decimals } = this;
     const read = readTyped(this.box.value);
     if ("problem" in read) return this.#complain(read.problem);
-    if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+    if ("text" in read)
+      return this.#complain(tr("{label}: a number in {unit}, please.", { label, unit }));
     if (read.value < low || read.value > high) {
-      const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-      return this.#complain(`${label}: ${range}, please.`);
+      const ends = { low: fixed(low, decimals), high: fixed(high, decimals) };
+      const range = `${tr("{low} to {high}", ends)} ${unit}`.trim();
+      return this.#complain(tr("{label}: {range}, please.", { label, range }));
     }
     return chosen(this.nearest(read.value, per));
   }

@@ -1,7 +1,9 @@
 /** `<carts-map>`: a picture until the reader opens it; then Python, with numpy, computes it anew. */
 
+import { told, tr } from "../../../view/language.js";
 import { valueText } from "../../../view/map/words.js";
 import { Controls } from "../scene/controls.js";
+import { LIVE } from "../scene/element-words.js";
 import { need, say } from "../shared/dom.js";
 import { frame, waited } from "../shared/waiting.js";
 import { AxisControl } from "./axis.js";
@@ -129,12 +131,12 @@ export function mapElement(client) {
       const button = /** @type {HTMLButtonElement} */ (need(this, ".carts-map-open"));
       button.disabled = true;
       this.#tell("");
-      say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
+      say(need(this, ".carts-map-wait"), tr("Python is being loaded for all points at once …"));
       try {
         await client.need(this.#facts?.packages ?? []);
         await this.#compute(this.#settings, performance.now());
         this.dataset.state = "live";
-        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+        need(this, ".carts-mark").setAttribute("aria-label", LIVE);
         const focused = button === document.activeElement;
         offerOpening(this, false);
         showProgress(this, 1, 1);
@@ -153,7 +155,11 @@ export function mapElement(client) {
       this.#opening = null;
       this.dataset.state = "failed";
       this.dataset.reason = error.reason ?? "failed";
-      this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
+      this.#tell(
+        tr("{reason} The picture and the table stay as they were prepared.", {
+          reason: error.message,
+        }),
+      );
       showProgress(this, 1, 1);
       say(need(this, ".carts-map-wait"), "");
       offerOpening(this, client.state !== "failed");
@@ -204,7 +210,7 @@ export function mapElement(client) {
       }
       this.#choose(this.#places);
       if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
-      say(need(this, ".carts-map-why"), grid.why);
+      say(need(this, ".carts-map-why"), told(grid.why));
     }
 
     /** @param {number[]} places */
@@ -213,8 +219,8 @@ export function mapElement(client) {
       this.#places = places;
       const value = this.#valueAt(places);
       const facts = /** @type {MapFacts} */ (this.#facts);
-      const told = valueText(value, facts);
-      const text = Number.isNaN(value) ? told : `${told} ${facts.unit}`;
+      const number = valueText(value, facts);
+      const text = Number.isNaN(value) ? number : `${number} ${facts.unit}`;
       for (const [k, control] of this.#axes.entries()) {
         control.show(this.#grid.axes[k] ?? [], Number(places[k]));
         control.speak(Number(places[k]), text);
