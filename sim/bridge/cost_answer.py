@@ -31,6 +31,7 @@ from sim.dynamics.result.trajectory import sample
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.scene import Problem, Scene, SceneError, read_scene
+from sim.scene.said import wire
 
 MOST_PARTS = 20_000
 """Steps of a run that a page may ask for."""
@@ -64,7 +65,10 @@ def _row(scene: Scene, number: int) -> dict[str, Any]:
     try:
         return answer | {"rows": [row_object(row(scene, truth, way))]}
     except UnsolvedError as error:
-        return answer | {"rows": [], "not_run": {"method": way.method, "reason": error.message}}
+        return answer | {
+            "rows": [],
+            "not_run": {"method": way.method, "reason": wire(error.message)},
+        }
 
 
 def _digits(scene: Scene, rows: list[dict[str, Any]]) -> dict[str, Any]:

@@ -6,6 +6,7 @@ import pytest
 
 from sim.bridge.protocol import answer
 from sim.dynamics.cost import measure
+from sim.scene.said import from_wire
 from tests import registry
 
 
@@ -20,7 +21,9 @@ def test_a_method_that_cannot_follow_a_scene_leaves_the_other_rows_to_be_asked_f
     assert refused["ok"]
     assert refused["rows"] == []
     assert refused["not_run"]["method"] == "yoshida"
-    assert refused["not_run"]["reason"].endswith("through each other, where magnets have no force")
+    assert from_wire(refused["not_run"]["reason"]).endswith(
+        "through each other, where magnets have no force"
+    )
     follows, _ = answer(request | {"row": 2})
     assert follows["of"] == refused["of"]
     assert [row["method"] for row in follows["rows"]] == ["yoshida"]

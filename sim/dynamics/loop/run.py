@@ -22,6 +22,7 @@ from sim.dynamics.result.stopped import Stopped
 from sim.dynamics.state.clock import ZERO, Time, elapsed
 from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 MOST_EVENTS = 1_000_000
 """A run stops after this many events unless told otherwise: some scenes have infinitely many."""
@@ -95,8 +96,8 @@ def is_of_the_numbers(error: ArithmeticError | ValueError) -> bool:
 def out_of_range() -> UnsolvedError:
     """Numbers overflowed: the run has no result, rather than a wrong one."""
     return UnsolvedError(
-        "the numbers of this scene are too large or too small to compute with",
-        "use values that an air track could have",
+        said("the numbers of this scene are too large or too small to compute with"),
+        said("use values that an air track could have"),
         0.0,
         (),
     )

@@ -32,6 +32,7 @@ from sim.dynamics.state.body import Body, Gap, kinds_of
 from sim.dynamics.state.clock import ZERO, Time
 from sim.laws.branch import Branch
 from sim.laws.contact_law import ContactLaw
+from sim.scene.said import said
 
 RELATIVE = 1e-12
 """Error per step, relative: a hundred steps of a contact stay within 1e-10."""
@@ -159,8 +160,8 @@ def _integrated(
     solver.step()
     if solver.status == "failed":
         raise UnsolvedError(
-            "the contact is too stiff to be integrated",
-            "a softer stiffness, or law: bumper, which has a closed form",
+            said("the contact is too stiff to be integrated"),
+            said("a softer stiffness, or law: bumper, which has a closed form"),
             now[0],
             (),
         )

@@ -10,6 +10,7 @@ from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.dynamics.state.loads import Load
 from sim.laws.branch import APART, LOCKED, Branch, Guard
+from sim.scene.said import said
 
 PUSH_ROUNDING = 1e-12
 """Of k d. Spring and damper cancel at separation; what rounding leaves of them is no push."""
@@ -131,9 +132,14 @@ def refuse_too_near(gaps: list[Gap], now: Time) -> None:
             if gap.room >= link.nearest or link.nearest == 0.0:
                 continue
             raise UnsolvedError(
-                f"at t = {now[0]:.6g} s the {link.kind} are nearer than {link.nearest:g} m: they "
-                "are too weak to keep their carts apart",
-                "a larger strength or power, or a lower speed",
+                said(
+                    "at t = {time} s the {effect} are nearer than {least} m: they are too weak to "
+                    "keep their carts apart",
+                    time=f"{now[0]:.6g}",
+                    effect=link.kind,
+                    least=f"{link.nearest:g}",
+                ),
+                said("a larger strength or power, or a lower speed"),
                 now[0],
                 (),
             )

@@ -20,6 +20,7 @@ from sim.dynamics.stepping.located import Key
 from sim.dynamics.stepping.pairs import Row
 from sim.dynamics.stepping.stepper import LocatedStepper
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 RTOL = 1e-9
 """Relative error per step where nobody says otherwise."""
@@ -50,8 +51,10 @@ class AdaptiveStepper(LocatedStepper):
     def give_up(self, t: float, h: float) -> None:
         """Nothing is taken without looking here."""
         raise UnsolvedError(
-            f"more than {self.most_changes} events, ever closer to each other",
-            "the exact method, or one of fixed step",
+            said(
+                "more than {count} events, ever closer to each other", count=str(self.most_changes)
+            ),
+            said("the exact method, or one of fixed step"),
             t,
             (),
         )
@@ -127,8 +130,10 @@ class AdaptiveStepper(LocatedStepper):
         solver.step()
         if solver.status == "failed":
             raise UnsolvedError(
-                "the step became too small",
-                f"{'a softer contact, or ' if self.soft else ''}a larger --rtol",
+                said("the step became too small"),
+                said("a softer contact, or a larger --rtol")
+                if self.soft
+                else said("a larger --rtol"),
                 float(solver.t),
                 (),
             )

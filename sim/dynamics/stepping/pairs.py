@@ -12,6 +12,7 @@ from sim.effects.forces import LooseForce, PairForce
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import SteppedContact
 from sim.scene.model import Contact, Scene
+from sim.scene.said import said
 
 Row = list[Any]
 """One number per cart; or one array, where many runs go on at once."""
@@ -83,8 +84,11 @@ def link_force(link: PairForce, d: Any, rate: Any, *, lanes: bool) -> Any:
     if not lanes:
         if d >= 0.0 and link.nearest:
             raise UnsolvedError(
-                f"a step took two carts through each other, where {link.kind} have no force",
-                "a shorter step",
+                said(
+                    "a step took two carts through each other, where {effect} have no force",
+                    effect=link.kind,
+                ),
+                said("a shorter step"),
                 0.0,
                 (),
             )

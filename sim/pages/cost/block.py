@@ -18,12 +18,14 @@ from typing import Any
 
 from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.language import mark
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml.source import Source
 from sim.scene import SceneError, read_scene
 from sim.scene.fence.presentation import FENCE_KEYS
 
 KEYS = ("id", "title", "scenes", "breaks")
+USUAL_TITLE = mark("What accuracy costs")
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +62,7 @@ def read_cost_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: i
     breaks = plain.get("breaks", False)
     if not isinstance(breaks, bool):
         raise _refuse(lesson, source.place(("breaks",)), "type", "breaks is true or false", "true")
-    title = str(plain.get("title") or "What accuracy costs")
+    title = str(plain.get("title") or USUAL_TITLE)
     return CostBlock(identity, title, scenes, names, breaks)
 
 

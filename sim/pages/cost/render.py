@@ -12,13 +12,17 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sim.pages.cost.block import CostBlock
+from sim.pages.cost.block import USUAL_TITLE, CostBlock
 from sim.pages.drawing import draw
+from sim.pages.language import mark, told
 from sim.pages.templates import element
 from sim.scene import read_scene
+from sim.scene.said import from_wire, said
 
 MEASURED = Path(__file__).parent / "measured"
 BREAKS = MEASURED / "breaks.json"
+WHEN = mark("on {day} with {python} on a shared computer with two cores")
+"""What each table says of how it was measured, there with its values."""
 FIRST = {"method": "euler", "parts": 103}
 
 
@@ -28,12 +32,12 @@ def render_cost(block: CostBlock) -> str:
     tables = {name: found for name in block.scenes if (found := measured(name))}
     known = tables.get(first, {"rows": []})
     run = baked_run(block.scenes[first])
-    breaks = {"breaks": json.loads(BREAKS.read_text(encoding="utf-8"))} if block.breaks else {}
+    breaks = {"breaks": _breaks()} if block.breaks else {}
     inside = draw(
         "cost",
         {
             "id": block.id,
-            "title": block.title,
+            "title": told(block.title) if block.title == USUAL_TITLE else block.title,
             "names": dict(block.names),
             "measured": "",
             **known,
@@ -56,6 +60,20 @@ def render_cost(block: CostBlock) -> str:
     )
 
 
+def _breaks() -> dict[str, Any]:
+    """Where methods break, measured beforehand; each map names the number that it goes along."""
+    found: dict[str, Any] = json.loads(BREAKS.read_text(encoding="utf-8"))
+    return found | {"maps": [{**one, "name": _name_of(one["path"])} for one in found["maps"]]}
+
+
+def _name_of(path: list[str]) -> str:
+    """A number of the scene in words, by its path: carts, B, mass."""
+    whose, quantity = path[1:-1], path[-1]
+    if not whose:
+        return told(quantity)
+    return told(said("{quantity} of {cart}", quantity=quantity, cart=whose[0]))
+
+
 def baked_run(plain: Mapping[str, Any]) -> dict[str, Any]:
     """The run that is shown first, as the wire delivers it."""
     from sim.bridge.protocol import answer  # pulls the numerics: only where one is computed
@@ -69,5 +87,6 @@ def measured(name: str) -> dict[str, Any] | None:
     path = MEASURED / f"{name}.json"
     if not path.is_file():
         return None
-    told = json.loads(path.read_text(encoding="utf-8"))
-    return {key: told[key] for key in ("rows", "floor", "digits", "measured")}
+    found = json.loads(path.read_text(encoding="utf-8"))
+    when = told(from_wire(found["measured"]))
+    return {key: found[key] for key in ("rows", "floor", "digits")} | {"measured": when}

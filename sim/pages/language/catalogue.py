@@ -27,6 +27,7 @@ OWN: dict[str, tuple[str, ...]] = {
         *("sim/scene/fence/map.py", "sim/bridge/map_answer.py"),
         *("sim/view/map", "sim/web/src/map"),
     ),
+    "cost": ("sim/view/cost", "sim/web/src/cost"),
 }
 """Elements that few pages have, `<carts-measured>`, and what says its sentences only in them: these
 are a script of their own, `words-measured.ms.js`, which other pages need not carry."""

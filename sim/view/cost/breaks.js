@@ -3,6 +3,7 @@
  * The darker, the more right digits.
  */
 
+import { counted, tr } from "../language.js";
 import { html } from "../markup.js";
 import { px, short, superscript } from "../numbers.js";
 import { METHODS } from "./methods.js";
@@ -18,7 +19,7 @@ import { METHODS } from "./methods.js";
 export const [WIDTH, HEIGHT] = [520, 372];
 export const [LEFT, TOP, RIGHT, BOTTOM] = [62, 10, 510, 322];
 export const TICKS_Y = BOTTOM + 16; // of the numbers across
-const MADE = "energy was made";
+const MADE = tr("energy was made");
 const DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8];
 const UNITS = /** @type {Record<string, string>} */ ({ stiffness: "N/m", mass: "kg" });
 
@@ -84,11 +85,17 @@ export function valueText(map, value) {
 /** What was found there. @param {Breaks} breaks @param {BreaksMap} map @param {string} method @param {Point} point */
 export function found({ parts }, map, method, { column, row }) {
   const letter = map.letters[method]?.[column * parts.length + row] ?? "";
-  const told = letter === "x" ? MADE : `${letter} right ${letter === "1" ? "digit" : "digits"}`;
-  const label = METHODS[method]?.label ?? method;
-  const value = valueText(map, Number(map.values[column]));
-  return `${label}, ${map.name} ${value}, ${parts[row]} steps in 1 s: ${told}.`;
+  return tr("{method}, {quantity} {value}, {steps} steps in 1 s: {found}.", {
+    method: METHODS[method]?.label ?? method,
+    quantity: map.name,
+    value: valueText(map, Number(map.values[column])),
+    steps: Number(parts[row]),
+    found: letter === "x" ? MADE : digitsText(Number(letter)),
+  });
 }
+
+/** @param {number} n */
+const digitsText = (n) => counted("1 right digit", "{n} right digits", n);
 
 /** The scene of a point. @param {Breaks} breaks @param {BreaksMap} map @param {number} column */
 export function sceneOf({ scene }, map, column) {
@@ -133,20 +140,20 @@ export function breaksPart(breaks) {
   );
   const [contact, limit] = theory(breaks, first, method);
   return html`<div class="carts-cost-breaks">
-<p class="carts-heading">Where methods break</p>
-<div class="carts-cost-choice"><label>method <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
-<label>across <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
-<svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="right digits of the velocities for each step and each value; the lists below reach every point">
+<p class="carts-heading">${tr("Where methods break")}</p>
+<div class="carts-cost-choice"><label>${tr("method")} <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
+<label>${tr("across")} <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
+<svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label=${tr("right digits of the velocities for each step and each value; the lists below reach every point")}>
 <g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind, d]) => html`<path class="carts-breaks-${kind}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
 ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text]) => html`<text class="carts-tick-x" x=${px(x)} y=${TICKS_Y}>${text}</text>`)}</g>
 <text class="carts-unit carts-breaks-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">${unitText(first)}</text>
-<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">step in s</text>
+<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">${tr("step in s")}</text>
 <rect class="carts-breaks-ring" visibility="hidden"/>
 </svg>
-<ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? "8 right digits" : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, "a step as long as the contact")}${sample("limit", DASH, "limit of stability")}</ul>
-<div class="carts-cost-choice"><label>value <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
-<label>steps in 1 s <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>Run it above</button></div>
+<ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? digitsText(k) : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, tr("a step as long as the contact"))}${sample("limit", DASH, tr("limit of stability"))}</ul>
+<div class="carts-cost-choice"><label>${tr("value")} <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
+<label>${tr("steps in 1 s")} <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>${tr("Run it above")}</button></div>
 <p class="carts-breaks-found" role="status"></p>
 <pre class="carts-breaks-command" hidden></pre>
 </div>`;
@@ -162,5 +169,5 @@ function sample(kind, d, text) {
 /** @param {BreaksMap} map */
 export function unitText(map) {
   const unit = UNITS[map.path.at(-1) ?? ""];
-  return unit ? `${map.name} in ${unit}` : map.name;
+  return unit ? tr("{label} in {unit}", { label: map.name, unit }) : map.name;
 }

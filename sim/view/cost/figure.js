@@ -3,6 +3,7 @@
  * further left is better. Below the lowest decade stands 0, where rounding has no place.
  */
 
+import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { px, short, superscript } from "../numbers.js";
 import { METHODS } from "./methods.js";
@@ -55,7 +56,7 @@ export function levelAt(floor) {
 
 /** @param {number | undefined} factor @returns {string} of the time, for ten times less error */
 export function digitText(factor) {
-  return factor ? `one more digit: × ${short(factor, 2)}` : "";
+  return factor ? tr("one more digit: × {factor}", { factor: short(factor, 2) }) : "";
 }
 
 /** @returns {{x: [string, string][], y: [string, string][]}} places of the grid with their numbers */

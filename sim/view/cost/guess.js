@@ -3,6 +3,7 @@
  * comes out is read from the rows that were measured, so a guess can be made again for another scene.
  */
 
+import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { short, superscript } from "../numbers.js";
 import { METHODS, stepping } from "./methods.js";
@@ -25,12 +26,12 @@ export function guess() {
   const methods = stepping().map(
     (name) => html`<option value=${name}>${METHODS[name]?.label}</option>`,
   );
-  const none = html`<option value="">choose</option>`;
-  return html`<div class="carts-cost-guess" role="group" aria-label="your guess" hidden>
-<p>Say first how right you want it. <label>Velocities wrong by at most <select class="carts-cost-error">${errors}</select></label>
-<label>Which method gets there in the least time? <select class="carts-cost-bet">${none}${methods}</select></label>
-<label>How many times as long as the exact outcome? <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
-<p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">Show</button> <button type="button" class="carts-button carts-cost-skip">Show without a guess</button> <span class="carts-cost-verdict" role="status"></span></p>
+  const none = html`<option value="">${tr("choose")}</option>`;
+  return html`<div class="carts-cost-guess" role="group" aria-label=${tr("your guess")} hidden>
+<p>${tr("Say first how right you want it.")} <label>${tr("Velocities wrong by at most")} <select class="carts-cost-error">${errors}</select></label>
+<label>${tr("Which method gets there in the least time?")} <select class="carts-cost-bet">${none}${methods}</select></label>
+<label>${tr("How many times as long as the exact outcome?")} <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
+<p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">${tr("Show")}</button> <button type="button" class="carts-button carts-cost-skip">${tr("Show without a guess")}</button> <span class="carts-cost-verdict" role="status"></span></p>
 </div>`;
 }
 
@@ -46,17 +47,32 @@ function cheapest(rows, method, error) {
 export function verdict(rows, { error, bet, times }) {
   const best = cheapest(rows, null, error);
   const label = (/** @type {string} */ name) => METHODS[name]?.label ?? name;
-  const asLong = (/** @type {number} */ ratio) => `${short(ratio, 2)} times as long`;
-  if (!best) return `No method that steps was measured to be right to ${errorText(error)}.`;
-  const first = `For ${errorText(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
-  const own = cheapest(rows, bet, error);
-  const second = !bet
-    ? ""
-    : bet === best.method
-      ? "As you said."
-      : own
-        ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.`
-        : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
-  const third = Number.isFinite(times) ? ` You said ${short(times)} times.` : "";
-  return `${first} ${second}${third}`.trim();
+  const exact = errorText(error);
+  if (!best)
+    return tr("No method that steps was measured to be right to {error}.", { error: exact });
+  const first = tr("For {error}: {method}, {ratio} times as long as the exact outcome.", {
+    error: exact,
+    method: label(best.method),
+    ratio: short(best.time_ratio, 2),
+  });
+  const parts = [
+    first,
+    bet && ofChoice(label(bet), bet === best.method, cheapest(rows, bet, error)),
+  ];
+  if (Number.isFinite(times)) parts.push(tr("You said {ratio} times.", { ratio: short(times) }));
+  return parts.filter(Boolean).reduce((said, then) => tr("{first} {then}", { first: said, then }));
+}
+
+/** @param {string} method in words @param {boolean} best @param {CostRow | undefined} own its cheapest row that is right enough */
+function ofChoice(method, best, own) {
+  if (best) return tr("As you said.");
+  if (!own) {
+    return tr("Your choice, {method}, does not get there with the steps that were measured.", {
+      method,
+    });
+  }
+  return tr("Your choice, {method}: {ratio} times as long.", {
+    method,
+    ratio: short(own.time_ratio, 2),
+  });
 }

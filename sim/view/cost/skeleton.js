@@ -1,5 +1,6 @@
 /** What accuracy costs, as it stands in the page: one scene run twice, every method's error against its time. */
 
+import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { px } from "../numbers.js";
 import { breaksPart } from "./breaks.js";
@@ -37,21 +38,21 @@ export function inside({ id, title, names, measured, rows, floor, digits = {}, r
     ([head, got, real]) =>
       html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`,
   );
-  const said = measured && `Measured ${measured}.`;
+  const said = measured && tr("Measured {when}.", { when: measured });
   return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 ${choice(names)}
-<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label="the carts as stepped, and exactly as dashed outlines"></svg></div>
-<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>Play</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label="time" disabled><output class="carts-cost-clock">0.00 s</output></div>
-<p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
+<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label=${tr("the carts as stepped, and exactly as dashed outlines")}></svg></div>
+<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>${tr("Play")}</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")} disabled><output class="carts-cost-clock">0.00 s</output></div>
+<p class="carts-cost-legend"><span class="carts-cost-solid"></span> ${tr("as stepped")} <span class="carts-cost-dashed"></span> ${tr("exactly")}</p>
 <div class="carts-cost-body">
-<div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
-<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
+<div><p class="carts-heading">${tr("Energy of motion")}</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label=${tr("energy of motion against time, as stepped and exactly")}></svg></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">${tr("as stepped")}</th><th scope="col">${tr("exactly")}</th></tr></thead><tbody>${told3}</tbody></table></div>
 </div>
 <div class="carts-cost-measure">
-<p class="carts-heading">Error against time</p>
-<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
+<p class="carts-heading">${tr("Error against time")}</p>
+<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>${tr("Measure on this computer")}</button> <button type="button" class="carts-button carts-cost-stop" hidden>${tr("Stop")}</button> <progress class="carts-cost-progress" max="1" value="0" aria-label=${tr("methods measured")} hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
 ${guess()}
 <div class="carts-cost-known">
 ${figure(rows, floor, digits)}
@@ -59,9 +60,12 @@ ${table(rows, run.header.until)}
 </div>
 </div>
 ${breaks && breaksPart(breaks)}
-<noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
+<noscript><p class="carts-noscript">${tr("The figure and the tables show what was measured. Trying and measuring here needs JavaScript.")}</p></noscript>
 </div>`;
 }
+
+/** @param {number} n @returns {string} a step, as a part of the run */
+const partText = (n) => tr("run / {n}", { n });
 
 /** Scene, method and step. @param {Record<string, string>} names of the scenes */
 function choice(names) {
@@ -73,15 +77,15 @@ function choice(names) {
       html`<option value=${name}${name === FIRST.method && html` selected`}>${METHODS[name]?.label}</option>`,
   );
   const parts = PARTS.map(
-    (n) => html`<option value=${n}${n === FIRST.parts && html` selected`}>run / ${n}</option>`,
+    (n) => html`<option value=${n}${n === FIRST.parts && html` selected`}>${partText(n)}</option>`,
   );
   const tolerances = TOLERANCES.map(
     (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`,
   );
   return html`<div class="carts-cost-choice">
-<label>scene <select class="carts-cost-scene" disabled>${scenes}</select></label>
-<label>method <select class="carts-cost-method" disabled>${methods}</select></label>
-<label>step <select class="carts-cost-step" disabled>${parts}</select><select class="carts-cost-rtol" aria-label="tolerance" disabled hidden>${tolerances}</select></label>
+<label>${tr("scene")} <select class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>${tr("method")} <select class="carts-cost-method" disabled>${methods}</select></label>
+<label>${tr("step")} <select class="carts-cost-step" disabled>${parts}</select><select class="carts-cost-rtol" aria-label=${tr("tolerance")} disabled hidden>${tolerances}</select></label>
 </div>`;
 }
 
@@ -101,12 +105,12 @@ function figure(rows, floor, digits) {
     ([name, { mark, label }]) =>
       html`<li class="carts-cost-of-${name}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label} <span class="carts-cost-digit carts-quiet" data-of=${name}>${digitText(digits[name])}</span></li>`,
   );
-  return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
+  return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label=${tr("largest error of a velocity against time, one line per method; the numbers are in the table below")}>
 ${x.map(([at, text]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text}</text>`)}
 ${y.map(([at, text]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text}</text>`)}
-<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
-<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
-<path class="carts-cost-floor" d=${levelAt(floor)}/><text class="carts-cost-floor-name carts-quiet" x=${RIGHT - 4} y=${px(yAt(floor || 1e-16) - 5)} text-anchor="end">${floor && "rounding of a double"}</text><path class="carts-cost-asked"/>
+<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">${tr("time, as a multiple of the exact outcome’s")}</text>
+<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">${tr("largest error of a velocity in m/s")}</text>
+<path class="carts-cost-floor" d=${levelAt(floor)}/><text class="carts-cost-floor-name carts-quiet" x=${RIGHT - 4} y=${px(yAt(floor || 1e-16) - 5)} text-anchor="end">${floor && tr("rounding of a double")}</text><path class="carts-cost-asked"/>
 <g class="carts-cost-series">${series}</g>
 <circle class="carts-cost-ring" r="9" visibility="hidden"/>
 </svg>
@@ -119,5 +123,13 @@ function table(rows, until) {
     const [head, ...values] = cells(row, until);
     return html`<tr><th scope="row">${head}</th>${values.map((value) => html`<td>${value}</td>`)}</tr>`;
   });
-  return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines}</tbody></table></div></details>`;
+  const heads = [
+    tr("method"),
+    tr("step"),
+    tr("forces computed"),
+    tr("time"),
+    tr("error of v in m/s"),
+    tr("error of energy, of that at the start"),
+  ];
+  return html`<details class="carts-more carts-cost-table"><summary>${tr("Table of all measurements")}</summary><div class="carts-scroll"><table class="carts-table"><thead><tr>${heads.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead><tbody>${lines}</tbody></table></div></details>`;
 }

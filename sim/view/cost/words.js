@@ -1,5 +1,6 @@
 /** Numbers beside the two runs, and the table of all measurements. */
 
+import { tr } from "../language.js";
 import { fixed, short } from "../numbers.js";
 import { METHODS } from "./methods.js";
 
@@ -15,7 +16,7 @@ import { METHODS } from "./methods.js";
 const [MANY, HUGE] = [1000, 10_000];
 /** What is shown first. */
 export const FIRST = { method: "euler", parts: 103 };
-const ENDLESS = "beyond all numbers";
+const ENDLESS = tr("beyond all numbers");
 
 /** @param {number} part @param {number} whole */
 function percent(part, whole) {
@@ -32,7 +33,7 @@ export function told({ v, energy, evaluations }) {
   const speeds = Object.entries(v.stepped).map(([name, speed]) => {
     const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
     return /** @type {[string, string, string]} */ ([
-      `velocity of ${name} at the end`,
+      tr("velocity of {name} at the end", { name }),
       got,
       `${plain(Number(v.exact[name]), 4)} m/s`,
     ]);
@@ -41,18 +42,18 @@ export function told({ v, energy, evaluations }) {
   return [
     ...speeds,
     [
-      "energy at the end, of that at the start",
+      tr("energy at the end, of that at the start"),
       stepped === null ? ENDLESS : percent(stepped, initial),
       percent(exact, initial),
     ],
-    ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
-    ["times that all forces were computed", String(evaluations), "0"],
+    [tr("energy made from nothing"), imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+    [tr("times that all forces were computed"), String(evaluations), "0"],
   ];
 }
 
 /** @param {number} rtol @returns {string} a power of ten as it is typed at a command line */
 export function toleranceText(rtol) {
-  return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+  return tr("tolerance {size}", { size: `1e${Math.round(Math.log10(rtol))}` });
 }
 
 /** @param {CostRow} row @param {number} until @returns {string[]} a line of the table, its head first */

@@ -2,6 +2,7 @@
 
 import { cells, rowOf, told } from "../../../view/cost/words.js";
 import { fixed } from "../../../view/numbers.js";
+import { LIVE } from "../scene/element-words.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
@@ -12,6 +13,7 @@ import { guessFirst } from "./guess.js";
 import { measureAll, PACKAGES } from "./measuring.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
+import * as words from "./words.js";
 import { showWorking } from "./working.js";
 
 /** @typedef {import("../../../view/cost/figure.js").CostRow} CostRow */
@@ -104,12 +106,12 @@ export function costElement(client) {
       const generation = this.#generation;
       if (point) {
         this.choice.of("method").value = point.method;
-        this.#note("The point of the map is being run …");
+        this.#note(words.POINT_RUNS);
       }
       const asked = this.choice.asked(point?.parts);
       try {
         if (this.choice.adaptive) {
-          this.#note("Python’s scipy is being loaded …");
+          this.#note(words.LOADING);
           await client.need(PACKAGES);
         }
         const scene = point?.scene ?? this.#scene;
@@ -118,9 +120,7 @@ export function costElement(client) {
         if (generation !== this.#generation) return;
         if (!header.ok) throw refusal(header.problems ?? []);
         this.#live();
-        this.#note(
-          point ? `From the map below: ${point.told} Change anything here to go back.` : "",
-        );
+        this.#note(point ? words.fromMap(point.told) : "");
         this.#show({ header: /** @type {any} */ (header), numbers });
         if (!point) this.#mark();
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
@@ -139,7 +139,7 @@ export function costElement(client) {
       if (!this.#measuring) return;
       this.#measuring = 0;
       showWorking(this, false);
-      say(need(this, ".carts-cost-say"), `Stopped after ${this.#fresh} rows.`);
+      say(need(this, ".carts-cost-say"), words.stoppedWords(this.#fresh));
     }
 
     async #measure() {
@@ -147,7 +147,7 @@ export function costElement(client) {
       this.#measuring = turn;
       this.#fresh = 0;
       showWorking(this, true);
-      say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
+      say(need(this, ".carts-cost-say"), words.LOADING_BOTH);
       const refused = new Map(); // what a method that cannot follow the scene says
       try {
         const done = await measureAll(client, this, this.#scene, {
@@ -162,9 +162,7 @@ export function costElement(client) {
         });
         if (!done) return;
         this.#measuring = 0;
-        const left = [...refused].map(([method, reason]) => ` ${method}: ${reason}.`);
-        const just = "Measured just now, by Python in this browser.";
-        say(need(this, ".carts-cost-say"), just + left.join(""));
+        say(need(this, ".carts-cost-say"), words.doneWords(refused));
       } catch (error) {
         this.#measuring = 0;
         this.#fail(/** @type {Error} */ (error));
@@ -180,8 +178,7 @@ export function costElement(client) {
       const known = this.#facts?.measured[this.choice.scene];
       this.#figure?.tell(known?.floor, known?.digits ?? {});
       this.#rows(known?.rows ?? []);
-      const said = known?.measured ? `Measured ${known.measured}.` : "Not measured yet.";
-      say(need(this, ".carts-cost-say"), said);
+      say(need(this, ".carts-cost-say"), words.measuredWords(known?.measured));
       void this.compute();
     }
 
@@ -217,20 +214,20 @@ export function costElement(client) {
       const player = /** @type {Player} */ (this.#player);
       this.#stage?.at(player.time);
       this.classList.toggle("carts-is-playing", player.playing);
-      say(need(this, ".carts-cost-play"), player.playing ? "Pause" : "Play");
+      say(need(this, ".carts-cost-play"), player.playing ? words.PAUSE : words.PLAY);
       /** @type {HTMLInputElement} */ (need(this, ".carts-cost-scrub")).valueAsNumber = player.time;
       say(need(this, ".carts-cost-clock"), `${fixed(player.time, 2)} s`);
     }
 
     #live() {
       this.dataset.state = "live";
-      need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+      need(this, ".carts-mark").setAttribute("aria-label", LIVE);
     }
 
     /** @param {Error & {reason?: string}} error */
     #fail(error) {
       this.dataset.reason = error.reason ?? "failed";
-      this.#note(`${error.message} What was prepared stays as it is.`);
+      this.#note(words.keptWords(error.message));
     }
 
     /** @param {string} message */

@@ -2,6 +2,7 @@
 
 import { digitText, errorOf, levelAt, lineOf, xAt, yAt } from "../../../view/cost/figure.js";
 import { METHODS } from "../../../view/cost/methods.js";
+import { tr } from "../../../view/language.js";
 import { px } from "../../../view/numbers.js";
 import { need, put, say, svg } from "../shared/dom.js";
 
@@ -35,7 +36,7 @@ export class CostFigure {
   tell(floor, digits) {
     this.floor = floor;
     put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
-    say(need(this.root, ".carts-cost-floor-name"), floor ? "rounding of a double" : "");
+    say(need(this.root, ".carts-cost-floor-name"), floor ? tr("rounding of a double") : "");
     for (const place of this.root.querySelectorAll(".carts-cost-digit")) {
       say(place, digitText(digits[place.getAttribute("data-of") ?? ""]));
     }

@@ -2,6 +2,7 @@
 
 import { LEFT, RIGHT, yAt } from "../../../view/cost/figure.js";
 import { verdict } from "../../../view/cost/guess.js";
+import { tr } from "../../../view/language.js";
 import { px } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
 import { readTyped } from "../shared/typed.js";
@@ -27,7 +28,7 @@ export function guessFirst(root, rows) {
     if (known.hidden && !bet.value) {
       say(
         need(root, ".carts-cost-verdict"),
-        "Choose a method first: a wrong guess is worth more than none.",
+        tr("Choose a method first: a wrong guess is worth more than none."),
       );
       return bet.focus();
     }

@@ -1,5 +1,6 @@
 /** Measures every method of a scene in this browser, row by row, until it is done or left. */
 
+import { told, tr } from "../../../view/language.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 
@@ -35,10 +36,10 @@ export async function measureAll(client, root, scene, { going, rows, refused, te
     of = answer.of;
     found.push(...answer.rows);
     rows(found);
-    if (answer.not_run) refused(answer.not_run.method, answer.not_run.reason);
+    if (answer.not_run) refused(answer.not_run.method, told(answer.not_run.reason));
     const progress = /** @type {HTMLProgressElement} */ (need(root, ".carts-cost-progress"));
     progress.value = (row + 1) / of;
-    say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
+    say(need(root, ".carts-cost-say"), tr("{done} of {all}", { done: row + 1, all: of }));
   }
   const { floor, digits } = await ask({ digits: found });
   if (going()) tell(floor, digits);
