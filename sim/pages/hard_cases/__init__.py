@@ -6,14 +6,15 @@ from sim.pages.hard_cases.collisions import CRADLES, IMPACTS, PI
 from sim.pages.hard_cases.row import HardCase
 from sim.pages.hard_cases.under_effects import DRY
 from sim.pages.hard_cases.under_forces import FORCES, LONG
+from sim.pages.language import mark
 
 GROUPS: tuple[tuple[str, tuple[HardCase, ...]], ...] = (
-    ("Digits of π", tuple(PI)),
-    ("Impacts", tuple(IMPACTS)),
-    ("Cradles", tuple(CRADLES)),
-    ("Friction and slopes", tuple(DRY)),
-    ("Air, magnets, springs, pushes", tuple(FORCES)),
-    ("Long times, many carts", tuple(LONG)),
+    (mark("Digits of π"), tuple(PI)),
+    (mark("Impacts"), tuple(IMPACTS)),
+    (mark("Cradles"), tuple(CRADLES)),
+    (mark("Friction and slopes"), tuple(DRY)),
+    (mark("Air, magnets, springs, pushes"), tuple(FORCES)),
+    (mark("Long times, many carts"), tuple(LONG)),
 )
 """All cases under the headings of the page."""
 

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 from sim.pages.blocks.scene_block import Lesson, SiteIds, load_block
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.language import mark
 from sim.pages.text.fence_scan import Block
 
 KEYS = ("id", "title")
-TITLE = "Hard cases, run here"
+TITLE = mark("Hard cases, run here")
 
 
 @dataclass(frozen=True, slots=True)

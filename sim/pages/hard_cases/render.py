@@ -9,9 +9,10 @@ import yaml
 
 from sim.pages.drawing import draw
 from sim.pages.hard_cases import GROUPS
-from sim.pages.hard_cases.block import HardCasesBlock
+from sim.pages.hard_cases.block import TITLE, HardCasesBlock
 from sim.pages.hard_cases.measured import measured, request
 from sim.pages.hard_cases.row import HardCase
+from sim.pages.language import told
 from sim.pages.templates import element
 
 
@@ -20,10 +21,11 @@ def render_hard_cases(block: HardCasesBlock) -> str:
     known = measured()
     facts = {case.name: _facts(case) for _, cases in GROUPS for case in cases}
     groups = [
-        {"name": name, "rows": [_row(case, known[case.name]) for case in cases]}
+        {"name": told(name), "rows": [_row(case, known[case.name]) for case in cases]}
         for name, cases in GROUPS
     ]
-    inside = draw("hard", {"id": block.id, "title": block.title, "groups": groups})
+    title = told(block.title) if block.title == TITLE else block.title
+    inside = draw("hard", {"id": block.id, "title": title, "groups": groups})
     return element("hard", block.id, inside, facts)
 
 

@@ -28,6 +28,7 @@ OWN: dict[str, tuple[str, ...]] = {
         *("sim/view/map", "sim/web/src/map"),
     ),
     "cost": ("sim/view/cost", "sim/web/src/cost"),
+    "hard": ("sim/view/hard", "sim/web/src/hard"),
 }
 """Elements that few pages have, `<carts-measured>`, and what says its sentences only in them: these
 are a script of their own, `words-measured.ms.js`, which other pages need not carry."""

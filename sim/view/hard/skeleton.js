@@ -1,5 +1,6 @@
 /** The table of hard cases as it stands in the page: a row each, with what came out when it was made. */
 
+import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { short } from "../numbers.js";
 import { exactCell, expectedLines, METHODS, steppedCell } from "./words.js";
@@ -12,25 +13,27 @@ import { exactCell, expectedLines, METHODS, steppedCell } from "./words.js";
  * @typedef {{id: string, title: string, groups: {name: string, rows: Row[]}[]}} Values
  */
 
+const [MUST, EXACT] = [tr("must come out"), tr("exact")];
 const COLUMNS = 3 + Object.keys(METHODS).length;
 
 /** @param {Values} values @returns {import("../markup.js").Markup} the inside of `<carts-hard>` */
 export function inside({ id, title, groups }) {
   const count = groups.reduce((sum, { rows }) => sum + rows.length, 0);
+  const all = tr("Run all {n} here", { n: count });
   const methods = Object.values(METHODS).map((name) => html`<th scope="col">${name}</th>`);
   return html`<div class="carts-hard-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
-<p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>Run all ${count} here</button> <button type="button" class="carts-button carts-hard-stop" hidden>Stop</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label="cases run" hidden></progress> <span class="carts-hard-say" role="status"></span></p>
+<p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>${all}</button> <button type="button" class="carts-button carts-hard-stop" hidden>${tr("Stop")}</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label=${tr("cases run")} hidden></progress> <span class="carts-hard-say" role="status"></span></p>
 <table class="carts-hard-table">
-<thead><tr><th scope="col">case</th><th scope="col">must come out</th><th scope="col">exact</th>${methods}</tr></thead>
+<thead><tr><th scope="col">${tr("case")}</th><th scope="col">${MUST}</th><th scope="col">${EXACT}</th>${methods}</tr></thead>
 ${groups.map(
   ({ name, rows }) => html`<tbody>
 <tr class="carts-hard-group"><th scope="colgroup" colspan=${COLUMNS}>${name}</th></tr>
 ${rows.map(row)}</tbody>
 `,
 )}</table>
-<noscript><p class="carts-noscript">The table shows what came out when this page was made. Running the cases here needs JavaScript.</p></noscript>
+<noscript><p class="carts-noscript">${tr("The table shows what came out when this page was made. Running the cases here needs JavaScript.")}</p></noscript>
 </div>`;
 }
 
@@ -43,8 +46,10 @@ function row({ name, sentence, why, wanted, known, yaml, commands }) {
     return html`<td data-head=${heads[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
   });
   const step = short(known.stepped[0]?.step ?? 0, 3);
+  const steps = tr("The methods took steps of {step} s.", { step });
+  const save = tr("Save this as {name}.yml, then:", { name });
   return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence}</th>
-<td data-head="must come out">${lines}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known.exact)}</td>${cells}</tr>
-<tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>Why, and the scene</summary><p>${why} The methods took steps of ${step} s.</p><pre tabindex="0">${yaml}</pre><p>Save this as ${name}.yml, then:</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
+<td data-head=${MUST}>${lines}</td><td data-head=${EXACT} data-part="exact">${exactCell(wanted, known.exact)}</td>${cells}</tr>
+<tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>${tr("Why, and the scene")}</summary><p>${why} ${steps}</p><pre tabindex="0">${yaml}</pre><p>${save}</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
 `;
 }

@@ -1,5 +1,6 @@
 /** The cells of the table of hard cases, in words. */
 
+import { tr } from "../language.js";
 import { short } from "../numbers.js";
 
 /** @typedef {[string, number][]} Wanted what, and how much it must be */
@@ -7,40 +8,51 @@ import { short } from "../numbers.js";
 
 /** @type {Record<string, string>} */
 const VERDICTS = {
-  right: "right",
-  "blows-up": "blows up",
-  "passes-through": "carts pass through each other",
-  misses: "misses contacts",
-  "makes-energy": "makes energy from nothing",
-  "loses-energy": "loses energy",
-  sticks: "carts stick together",
-  wrong: "wrong",
+  right: tr("right"),
+  "blows-up": tr("blows up"),
+  "passes-through": tr("carts pass through each other"),
+  misses: tr("misses contacts"),
+  "makes-energy": tr("makes energy from nothing"),
+  "loses-energy": tr("loses energy"),
+  sticks: tr("carts stick together"),
+  wrong: tr("wrong"),
 };
 /** @type {Record<string, string>} */
 const UNITS = { v: " m/s", x: " m", last: " s", count: "" };
 /** @type {Record<string, string>} */
-const NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
+const NAMES = {
+  warmed: tr("warmed the bumpers"),
+  count: tr("contacts"),
+  last: tr("last contact"),
+};
 
-export const LOADING = "Python’s numpy and scipy are being loaded …";
+export const LOADING = tr("Python’s numpy and scipy are being loaded …");
 /** @param {number} done @param {number} of */
-export const progressWords = (done, of) => `${done} of ${of}`;
-/** @param {number} done */
-export const stoppedWords = (done) => `Stopped after ${done} cases; the others are as prepared.`;
+export const progressWords = (done, of) => tr("{done} of {all}", { done, all: of });
+/** @param {number} n */
+export const stoppedWords = (n) =>
+  tr("Stopped after {n} cases; the others are as prepared.", { n });
 /** @param {number} good @param {number} of @param {number} seconds */
 export const doneWords = (good, of, seconds) =>
-  `${good} of ${of} came out as they must, just now in this browser; exact runs took ${short(seconds, 2)} s in all.`;
-export const COPY = "Copy";
-export const COPIED = "Copied";
-export const KEPT = "What was prepared stays as it is.";
+  tr(
+    "{good} of {all} came out as they must, just now in this browser; exact runs took {seconds} s in all.",
+    { good, all: of, seconds: short(seconds, 2) },
+  );
+export const COPY = tr("Copy");
+export const COPIED = tr("Copied");
+/** @param {string} reason */
+export const keptWords = (reason) => tr("{reason} What was prepared stays as it is.", { reason });
 
 /** @param {string} what @returns {string} */
 export function measure(what) {
   const { kind, name } = parts(what);
   if (kind === "v" || kind === "x") {
     const [last, first] = name.split("-");
-    return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name}`;
+    const of = (/** @type {string} */ cart = "") =>
+      tr("{letter} of {cart}", { letter: kind, cart });
+    return first ? `${of(last)} − ${of(first)}` : of(name);
   }
-  return NAMES[kind] ?? (kind === "work" ? `work of ${name}` : kind);
+  return NAMES[kind] ?? (kind === "work" ? tr("work of {name}", { name }) : kind);
 }
 
 /** @param {string} what */
@@ -69,8 +81,12 @@ function cameOut(wanted, got, figures) {
     const distance = Math.abs(value - right);
     if (!worst || distance > error) [worst, error, came] = [what, distance, value];
   }
-  const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
-  return `${measure(worst)}: ${amount(worst, came, figures)}, ${off}`;
+  const off = error ? tr("off by {amount}", { amount: amount(worst, error, 2) }) : tr("no error");
+  return tr("{quantity}: {amount}, {off}", {
+    quantity: measure(worst),
+    amount: amount(worst, came, figures),
+    off,
+  });
 }
 
 /** @param {Wanted} wanted @param {{got: Got}} exact @returns {string} what came out exactly */
@@ -84,14 +100,16 @@ export function steppedCell(wanted, { verdict, got }) {
 }
 
 /** @type {Record<string, string>} stepping methods, in the order of the table's columns */
-export const METHODS = { euler: "Euler", "semi-implicit": "semi-implicit Euler", rk4: "RK4" };
+export const METHODS = { euler: "Euler", "semi-implicit": tr("semi-implicit Euler"), rk4: "RK4" };
 const MOST_TOLD = 3; // expected numbers told one by one; of fifty carts nobody reads all
 
 /** @param {Wanted} wanted @returns {string[]} what must come out */
 export function expectedLines(wanted) {
   const lines = wanted
     .slice(0, MOST_TOLD)
-    .map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
+    .map(([what, value]) =>
+      tr("{quantity}: {amount}", { quantity: measure(what), amount: amount(what, value, 6) }),
+    );
   const more = wanted.length - lines.length;
-  return more ? [...lines, `and ${more} more`] : lines;
+  return more ? [...lines, tr("and {n} more", { n: more })] : lines;
 }

@@ -1,6 +1,7 @@
 /** `<carts-hard>`: the table of hard cases; runs them again, one by one, in the reader's browser. */
 
 import * as words from "../../../view/hard/words.js";
+import { LIVE } from "../scene/element-words.js";
 import { html, need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 
@@ -112,14 +113,14 @@ export function hardElement(client) {
 
     #live() {
       this.dataset.state = "live";
-      need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+      need(this, ".carts-mark").setAttribute("aria-label", LIVE);
     }
 
     /** @param {Error & {reason?: string}} error */
     #fail(error) {
       this.dataset.reason = error.reason ?? "failed";
       const note = need(this, ".carts-note");
-      say(note, `${error.message} ${words.KEPT}`);
+      say(note, words.keptWords(error.message));
       note.hidden = false;
       this.#say("");
     }
