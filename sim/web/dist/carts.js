@@ -36,6 +36,42 @@
     (value) => JSON.parse(JSON.stringify(value))
   );
 
+  // ../view/language.js
+  var catalogue = globalThis.cartsWords ?? {};
+  var FORMS = "\0";
+  var RULE = catalogue["\0"] ?? "";
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function counted(one, more, n3, values = {}) {
+    return filled(form(one, more, n3), { n: n3, ...values });
+  }
+  function form(one, more, n3) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n3 === 1 ? one : more;
+    const english = n3 === 1 ? 0 : 1;
+    const asked4 = RULE ? Number(RULE[n3 < RULE.length ? n3 : 100 + n3 % 100]) : english;
+    return String(ours[Math.min(asked4, ours.length - 1)]);
+  }
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    const { code, one } = sentence;
+    const n3 = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n3) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
+  }
+  function inRow(parts2) {
+    const [head = "", ...tail3] = parts2;
+    return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
+  function ended(sentence) {
+    return tr("{sentence}.", { sentence });
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   var NOISE = 1e-9;
@@ -87,21 +123,21 @@
   // ../view/cost/methods.js
   var METHODS = {
     exact: {
-      label: "exact, closed form",
+      label: tr("exact, closed form"),
       mark: "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
       colour: "#0072b2"
     },
-    "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    "exact-run": { label: tr("exact, any scene"), mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
     certified: {
-      label: "certificate, proved",
+      label: tr("certificate, proved"),
       mark: "M0-6L5.2-3V3L0 6-5.2 3V-3Z",
       colour: "#0072b2"
     },
     euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
-    "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
-    verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    "semi-implicit": { label: tr("semi-implicit Euler"), mark: "M0-5L5 4H-5Z", colour: "#00805d" },
+    verlet: { label: tr("velocity Verlet"), mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
     yoshida: {
-      label: "Yoshida, order 4, symplectic",
+      label: tr("Yoshida, order 4, symplectic"),
       mark: "M-5 0L0-5 5 0M-5 4L0-1 5 4 0 2Z",
       colour: "#a8457f"
     },
@@ -112,17 +148,17 @@
     },
     rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
     "rk4-events": {
-      label: "RK4 + located touches",
+      label: tr("RK4 + located touches"),
       mark: "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
       colour: "#2779a7"
     },
     rk45: {
-      label: "adaptive RK45 + located touches",
+      label: tr("adaptive RK45 + located touches"),
       mark: "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
       colour: "#6b3f7d"
     },
     adaptive: {
-      label: "adaptive DOP853 + located touches",
+      label: tr("adaptive DOP853 + located touches"),
       mark: "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
       colour: "#555"
     }
@@ -132,18 +168,18 @@
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
-  var ENDLESS = "beyond all numbers";
+  var ENDLESS = tr("beyond all numbers");
   function percent(part, whole) {
     return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
   }
-  function told({ v: v2, energy, evaluations }) {
+  function told2({ v: v2, energy, evaluations }) {
     const speeds = Object.entries(v2.stepped).map(([name, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
       return [
-        `velocity of ${name} at the end`,
+        tr("velocity of {name} at the end", { name }),
         got,
         `${plain(Number(v2.exact[name]), 4)} m/s`
       ];
@@ -152,16 +188,16 @@
     return [
       ...speeds,
       [
-        "energy at the end, of that at the start",
+        tr("energy at the end, of that at the start"),
         stepped === null ? ENDLESS : percent(stepped, initial),
         percent(exact, initial)
       ],
-      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
-      ["times that all forces were computed", String(evaluations), "0"]
+      [tr("energy made from nothing"), imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      [tr("times that all forces were computed"), String(evaluations), "0"]
     ];
   }
   function toleranceText(rtol) {
-    return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+    return tr("tolerance {size}", { size: `1e${Math.round(Math.log10(rtol))}` });
   }
   function cells(row, until) {
     let size = "–";
@@ -186,6 +222,92 @@
       if (row.method !== method) return false;
       return row.rtol ? row.rtol === rtol : Math.round(until / Number(row.step)) === parts2;
     });
+  }
+
+  // src/shared/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made4 = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made4.setAttribute(name, String(value));
+    return made4;
+  }
+  function html(tag, className = "", text = "") {
+    const made4 = document.createElement(tag);
+    if (className) made4.className = className;
+    if (text) made4.textContent = text;
+    return made4;
+  }
+  function put(element, name, value) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  }
+  function fit(group2, count2, make) {
+    while (group2.children.length > count2) group2.lastElementChild?.remove();
+    while (group2.children.length < count2) group2.append(make());
+  }
+  var TEXT = 3;
+  function say(element, text) {
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text) only.nodeValue = text;
+    } else if (element.textContent !== text) element.textContent = text;
+  }
+  function need(root, selector) {
+    const found3 = root.querySelector(selector);
+    if (!found3) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return found3;
+  }
+  function parsed(markup) {
+    const holder = document.createElement("template");
+    holder.innerHTML = markup;
+    return holder.content.firstElementChild;
+  }
+  function onResize(element, act) {
+    if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
+  }
+
+  // src/scene/element-words.js
+  var ASK_FIRST = tr("Make your prediction and lock it first.");
+  var LIVE = tr("live: Python computes in this page");
+  var NOT_STARTED = tr("Python could not start.");
+  var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
+  var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
+  var STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
+  var SLOW2 = {
+    slow: tr("This computer needs long to start Python. It is still trying."),
+    "slow-line": tr(
+      "The network is slow: Python is still on its way. You need not load the page again."
+    )
+  };
+  var LONG_RUN = tr("This computer needs long for this run. It is still computing.");
+  var PREDICTION_KEPT = tr("Your prediction is kept.");
+  var slow = (what, stepwise) => stepwise ? `${SLOW2[what]} ${STEPWISE}` : SLOW2[what];
+  function without(told4, stepwise) {
+    if (stepwise) return STEPWISE;
+    return told4 ? STILL_PLAYS : NOT_SHOWN;
+  }
+  function note(scene, message) {
+    const place4 = need(scene, ".carts-note");
+    place4.hidden = !message;
+    place4.classList.remove("carts-passing");
+    say(place4, message);
+  }
+  function passing(scene, message, on) {
+    const place4 = need(scene, ".carts-note");
+    if (!on && place4.textContent !== message) return;
+    note(scene, on ? message : "");
+    place4.classList.toggle("carts-passing", on);
+    if (on) place4.style.top = `${need(scene, ".carts-top").offsetHeight}px`;
+  }
+  function noteBeside(scene, message) {
+    const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").dataset.why : "";
+    note(scene, `${why ?? ""} ${message}`.trim());
+  }
+  function planOf(run) {
+    return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told(phase.why) }));
+  }
+  function offerUndo(scene, on) {
+    const undo = scene.querySelector(".carts-undo");
+    if (undo instanceof HTMLButtonElement) undo.disabled = !on;
   }
 
   // src/scene/time/slow.js
@@ -350,83 +472,6 @@
     }
   };
 
-  // src/shared/dom.js
-  var SVG = "http://www.w3.org/2000/svg";
-  function svg(tag, attributes = {}) {
-    const made4 = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) made4.setAttribute(name, String(value));
-    return made4;
-  }
-  function html(tag, className = "", text = "") {
-    const made4 = document.createElement(tag);
-    if (className) made4.className = className;
-    if (text) made4.textContent = text;
-    return made4;
-  }
-  function put(element, name, value) {
-    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
-  }
-  function fit(group2, count2, make) {
-    while (group2.children.length > count2) group2.lastElementChild?.remove();
-    while (group2.children.length < count2) group2.append(make());
-  }
-  var TEXT = 3;
-  function say(element, text) {
-    const only = element.firstChild;
-    if (only?.nodeType === TEXT && !only.nextSibling) {
-      if (only.nodeValue !== text) only.nodeValue = text;
-    } else if (element.textContent !== text) element.textContent = text;
-  }
-  function need(root, selector) {
-    const found3 = root.querySelector(selector);
-    if (!found3) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return found3;
-  }
-  function parsed(markup) {
-    const holder = document.createElement("template");
-    holder.innerHTML = markup;
-    return holder.content.firstElementChild;
-  }
-  function onResize(element, act) {
-    if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
-  }
-
-  // ../view/language.js
-  var catalogue = globalThis.cartsWords ?? {};
-  var FORMS = "\0";
-  var RULE = catalogue["\0"] ?? "";
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function counted(one, more, n3, values = {}) {
-    return filled(form(one, more, n3), { n: n3, ...values });
-  }
-  function form(one, more, n3) {
-    const ours = catalogue[more]?.split(FORMS);
-    if (!ours) return n3 === 1 ? one : more;
-    const english = n3 === 1 ? 0 : 1;
-    const asked4 = RULE ? Number(RULE[n3 < RULE.length ? n3 : 100 + n3 % 100]) : english;
-    return String(ours[Math.min(asked4, ours.length - 1)]);
-  }
-  function told2(sentence) {
-    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
-    const values = Object.entries(sentence.values).map(([name, value]) => [name, told2(value)]);
-    const { code, one } = sentence;
-    const n3 = Number(String(sentence.values.n).replace(/,/g, ""));
-    const template = one ? form(one, code, n3) : catalogue[code] ?? code;
-    return filled(template, Object.fromEntries(values));
-  }
-  function inRow(parts2) {
-    const [head = "", ...tail3] = parts2;
-    return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
-  }
-  function ended(sentence) {
-    return tr("{sentence}.", { sentence });
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
   // src/shared/waiting.js
   function frame() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
@@ -450,8 +495,8 @@
   function refusal(problems) {
     const [first] = problems;
     if (!first) return new Error(tr("This value does not work."));
-    const message = told2(first.message);
-    const text = first.hint ? `${message}: ${told2(first.hint)}` : message;
+    const message = told(first.message);
+    const text = first.hint ? `${message}: ${told(first.hint)}` : message;
     return Object.assign(new Error(text), { path: first.path, refused: true });
   }
 
@@ -483,7 +528,7 @@
   // ../view/cost/breaks.js
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 10, 510, 322];
   var TICKS_Y = BOTTOM + 16;
-  var MADE = "energy was made";
+  var MADE = tr("energy was made");
   var UNITS = { stiffness: "N/m", mass: "kg" };
   var cell = (count2) => ({ wide: (RIGHT - LEFT) / count2, high: (BOTTOM - TOP) / count2 });
   function squares({ parts: parts2 }, map, method) {
@@ -525,11 +570,15 @@
   }
   function found({ parts: parts2 }, map, method, { column, row }) {
     const letter = map.letters[method]?.[column * parts2.length + row] ?? "";
-    const told4 = letter === "x" ? MADE : `${letter} right ${letter === "1" ? "digit" : "digits"}`;
-    const label = METHODS[method]?.label ?? method;
-    const value = valueText(map, Number(map.values[column]));
-    return `${label}, ${map.name} ${value}, ${parts2[row]} steps in 1 s: ${told4}.`;
+    return tr("{method}, {quantity} {value}, {steps} steps in 1 s: {found}.", {
+      method: METHODS[method]?.label ?? method,
+      quantity: map.name,
+      value: valueText(map, Number(map.values[column])),
+      steps: Number(parts2[row]),
+      found: letter === "x" ? MADE : digitsText(Number(letter))
+    });
   }
+  var digitsText = (n3) => counted("1 right digit", "{n} right digits", n3);
   function sceneOf({ scene }, map, column) {
     const plain3 = structuredClone(scene);
     let place4 = plain3;
@@ -553,7 +602,7 @@
   }
   function unitText(map) {
     const unit = UNITS[map.path.at(-1) ?? ""];
-    return unit ? `${map.name} in ${unit}` : map.name;
+    return unit ? tr("{label} in {unit}", { label: map.name, unit }) : map.name;
   }
 
   // src/cost/breaks.js
@@ -655,10 +704,10 @@
       of = answer.of;
       found3.push(...answer.rows);
       rows(found3);
-      if (answer.not_run) refused(answer.not_run.method, answer.not_run.reason);
+      if (answer.not_run) refused(answer.not_run.method, told(answer.not_run.reason));
       const progress = need(root, ".carts-cost-progress");
       progress.value = (row + 1) / of;
-      say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
+      say(need(root, ".carts-cost-say"), tr("{done} of {all}", { done: row + 1, all: of }));
     }
     const { floor, digits } = await ask({ digits: found3 });
     if (going()) tell2(floor, digits);
@@ -719,7 +768,7 @@
     return floor ? `M${LEFT2} ${px(yAt(floor))}H${RIGHT2}` : "";
   }
   function digitText(factor) {
-    return factor ? `one more digit: × ${short(factor, 2)}` : "";
+    return factor ? tr("one more digit: × {factor}", { factor: short(factor, 2) }) : "";
   }
 
   // src/cost/figure.js
@@ -745,7 +794,7 @@
     tell(floor, digits) {
       this.floor = floor;
       put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
-      say(need(this.root, ".carts-cost-floor-name"), floor ? "rounding of a double" : "");
+      say(need(this.root, ".carts-cost-floor-name"), floor ? tr("rounding of a double") : "");
       for (const place4 of this.root.querySelectorAll(".carts-cost-digit")) {
         say(place4, digitText(digits[place4.getAttribute("data-of") ?? ""]));
       }
@@ -768,13 +817,32 @@
   function verdict(rows, { error, bet, times: times2 }) {
     const best = cheapest(rows, null, error);
     const label = (name) => METHODS[name]?.label ?? name;
-    const asLong = (ratio) => `${short(ratio, 2)} times as long`;
-    if (!best) return `No method that steps was measured to be right to ${errorText2(error)}.`;
-    const first = `For ${errorText2(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
-    const own = cheapest(rows, bet, error);
-    const second = !bet ? "" : bet === best.method ? "As you said." : own ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.` : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
-    const third = Number.isFinite(times2) ? ` You said ${short(times2)} times.` : "";
-    return `${first} ${second}${third}`.trim();
+    const exact = errorText2(error);
+    if (!best)
+      return tr("No method that steps was measured to be right to {error}.", { error: exact });
+    const first = tr("For {error}: {method}, {ratio} times as long as the exact outcome.", {
+      error: exact,
+      method: label(best.method),
+      ratio: short(best.time_ratio, 2)
+    });
+    const parts2 = [
+      first,
+      bet && ofChoice(label(bet), bet === best.method, cheapest(rows, bet, error))
+    ];
+    if (Number.isFinite(times2)) parts2.push(tr("You said {ratio} times.", { ratio: short(times2) }));
+    return parts2.filter(Boolean).reduce((said, then) => tr("{first} {then}", { first: said, then }));
+  }
+  function ofChoice(method, best, own) {
+    if (best) return tr("As you said.");
+    if (!own) {
+      return tr("Your choice, {method}, does not get there with the steps that were measured.", {
+        method
+      });
+    }
+    return tr("Your choice, {method}: {ratio} times as long.", {
+      method,
+      ratio: short(own.time_ratio, 2)
+    });
   }
 
   // src/question/marking/notation.js
@@ -846,7 +914,7 @@
       if (known2.hidden && !bet.value) {
         say(
           need(root, ".carts-cost-verdict"),
-          "Choose a method first: a wrong guess is worth more than none."
+          tr("Choose a method first: a wrong guess is worth more than none.")
         );
         return bet.focus();
       }
@@ -1034,6 +1102,23 @@
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
 
+  // src/cost/words.js
+  var POINT_RUNS = tr("The point of the map is being run …");
+  var LOADING = tr("Python’s scipy is being loaded …");
+  var LOADING_BOTH = tr("Python’s numpy and scipy are being loaded …");
+  var [PLAY, PAUSE] = [tr("Play"), tr("Pause")];
+  var fromMap = (point) => tr("From the map below: {point} Change anything here to go back.", { point });
+  var stoppedWords = (n3) => tr("Stopped after {n} rows.", { n: n3 });
+  function doneWords(refused) {
+    const just = tr("Measured just now, by Python in this browser.");
+    const left = [...refused].map(
+      ([method, reason]) => tr("{method}: {reason}.", { method, reason })
+    );
+    return left.reduce((first, then) => tr("{first} {then}", { first, then }), just);
+  }
+  var measuredWords = (when) => when ? tr("Measured {when}.", { when }) : tr("Not measured yet.");
+  var keptWords = (reason) => tr("{reason} What was prepared stays as it is.", { reason });
+
   // src/cost/working.js
   function showWorking(root, on) {
     const [go, stop] = [need(root, ".carts-cost-go"), need(root, ".carts-cost-stop")];
@@ -1111,12 +1196,12 @@
         const generation = this.#generation;
         if (point) {
           this.choice.of("method").value = point.method;
-          this.#note("The point of the map is being run …");
+          this.#note(POINT_RUNS);
         }
         const asked4 = this.choice.asked(point?.parts);
         try {
           if (this.choice.adaptive) {
-            this.#note("Python’s scipy is being loaded …");
+            this.#note(LOADING);
             await client2.need(PACKAGES);
           }
           const scene = point?.scene ?? this.#scene;
@@ -1125,9 +1210,7 @@
           if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
-          this.#note(
-            point ? `From the map below: ${point.told} Change anything here to go back.` : ""
-          );
+          this.#note(point ? fromMap(point.told) : "");
           this.#show({ header, numbers });
           if (!point) this.#mark();
           this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
@@ -1143,14 +1226,14 @@
         if (!this.#measuring) return;
         this.#measuring = 0;
         showWorking(this, false);
-        say(need(this, ".carts-cost-say"), `Stopped after ${this.#fresh} rows.`);
+        say(need(this, ".carts-cost-say"), stoppedWords(this.#fresh));
       }
       async #measure() {
         const turn = Math.random() + 1;
         this.#measuring = turn;
         this.#fresh = 0;
         showWorking(this, true);
-        say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
+        say(need(this, ".carts-cost-say"), LOADING_BOTH);
         const refused = /* @__PURE__ */ new Map();
         try {
           const done = await measureAll(client2, this, this.#scene, {
@@ -1165,9 +1248,7 @@
           });
           if (!done) return;
           this.#measuring = 0;
-          const left = [...refused].map(([method, reason]) => ` ${method}: ${reason}.`);
-          const just = "Measured just now, by Python in this browser.";
-          say(need(this, ".carts-cost-say"), just + left.join(""));
+          say(need(this, ".carts-cost-say"), doneWords(refused));
         } catch (error) {
           this.#measuring = 0;
           this.#fail(error);
@@ -1181,8 +1262,7 @@
         const known2 = this.#facts?.measured[this.choice.scene];
         this.#figure?.tell(known2?.floor, known2?.digits ?? {});
         this.#rows(known2?.rows ?? []);
-        const said = known2?.measured ? `Measured ${known2.measured}.` : "Not measured yet.";
-        say(need(this, ".carts-cost-say"), said);
+        say(need(this, ".carts-cost-say"), measuredWords(known2?.measured));
         void this.compute();
       }
       #rows(rows) {
@@ -1198,7 +1278,7 @@
       #show(run) {
         this.run = run;
         this.#stage?.show(run.header, run.numbers);
-        fill(need(this, ".carts-cost-told"), told(run.header));
+        fill(need(this, ".carts-cost-told"), told2(run.header));
         need(this, ".carts-cost-scrub").max = String(
           run.header.until
         );
@@ -1211,17 +1291,17 @@
         const player = this.#player;
         this.#stage?.at(player.time);
         this.classList.toggle("carts-is-playing", player.playing);
-        say(need(this, ".carts-cost-play"), player.playing ? "Pause" : "Play");
+        say(need(this, ".carts-cost-play"), player.playing ? PAUSE : PLAY);
         need(this, ".carts-cost-scrub").valueAsNumber = player.time;
         say(need(this, ".carts-cost-clock"), `${fixed(player.time, 2)} s`);
       }
       #live() {
         this.dataset.state = "live";
-        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+        need(this, ".carts-mark").setAttribute("aria-label", LIVE);
       }
       #fail(error) {
         this.dataset.reason = error.reason ?? "failed";
-        this.#note(`${error.message} What was prepared stays as it is.`);
+        this.#note(keptWords(error.message));
       }
       #note(message) {
         const note2 = need(this, ".carts-note");
@@ -1233,31 +1313,39 @@
 
   // ../view/hard/words.js
   var VERDICTS = {
-    right: "right",
-    "blows-up": "blows up",
-    "passes-through": "carts pass through each other",
-    misses: "misses contacts",
-    "makes-energy": "makes energy from nothing",
-    "loses-energy": "loses energy",
-    sticks: "carts stick together",
-    wrong: "wrong"
+    right: tr("right"),
+    "blows-up": tr("blows up"),
+    "passes-through": tr("carts pass through each other"),
+    misses: tr("misses contacts"),
+    "makes-energy": tr("makes energy from nothing"),
+    "loses-energy": tr("loses energy"),
+    sticks: tr("carts stick together"),
+    wrong: tr("wrong")
   };
   var UNITS2 = { v: " m/s", x: " m", last: " s", count: "" };
-  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
-  var LOADING = "Python’s numpy and scipy are being loaded …";
-  var progressWords = (done, of) => `${done} of ${of}`;
-  var stoppedWords = (done) => `Stopped after ${done} cases; the others are as prepared.`;
-  var doneWords = (good, of, seconds) => `${good} of ${of} came out as they must, just now in this browser; exact runs took ${short(seconds, 2)} s in all.`;
-  var COPY = "Copy";
-  var COPIED = "Copied";
-  var KEPT = "What was prepared stays as it is.";
+  var NAMES = {
+    warmed: tr("warmed the bumpers"),
+    count: tr("contacts"),
+    last: tr("last contact")
+  };
+  var LOADING2 = tr("Python’s numpy and scipy are being loaded …");
+  var progressWords = (done, of) => tr("{done} of {all}", { done, all: of });
+  var stoppedWords2 = (n3) => tr("Stopped after {n} cases; the others are as prepared.", { n: n3 });
+  var doneWords2 = (good, of, seconds) => tr(
+    "{good} of {all} came out as they must, just now in this browser; exact runs took {seconds} s in all.",
+    { good, all: of, seconds: short(seconds, 2) }
+  );
+  var COPY = tr("Copy");
+  var COPIED = tr("Copied");
+  var keptWords2 = (reason) => tr("{reason} What was prepared stays as it is.", { reason });
   function measure(what) {
     const { kind: kind2, name } = parts(what);
     if (kind2 === "v" || kind2 === "x") {
       const [last, first] = name.split("-");
-      return first ? `${kind2} of ${last} − ${kind2} of ${first}` : `${kind2} of ${name}`;
+      const of = (cart = "") => tr("{letter} of {cart}", { letter: kind2, cart });
+      return first ? `${of(last)} − ${of(first)}` : of(name);
     }
-    return NAMES[kind2] ?? (kind2 === "work" ? `work of ${name}` : kind2);
+    return NAMES[kind2] ?? (kind2 === "work" ? tr("work of {name}", { name }) : kind2);
   }
   function parts(what) {
     const [kind2 = "", ...rest] = what.split(".");
@@ -1277,8 +1365,12 @@
       const distance = Math.abs(value - right);
       if (!worst || distance > error) [worst, error, came] = [what, distance, value];
     }
-    const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
-    return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
+    const off = error ? tr("off by {amount}", { amount: amount(worst, error, 2) }) : tr("no error");
+    return tr("{quantity}: {amount}, {off}", {
+      quantity: measure(worst),
+      amount: amount(worst, came, figures2),
+      off
+    });
   }
   function exactCell(wanted2, { got }) {
     return cameOut(wanted2, got, 6);
@@ -1286,6 +1378,7 @@
   function steppedCell(wanted2, { verdict: verdict2, got }) {
     return [VERDICTS[verdict2] ?? verdict2, verdict2 === "blows-up" ? "" : cameOut(wanted2, got, 3)];
   }
+  var METHODS2 = { euler: "Euler", "semi-implicit": tr("semi-implicit Euler"), rk4: "RK4" };
 
   // src/hard/element.js
   function hardElement(client2) {
@@ -1312,7 +1405,7 @@
         if (!this.#turn) return;
         this.#turn = 0;
         this.#working(false);
-        this.#say(stoppedWords(Object.keys(this.answers).length));
+        this.#say(stoppedWords2(Object.keys(this.answers).length));
       }
       async #run() {
         const turn = Math.random() + 1;
@@ -1325,7 +1418,7 @@
         try {
           for (const [k, [name, one]] of all.entries()) {
             if (one.packages.length) {
-              this.#say(LOADING);
+              this.#say(LOADING2);
               await client2.need(one.packages);
             }
             if (this.#turn !== turn) return;
@@ -1343,7 +1436,7 @@
             bar2.value = k + 1;
             this.#say(progressWords(k + 1, all.length));
           }
-          this.#say(doneWords(good, all.length, seconds));
+          this.#say(doneWords2(good, all.length, seconds));
         } catch (error) {
           this.#fail(error);
         } finally {
@@ -1377,12 +1470,12 @@
       }
       #live() {
         this.dataset.state = "live";
-        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+        need(this, ".carts-mark").setAttribute("aria-label", LIVE);
       }
       #fail(error) {
         this.dataset.reason = error.reason ?? "failed";
         const note2 = need(this, ".carts-note");
-        say(note2, `${error.message} ${KEPT}`);
+        say(note2, keptWords2(error.message));
         note2.hidden = false;
         this.#say("");
       }
@@ -1418,7 +1511,7 @@
   var SMALLER = 2;
   var EXACT = 12;
   function valueText2(value, { low, high }) {
-    if (Number.isNaN(value)) return "no value";
+    if (Number.isNaN(value)) return tr("no value");
     const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
     const text = fixed(value, Math.min(decimalsFor(value || 1), most));
     return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
@@ -1996,13 +2089,13 @@
     return { name: kind2, row: LAST, ...VIEWS[kind2] };
   }
   function nameOf({ kind: kind2, called }) {
-    const name = VIEWS[kind2]?.name ?? (called && told2(called));
+    const name = VIEWS[kind2]?.name ?? (called && told(called));
     if (!name) throw new Error(`nobody describes an effect of the kind “${kind2}”`);
     return name;
   }
   function agent(effect) {
     const named3 = effect.by || effect.agent;
-    return viewOf(effect.kind).agent?.(effect) ?? (named3 ? told2(named3) : nameOf(effect));
+    return viewOf(effect.kind).agent?.(effect) ?? (named3 ? told(named3) : nameOf(effect));
   }
   function actsAt(effect, t3) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
@@ -2283,10 +2376,12 @@
       const { decimals } = this;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+      if ("text" in read)
+        return this.#complain(tr("{label}: a number in {unit}, please.", { label, unit }));
       if (read.value < low || read.value > high) {
-        const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-        return this.#complain(`${label}: ${range}, please.`);
+        const ends = { low: fixed(low, decimals), high: fixed(high, decimals) };
+        const range = `${tr("{low} to {high}", ends)} ${unit}`.trim();
+        return this.#complain(tr("{label}: {range}, please.", { label, range }));
       }
       return chosen(this.nearest(read.value, per));
     }
@@ -2777,12 +2872,12 @@
         const button = need(this, ".carts-map-open");
         button.disabled = true;
         this.#tell("");
-        say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
+        say(need(this, ".carts-map-wait"), tr("Python is being loaded for all points at once …"));
         try {
           await client2.need(this.#facts?.packages ?? []);
           await this.#compute(this.#settings, performance.now());
           this.dataset.state = "live";
-          need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+          need(this, ".carts-mark").setAttribute("aria-label", LIVE);
           const focused = button === document.activeElement;
           offerOpening(this, false);
           showProgress(this, 1, 1);
@@ -2799,7 +2894,11 @@
         this.#opening = null;
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
-        this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
+        this.#tell(
+          tr("{reason} The picture and the table stay as they were prepared.", {
+            reason: error.message
+          })
+        );
         showProgress(this, 1, 1);
         say(need(this, ".carts-map-wait"), "");
         offerOpening(this, client2.state !== "failed");
@@ -2842,15 +2941,15 @@
         }
         this.#choose(this.#places);
         if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
-        say(need(this, ".carts-map-why"), grid.why);
+        say(need(this, ".carts-map-why"), told(grid.why));
       }
       #choose(places) {
         if (!this.#grid) return;
         this.#places = places;
         const value = this.#valueAt(places);
         const facts = this.#facts;
-        const told4 = valueText2(value, facts);
-        const text = Number.isNaN(value) ? told4 : `${told4} ${facts.unit}`;
+        const number = valueText2(value, facts);
+        const text = Number.isNaN(value) ? number : `${number} ${facts.unit}`;
         for (const [k, control] of this.#axes.entries()) {
           control.show(this.#grid.axes[k] ?? [], Number(places[k]));
           control.speak(Number(places[k]), text);
@@ -3316,7 +3415,7 @@
   var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n  var isNotAllocated = (error) => error instanceof RangeError && /memory|allocat/i.test(error.message);\n\n  // src/runtime/picture.js\n  function putPicture(memory, picture) {\n    const words = new Uint32Array(picture.buffer, picture.byteOffset, picture.byteLength >> 2);\n    const [size, filled, sum, count] = words;\n    if (memory.length !== size) throw new Error(`${memory.length} bytes of memory, not ${size}`);\n    const stretches = words.subarray(4, 4 + 2 * count);\n    if (sumBetween(memory, stretches, filled) !== sum) throw new Error("another machine code");\n    let from = 4 * (4 + 2 * count);\n    let last = filled;\n    for (let i = 0; i < stretches.length; i += 2) {\n      const [start, end] = stretches.subarray(i, i + 2);\n      if (start > last) memory.fill(0, last, start);\n      memory.set(picture.subarray(from, from + end - start), start);\n      from += end - start;\n      last = Math.max(last, end);\n    }\n  }\n  function sumBetween(memory, stretches, filled) {\n    const words = new Uint32Array(memory.buffer, memory.byteOffset, memory.byteLength >> 2);\n    let sum = 0;\n    let at = 0;\n    for (let i = 0; i <= stretches.length && at < filled; i += 2) {\n      const start = Math.min(stretches[i] ?? filled, filled);\n      for (let word = at >> 2; word < start >> 2; word += 1) sum = sum + words[word] >>> 0;\n      at = stretches[i + 1] ?? filled;\n    }\n    return sum;\n  }\n\n  // src/runtime/wheel.js\n  var END = 101010256;\n  var ENTRY = 33639248;\n  var END_BYTES = 22;\n  var ENTRY_BYTES = 46;\n  var LOCAL_BYTES = 30;\n  function entries(archive) {\n    const view = new DataView(archive.buffer, archive.byteOffset, archive.byteLength);\n    const end = archive.length - END_BYTES;\n    if (end < 0 || view.getUint32(end, true) !== END) return null;\n    const found = /* @__PURE__ */ new Map();\n    const text = new TextDecoder();\n    let at = view.getUint32(end + 16, true);\n    for (let left = view.getUint16(end + 10, true); left > 0; left -= 1) {\n      if (view.getUint32(at, true) !== ENTRY || view.getUint16(at + 10, true) !== 0) return null;\n      const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));\n      const local = view.getUint32(at + 42, true);\n      const skipped = view.getUint16(local + 26, true) + view.getUint16(local + 28, true);\n      const from = local + LOCAL_BYTES + skipped;\n      const bytes = archive.subarray(from, from + view.getUint32(at + 24, true));\n      found.set(text.decode(archive.subarray(at + ENTRY_BYTES, at + ENTRY_BYTES + name)), bytes);\n      at += ENTRY_BYTES + name + extra + comment;\n    }\n    return found;\n  }\n  function unpackByOurselves(python2) {\n    const api = python2._api;\n    const usual = api.package_loader;\n    const unpack = (given) => {\n      const { buffer, extract_dir } = given;\n      const files2 = entries(buffer);\n      if (!files2) return usual.unpack_buffer.callKwargs(given);\n      const folder = String(extract_dir);\n      const made = /* @__PURE__ */ new Set();\n      for (const [name, bytes] of files2) {\n        const path = `${folder}/${name}`;\n        const parent = path.slice(0, path.lastIndexOf("/"));\n        if (!made.has(parent)) python2.FS.mkdirTree(parent);\n        made.add(parent);\n        python2.FS.writeFile(path, bytes, { canOwn: true });\n      }\n      return [...files2.keys()].filter((name) => name.endsWith(".so")).map((name) => `${folder}/${name}`);\n    };\n    api.package_loader = {\n      get_install_dir: (where) => usual.get_install_dir(where),\n      unpack_buffer: { callKwargs: unpack }\n    };\n  }\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = Number.NEGATIVE_INFINITY;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    const known = files.get(name);\n    if (known) return known;\n    let take = (_) => {\n    };\n    const come = new Promise((resolve) => {\n      take = resolve;\n    });\n    const made = { come, take };\n    files.set(name, made);\n    return made;\n  }\n  var bytesOf = (name) => file(name).come;\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return new Response(await bytesOf(name));\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return new Response(await bytesOf(STDLIB));\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  scope.addEventListener("unhandledrejection", ({ reason }) => {\n    if (isNotAllocated(reason)) fail("no-memory", reason);\n  });\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        _putPicture: putPicture,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      if (isNotAllocated(error)) return fail("no-memory", error);\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (performance.now() - seen < 1e3) return;\n    seen = performance.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    unpackByOurselves(python);\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "file") file(data.name).take(new Uint8Array(data.bytes));\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
-  var SLOW2 = "slow";
+  var SLOW3 = "slow";
   var SLOW_LINE = "slow-line";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
@@ -3325,7 +3424,7 @@
   var MORE = "python-more.zip";
   async function slowStage(files, folder) {
     const kept = !isFetching() || await areKept(files.map((file) => new URL(file, folder)));
-    return kept ? SLOW2 : SLOW_LINE;
+    return kept ? SLOW3 : SLOW_LINE;
   }
   var modules = /* @__PURE__ */ new Map();
   var Start = class {
@@ -3407,7 +3506,7 @@
         const stage = loading ? await slowStage(
           parts2.map((part) => part.src),
           this.folder
-        ) : SLOW2;
+        ) : SLOW3;
         if (!this.over) this.onProgress({ fraction: this.fraction, stage });
       });
       if (!loading) this.watch = watch(this.patience, () => this.giveUp?.());
@@ -3574,7 +3673,7 @@
   function pagePython(packages2) {
     const base = besideScript("runtime/");
     const onProgress = ({ stage }) => {
-      if (stage === SLOW2 || stage === SLOW_LINE) client2.dispatchEvent(new Event(stage));
+      if (stage === SLOW3 || stage === SLOW_LINE) client2.dispatchEvent(new Event(stage));
     };
     const client2 = new Client(
       (more) => startRuntime({ base, packages: [...packages2(), ...more], onProgress })
@@ -4487,51 +4586,6 @@
   function bakedOf({ fence, view, numbers, ...header }) {
     const known2 = header;
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
-  }
-
-  // src/scene/element-words.js
-  var ASK_FIRST = tr("Make your prediction and lock it first.");
-  var LIVE = tr("live: Python computes in this page");
-  var NOT_STARTED = tr("Python could not start.");
-  var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
-  var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
-  var STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
-  var SLOW3 = {
-    slow: tr("This computer needs long to start Python. It is still trying."),
-    "slow-line": tr(
-      "The network is slow: Python is still on its way. You need not load the page again."
-    )
-  };
-  var LONG_RUN = tr("This computer needs long for this run. It is still computing.");
-  var PREDICTION_KEPT = tr("Your prediction is kept.");
-  var slow = (what, stepwise) => stepwise ? `${SLOW3[what]} ${STEPWISE}` : SLOW3[what];
-  function without(told4, stepwise) {
-    if (stepwise) return STEPWISE;
-    return told4 ? STILL_PLAYS : NOT_SHOWN;
-  }
-  function note(scene, message) {
-    const place4 = need(scene, ".carts-note");
-    place4.hidden = !message;
-    place4.classList.remove("carts-passing");
-    say(place4, message);
-  }
-  function passing(scene, message, on) {
-    const place4 = need(scene, ".carts-note");
-    if (!on && place4.textContent !== message) return;
-    note(scene, on ? message : "");
-    place4.classList.toggle("carts-passing", on);
-    if (on) place4.style.top = `${need(scene, ".carts-top").offsetHeight}px`;
-  }
-  function noteBeside(scene, message) {
-    const why = scene.dataset.state === "failed" ? need(scene, ".carts-note").dataset.why : "";
-    note(scene, `${why ?? ""} ${message}`.trim());
-  }
-  function planOf(run) {
-    return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told2(phase.why) }));
-  }
-  function offerUndo(scene, on) {
-    const undo = scene.querySelector(".carts-undo");
-    if (undo instanceof HTMLButtonElement) undo.disabled = !on;
   }
 
   // ../view/markers.js
@@ -5750,13 +5804,13 @@
   var SWITCH = tr(
     "What if a program went step by step? The run then plays as that method computes it. Dashed: exact."
   );
-  var LOADING2 = tr("Python’s scipy is being loaded …");
+  var LOADING3 = tr("Python’s scipy is being loaded …");
   var METHOD = tr("method");
   var STEP3 = tr("step");
   var TOLERANCE = tr("tolerance");
   var EXACT2 = tr("exact (as always)");
   var FAILED = tr("The exact run is shown.");
-  var METHODS2 = {
+  var METHODS3 = {
     euler: "Euler",
     "semi-implicit": tr("semi-implicit Euler"),
     verlet: tr("velocity Verlet"),
@@ -5787,7 +5841,7 @@
       from: fixed(from, decimals),
       until: fixed(until, decimals)
     });
-    const sentence = ended(capital(told2(why)));
+    const sentence = ended(capital(told(why)));
     return [times2, SOLVERS[solver] ?? solver, sentence];
   }
   function duration(seconds) {
@@ -5820,7 +5874,7 @@
   }
   function signWords(how) {
     return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
-      method: String(METHODS2[how.method]),
+      method: String(METHODS3[how.method]),
       size: sizeWords(how)
     });
   }
@@ -5881,7 +5935,7 @@
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
       this.method.append(option(EXACT3, EXACT2));
-      for (const [name, label] of Object.entries(METHODS2)) {
+      for (const [name, label] of Object.entries(METHODS3)) {
         if (scipy || !ADAPTIVE2.includes(name)) this.method.append(option(name, label));
       }
       this.slider = document.createElement("input");
@@ -6073,7 +6127,7 @@
       if (!panel?.choice) return;
       try {
         if ("rtol" in panel.choice && !pageHasScipy()) {
-          say(panel.note, LOADING2);
+          say(panel.note, LOADING3);
           await this.client.need(PACKAGES2);
         }
         const { header, numbers } = await this.client.ask(
@@ -6182,8 +6236,8 @@
   }
   function line({ sentence, source, listed: listed2 }) {
     const item = html("li", listed2 ? "carts-ladder-listed" : "");
-    item.append(capital(told2(sentence)));
-    if (source) item.append(" ", html("span", "carts-quiet", `(${told2(source)})`));
+    item.append(capital(told(sentence)));
+    if (source) item.append(" ", html("span", "carts-quiet", `(${told(source)})`));
     return item;
   }
 
@@ -10180,7 +10234,7 @@ ${lines4.join("\n")}
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html("p", "", told2(message)))
+        ...header.warnings.map(({ message }) => html("p", "", told(message)))
       );
     }
     #offerWindows() {

@@ -10260,6 +10260,42 @@
   }
   setPrototypeOf(Document4, Document$1).prototype = Document$1.prototype;
 
+  // ../view/language.js
+  var catalogue = globalThis.cartsWords ?? {};
+  var FORMS = "\0";
+  var RULE = catalogue["\0"] ?? "";
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function counted(one, more, n, values = {}) {
+    return filled(form(one, more, n), { n, ...values });
+  }
+  function form(one, more, n) {
+    const ours = catalogue[more]?.split(FORMS);
+    if (!ours) return n === 1 ? one : more;
+    const english = n === 1 ? 0 : 1;
+    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
+    return String(ours[Math.min(asked, ours.length - 1)]);
+  }
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    const { code, one } = sentence;
+    const n = Number(String(sentence.values.n).replace(/,/g, ""));
+    const template = one ? form(one, code, n) : catalogue[code] ?? code;
+    return filled(template, Object.fromEntries(values));
+  }
+  function inRow(parts2) {
+    const [head = "", ...tail3] = parts2;
+    return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+  }
+  function ended(sentence) {
+    return tr("{sentence}.", { sentence });
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
@@ -10336,21 +10372,21 @@
   // ../view/cost/methods.js
   var METHODS = {
     exact: {
-      label: "exact, closed form",
+      label: tr("exact, closed form"),
       mark: "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
       colour: "#0072b2"
     },
-    "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    "exact-run": { label: tr("exact, any scene"), mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
     certified: {
-      label: "certificate, proved",
+      label: tr("certificate, proved"),
       mark: "M0-6L5.2-3V3L0 6-5.2 3V-3Z",
       colour: "#0072b2"
     },
     euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
-    "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
-    verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    "semi-implicit": { label: tr("semi-implicit Euler"), mark: "M0-5L5 4H-5Z", colour: "#00805d" },
+    verlet: { label: tr("velocity Verlet"), mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
     yoshida: {
-      label: "Yoshida, order 4, symplectic",
+      label: tr("Yoshida, order 4, symplectic"),
       mark: "M-5 0L0-5 5 0M-5 4L0-1 5 4 0 2Z",
       colour: "#a8457f"
     },
@@ -10361,17 +10397,17 @@
     },
     rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
     "rk4-events": {
-      label: "RK4 + located touches",
+      label: tr("RK4 + located touches"),
       mark: "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
       colour: "#2779a7"
     },
     rk45: {
-      label: "adaptive RK45 + located touches",
+      label: tr("adaptive RK45 + located touches"),
       mark: "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
       colour: "#6b3f7d"
     },
     adaptive: {
-      label: "adaptive DOP853 + located touches",
+      label: tr("adaptive DOP853 + located touches"),
       mark: "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
       colour: "#555"
     }
@@ -10407,7 +10443,7 @@
     return floor ? `M${LEFT} ${px(yAt(floor))}H${RIGHT}` : "";
   }
   function digitText(factor) {
-    return factor ? `one more digit: × ${short(factor, 2)}` : "";
+    return factor ? tr("one more digit: × {factor}", { factor: short(factor, 2) }) : "";
   }
   function grid() {
     return {
@@ -10442,7 +10478,7 @@
   var [WIDTH2, HEIGHT2] = [520, 372];
   var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [62, 10, 510, 322];
   var TICKS_Y = BOTTOM2 + 16;
-  var MADE = "energy was made";
+  var MADE = tr("energy was made");
   var DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8];
   var UNITS = { stiffness: "N/m", mass: "kg" };
   var cell = (count) => ({ wide: (RIGHT2 - LEFT2) / count, high: (BOTTOM2 - TOP2) / count });
@@ -10473,6 +10509,7 @@
     const unit = UNITS[map.path.at(-1) ?? ""];
     return unit ? `${short(value)} ${unit}` : short(value);
   }
+  var digitsText = (n) => counted("1 right digit", "{n} right digits", n);
   function ticks(map) {
     const [low, high] = [Number(map.values[0]), Number(map.values.at(-1))];
     const { wide } = cell(map.values.length);
@@ -10493,20 +10530,20 @@
     );
     const [contact, limit] = theory(breaks, first, method);
     return html`<div class="carts-cost-breaks">
-<p class="carts-heading">Where methods break</p>
-<div class="carts-cost-choice"><label>method <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
-<label>across <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
-<svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} role="img" aria-label="right digits of the velocities for each step and each value; the lists below reach every point">
+<p class="carts-heading">${tr("Where methods break")}</p>
+<div class="carts-cost-choice"><label>${tr("method")} <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
+<label>${tr("across")} <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
+<svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} role="img" aria-label=${tr("right digits of the velocities for each step and each value; the lists below reach every point")}>
 <g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind2, d]) => html`<path class="carts-breaks-${kind2}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
 ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<text class="carts-tick-x" x=${px(x)} y=${TICKS_Y}>${text3}</text>`)}</g>
 <text class="carts-unit carts-breaks-unit" x=${RIGHT2} y=${BOTTOM2 + 36} text-anchor="end">${unitText(first)}</text>
-<text class="carts-unit" transform="translate(14 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">step in s</text>
+<text class="carts-unit" transform="translate(14 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">${tr("step in s")}</text>
 <rect class="carts-breaks-ring" visibility="hidden"/>
 </svg>
-<ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? "8 right digits" : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, "a step as long as the contact")}${sample("limit", DASH, "limit of stability")}</ul>
-<div class="carts-cost-choice"><label>value <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
-<label>steps in 1 s <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>Run it above</button></div>
+<ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? digitsText(k) : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, tr("a step as long as the contact"))}${sample("limit", DASH, tr("limit of stability"))}</ul>
+<div class="carts-cost-choice"><label>${tr("value")} <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
+<label>${tr("steps in 1 s")} <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>${tr("Run it above")}</button></div>
 <p class="carts-breaks-found" role="status"></p>
 <pre class="carts-breaks-command" hidden></pre>
 </div>`;
@@ -10517,7 +10554,7 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
   }
   function unitText(map) {
     const unit = UNITS[map.path.at(-1) ?? ""];
-    return unit ? `${map.name} in ${unit}` : map.name;
+    return unit ? tr("{label} in {unit}", { label: map.name, unit }) : map.name;
   }
 
   // ../view/cost/guess.js
@@ -10531,30 +10568,30 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
     const methods = stepping().map(
       (name) => html`<option value=${name}>${METHODS[name]?.label}</option>`
     );
-    const none = html`<option value="">choose</option>`;
-    return html`<div class="carts-cost-guess" role="group" aria-label="your guess" hidden>
-<p>Say first how right you want it. <label>Velocities wrong by at most <select class="carts-cost-error">${errors}</select></label>
-<label>Which method gets there in the least time? <select class="carts-cost-bet">${none}${methods}</select></label>
-<label>How many times as long as the exact outcome? <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
-<p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">Show</button> <button type="button" class="carts-button carts-cost-skip">Show without a guess</button> <span class="carts-cost-verdict" role="status"></span></p>
+    const none = html`<option value="">${tr("choose")}</option>`;
+    return html`<div class="carts-cost-guess" role="group" aria-label=${tr("your guess")} hidden>
+<p>${tr("Say first how right you want it.")} <label>${tr("Velocities wrong by at most")} <select class="carts-cost-error">${errors}</select></label>
+<label>${tr("Which method gets there in the least time?")} <select class="carts-cost-bet">${none}${methods}</select></label>
+<label>${tr("How many times as long as the exact outcome?")} <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
+<p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">${tr("Show")}</button> <button type="button" class="carts-button carts-cost-skip">${tr("Show without a guess")}</button> <span class="carts-cost-verdict" role="status"></span></p>
 </div>`;
   }
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
   var FIRST2 = { method: "euler", parts: 103 };
-  var ENDLESS = "beyond all numbers";
+  var ENDLESS = tr("beyond all numbers");
   function percent(part, whole) {
     return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
   }
-  function told({ v, energy, evaluations }) {
+  function told2({ v, energy, evaluations }) {
     const speeds = Object.entries(v.stepped).map(([name, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
       return [
-        `velocity of ${name} at the end`,
+        tr("velocity of {name} at the end", { name }),
         got,
         `${plain(Number(v.exact[name]), 4)} m/s`
       ];
@@ -10563,16 +10600,16 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
     return [
       ...speeds,
       [
-        "energy at the end, of that at the start",
+        tr("energy at the end, of that at the start"),
         stepped === null ? ENDLESS : percent(stepped, initial),
         percent(exact, initial)
       ],
-      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
-      ["times that all forces were computed", String(evaluations), "0"]
+      [tr("energy made from nothing"), imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      [tr("times that all forces were computed"), String(evaluations), "0"]
     ];
   }
   function toleranceText(rtol) {
-    return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+    return tr("tolerance {size}", { size: `1e${Math.round(Math.log10(rtol))}` });
   }
   function cells(row2, until) {
     let size = "–";
@@ -10597,24 +10634,24 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
   var PARTS = [19, 61, 103, 211, 499, 997, 9973];
   var TOLERANCES = [1e-6, 1e-9, 1e-12];
   function inside({ id, title, names, measured: measured2, rows, floor, digits = {}, run, breaks }) {
-    const told3 = told(run.header).map(
+    const told3 = told2(run.header).map(
       ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
     );
-    const said = measured2 && `Measured ${measured2}.`;
+    const said = measured2 && tr("Measured {when}.", { when: measured2 });
     return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 ${choice(names)}
-<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label="the carts as stepped, and exactly as dashed outlines"></svg></div>
-<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>Play</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label="time" disabled><output class="carts-cost-clock">0.00 s</output></div>
-<p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
+<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label=${tr("the carts as stepped, and exactly as dashed outlines")}></svg></div>
+<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>${tr("Play")}</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")} disabled><output class="carts-cost-clock">0.00 s</output></div>
+<p class="carts-cost-legend"><span class="carts-cost-solid"></span> ${tr("as stepped")} <span class="carts-cost-dashed"></span> ${tr("exactly")}</p>
 <div class="carts-cost-body">
-<div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
-<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
+<div><p class="carts-heading">${tr("Energy of motion")}</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label=${tr("energy of motion against time, as stepped and exactly")}></svg></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">${tr("as stepped")}</th><th scope="col">${tr("exactly")}</th></tr></thead><tbody>${told3}</tbody></table></div>
 </div>
 <div class="carts-cost-measure">
-<p class="carts-heading">Error against time</p>
-<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
+<p class="carts-heading">${tr("Error against time")}</p>
+<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>${tr("Measure on this computer")}</button> <button type="button" class="carts-button carts-cost-stop" hidden>${tr("Stop")}</button> <progress class="carts-cost-progress" max="1" value="0" aria-label=${tr("methods measured")} hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
 ${guess()}
 <div class="carts-cost-known">
 ${figure(rows, floor, digits)}
@@ -10622,9 +10659,10 @@ ${table(rows, run.header.until)}
 </div>
 </div>
 ${breaks && breaksPart(breaks)}
-<noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
+<noscript><p class="carts-noscript">${tr("The figure and the tables show what was measured. Trying and measuring here needs JavaScript.")}</p></noscript>
 </div>`;
   }
+  var partText = (n) => tr("run / {n}", { n });
   function choice(names) {
     const scenes = Object.entries(names).map(
       ([name, text3]) => html`<option value=${name}>${text3}</option>`
@@ -10633,15 +10671,15 @@ ${breaks && breaksPart(breaks)}
       (name) => html`<option value=${name}${name === FIRST2.method && html` selected`}>${METHODS[name]?.label}</option>`
     );
     const parts2 = PARTS.map(
-      (n) => html`<option value=${n}${n === FIRST2.parts && html` selected`}>run / ${n}</option>`
+      (n) => html`<option value=${n}${n === FIRST2.parts && html` selected`}>${partText(n)}</option>`
     );
     const tolerances = TOLERANCES.map(
       (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`
     );
     return html`<div class="carts-cost-choice">
-<label>scene <select class="carts-cost-scene" disabled>${scenes}</select></label>
-<label>method <select class="carts-cost-method" disabled>${methods}</select></label>
-<label>step <select class="carts-cost-step" disabled>${parts2}</select><select class="carts-cost-rtol" aria-label="tolerance" disabled hidden>${tolerances}</select></label>
+<label>${tr("scene")} <select class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>${tr("method")} <select class="carts-cost-method" disabled>${methods}</select></label>
+<label>${tr("step")} <select class="carts-cost-step" disabled>${parts2}</select><select class="carts-cost-rtol" aria-label=${tr("tolerance")} disabled hidden>${tolerances}</select></label>
 </div>`;
   }
   function figure(rows, floor, digits) {
@@ -10657,12 +10695,12 @@ ${breaks && breaksPart(breaks)}
     const key2 = methods.map(
       ([name, { mark, label }]) => html`<li class="carts-cost-of-${name}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label} <span class="carts-cost-digit carts-quiet" data-of=${name}>${digitText(digits[name])}</span></li>`
     );
-    return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
+    return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label=${tr("largest error of a velocity against time, one line per method; the numbers are in the table below")}>
 ${x.map(([at, text3]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text3}</text>`)}
 ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text3}</text>`)}
-<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
-<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
-<path class="carts-cost-floor" d=${levelAt(floor)}/><text class="carts-cost-floor-name carts-quiet" x=${RIGHT - 4} y=${px(yAt(floor || 1e-16) - 5)} text-anchor="end">${floor && "rounding of a double"}</text><path class="carts-cost-asked"/>
+<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">${tr("time, as a multiple of the exact outcome’s")}</text>
+<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">${tr("largest error of a velocity in m/s")}</text>
+<path class="carts-cost-floor" d=${levelAt(floor)}/><text class="carts-cost-floor-name carts-quiet" x=${RIGHT - 4} y=${px(yAt(floor || 1e-16) - 5)} text-anchor="end">${floor && tr("rounding of a double")}</text><path class="carts-cost-asked"/>
 <g class="carts-cost-series">${series}</g>
 <circle class="carts-cost-ring" r="9" visibility="hidden"/>
 </svg>
@@ -10673,29 +10711,45 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
       const [head, ...values] = cells(row2, until);
       return html`<tr><th scope="row">${head}</th>${values.map((value) => html`<td>${value}</td>`)}</tr>`;
     });
-    return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines3}</tbody></table></div></details>`;
+    const heads2 = [
+      tr("method"),
+      tr("step"),
+      tr("forces computed"),
+      tr("time"),
+      tr("error of v in m/s"),
+      tr("error of energy, of that at the start")
+    ];
+    return html`<details class="carts-more carts-cost-table"><summary>${tr("Table of all measurements")}</summary><div class="carts-scroll"><table class="carts-table"><thead><tr>${heads2.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead><tbody>${lines3}</tbody></table></div></details>`;
   }
 
   // ../view/hard/words.js
   var VERDICTS = {
-    right: "right",
-    "blows-up": "blows up",
-    "passes-through": "carts pass through each other",
-    misses: "misses contacts",
-    "makes-energy": "makes energy from nothing",
-    "loses-energy": "loses energy",
-    sticks: "carts stick together",
-    wrong: "wrong"
+    right: tr("right"),
+    "blows-up": tr("blows up"),
+    "passes-through": tr("carts pass through each other"),
+    misses: tr("misses contacts"),
+    "makes-energy": tr("makes energy from nothing"),
+    "loses-energy": tr("loses energy"),
+    sticks: tr("carts stick together"),
+    wrong: tr("wrong")
   };
   var UNITS2 = { v: " m/s", x: " m", last: " s", count: "" };
-  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
+  var NAMES = {
+    warmed: tr("warmed the bumpers"),
+    count: tr("contacts"),
+    last: tr("last contact")
+  };
+  var LOADING = tr("Python’s numpy and scipy are being loaded …");
+  var COPY = tr("Copy");
+  var COPIED = tr("Copied");
   function measure(what) {
     const { kind: kind2, name } = parts(what);
     if (kind2 === "v" || kind2 === "x") {
       const [last, first] = name.split("-");
-      return first ? `${kind2} of ${last} − ${kind2} of ${first}` : `${kind2} of ${name}`;
+      const of = (cart2 = "") => tr("{letter} of {cart}", { letter: kind2, cart: cart2 });
+      return first ? `${of(last)} − ${of(first)}` : of(name);
     }
-    return NAMES[kind2] ?? (kind2 === "work" ? `work of ${name}` : kind2);
+    return NAMES[kind2] ?? (kind2 === "work" ? tr("work of {name}", { name }) : kind2);
   }
   function parts(what) {
     const [kind2 = "", ...rest] = what.split(".");
@@ -10715,8 +10769,12 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
       const distance = Math.abs(value - right);
       if (!worst || distance > error) [worst, error, came] = [what, distance, value];
     }
-    const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
-    return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
+    const off = error ? tr("off by {amount}", { amount: amount(worst, error, 2) }) : tr("no error");
+    return tr("{quantity}: {amount}, {off}", {
+      quantity: measure(worst),
+      amount: amount(worst, came, figures2),
+      off
+    });
   }
   function exactCell(wanted, { got }) {
     return cameOut(wanted, got, 6);
@@ -10724,32 +10782,36 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
   function steppedCell(wanted, { verdict, got }) {
     return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
   }
-  var METHODS2 = { euler: "Euler", "semi-implicit": "semi-implicit Euler", rk4: "RK4" };
+  var METHODS2 = { euler: "Euler", "semi-implicit": tr("semi-implicit Euler"), rk4: "RK4" };
   var MOST_TOLD = 3;
   function expectedLines(wanted) {
-    const lines3 = wanted.slice(0, MOST_TOLD).map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
+    const lines3 = wanted.slice(0, MOST_TOLD).map(
+      ([what, value]) => tr("{quantity}: {amount}", { quantity: measure(what), amount: amount(what, value, 6) })
+    );
     const more = wanted.length - lines3.length;
-    return more ? [...lines3, `and ${more} more`] : lines3;
+    return more ? [...lines3, tr("and {n} more", { n: more })] : lines3;
   }
 
   // ../view/hard/skeleton.js
+  var [MUST, EXACT] = [tr("must come out"), tr("exact")];
   var COLUMNS = 3 + Object.keys(METHODS2).length;
   function inside2({ id, title, groups }) {
     const count = groups.reduce((sum, { rows }) => sum + rows.length, 0);
+    const all = tr("Run all {n} here", { n: count });
     const methods = Object.values(METHODS2).map((name) => html`<th scope="col">${name}</th>`);
     return html`<div class="carts-hard-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
-<p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>Run all ${count} here</button> <button type="button" class="carts-button carts-hard-stop" hidden>Stop</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label="cases run" hidden></progress> <span class="carts-hard-say" role="status"></span></p>
+<p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>${all}</button> <button type="button" class="carts-button carts-hard-stop" hidden>${tr("Stop")}</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label=${tr("cases run")} hidden></progress> <span class="carts-hard-say" role="status"></span></p>
 <table class="carts-hard-table">
-<thead><tr><th scope="col">case</th><th scope="col">must come out</th><th scope="col">exact</th>${methods}</tr></thead>
+<thead><tr><th scope="col">${tr("case")}</th><th scope="col">${MUST}</th><th scope="col">${EXACT}</th>${methods}</tr></thead>
 ${groups.map(
       ({ name, rows }) => html`<tbody>
 <tr class="carts-hard-group"><th scope="colgroup" colspan=${COLUMNS}>${name}</th></tr>
 ${rows.map(row)}</tbody>
 `
     )}</table>
-<noscript><p class="carts-noscript">The table shows what came out when this page was made. Running the cases here needs JavaScript.</p></noscript>
+<noscript><p class="carts-noscript">${tr("The table shows what came out when this page was made. Running the cases here needs JavaScript.")}</p></noscript>
 </div>`;
   }
   function row({ name, sentence, why, wanted, known: known2, yaml, commands }) {
@@ -10760,9 +10822,11 @@ ${rows.map(row)}</tbody>
       return html`<td data-head=${heads2[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
     });
     const step = short(known2.stepped[0]?.step ?? 0, 3);
+    const steps = tr("The methods took steps of {step} s.", { step });
+    const save = tr("Save this as {name}.yml, then:", { name });
     return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence}</th>
-<td data-head="must come out">${lines3}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
-<tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>Why, and the scene</summary><p>${why} The methods took steps of ${step} s.</p><pre tabindex="0">${yaml}</pre><p>Save this as ${name}.yml, then:</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
+<td data-head=${MUST}>${lines3}</td><td data-head=${EXACT} data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
+<tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>${tr("Why, and the scene")}</summary><p>${why} ${steps}</p><pre tabindex="0">${yaml}</pre><p>${save}</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
 `;
   }
 
@@ -10927,22 +10991,22 @@ ${rows.map(row)}</tbody>
 
   // ../view/map/words.js
   var SMALLER = 2;
-  var EXACT = 12;
+  var EXACT2 = 12;
   function valueText2(value, { low, high }) {
-    if (Number.isNaN(value)) return "no value";
+    if (Number.isNaN(value)) return tr("no value");
     const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
     const text3 = fixed(value, Math.min(decimalsFor(value || 1), most));
     return /[1-9]/.test(text3) ? text3 : fixed(0, most - SMALLER);
   }
   function shown(value, { per }) {
-    return Number((value / per).toPrecision(EXACT));
+    return Number((value / per).toPrecision(EXACT2));
   }
   function axisDecimals2(axis2) {
     const [first = 0, second = 0] = axis2.values.map((value) => shown(value, axis2));
     return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
   }
   function named({ label, unit }) {
-    return unit ? `${label} in ${unit}` : label;
+    return unit ? tr("{label} in {unit}", { label, unit }) : label;
   }
 
   // ../view/map/figure.js
@@ -11050,18 +11114,18 @@ ${second && bar(facts)}
   function inside3(facts, draw, picture2) {
     const { id, title, why } = draw;
     return html`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-map-body">
-<div class="carts-map-figure" role="group" aria-label="${facts.label} in ${facts.unit}">
+<div class="carts-map-figure" role="group" aria-label=${named(facts)}>
 ${under(facts, picture2)}
 ${over(facts, draw)}
 </div>
 ${side(facts, draw)}
 </div>
 ${table2(facts, draw)}
-<details class="carts-more carts-map-model"><summary>How this was computed</summary><p class="carts-map-why">${why}</p></details>
-<noscript><p class="carts-noscript">The picture and the table show the values. Asking single points needs JavaScript.</p></noscript>
+<details class="carts-more carts-map-model"><summary>${tr("How this was computed")}</summary><p class="carts-map-why">${why}</p></details>
+<noscript><p class="carts-noscript">${tr("The picture and the table show the values. Asking single points needs JavaScript.")}</p></noscript>
 </div>`;
   }
   var valueAt = ({ values }, place2) => values[place2] ?? Number.NaN;
@@ -11098,19 +11162,20 @@ ${table2(facts, draw)}
     const ids = axes2.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
     const at = valueText2(facts.at ?? Number.NaN, facts);
     return html`<div class="carts-map-side">
-<p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
-<p class="carts-heading">One point of the map</p>
+<p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>${tr("Open the map")}</button> <span class="carts-map-wait" hidden>${tr("The map is a picture until you open it. Then every point can be asked for its value.")}</span></p>
+<p class="carts-heading">${tr("One point of the map")}</p>
 ${points}<p class="carts-map-value"><span>${label}</span> <output class="carts-map-number" for=${ids}>${facts.at === null ? at : `${at} ${unit}`}</output></p>
-<progress class="carts-map-progress" max="1" value="1" aria-label="points computed"></progress>
-${of && html`<p class="carts-map-start"><button type="button" class="carts-button carts-map-run" disabled>Run this point</button> <a href="#${of}">the scene</a></p>`}
-${controls.length > 0 && html`<p class="carts-heading">All points of the map</p>`}
+<progress class="carts-map-progress" max="1" value="1" aria-label=${tr("points computed")}></progress>
+${of && html`<p class="carts-map-start"><button type="button" class="carts-button carts-map-run" disabled>${tr("Run this point")}</button> <a href="#${of}">${tr("the scene")}</a></p>`}
+${controls.length > 0 && html`<p class="carts-heading">${tr("All points of the map")}</p>`}
 ${further}</div>`;
   }
   function slider({ id, set, label, unit, range, text: text3 }, more) {
     const box2 = `${id}-${set.replaceAll(".", "-")}`;
+    const spoken = tr("{label}, slider", { label });
     return html`<div class="carts-control${more}" data-set=${set}>
 <label for=${box2}>${label}</label>
-<input type="range" class="carts-slider" ${range} aria-label="${label}, slider" aria-valuetext=${`${text3} ${unit}`.trim()} disabled>
+<input type="range" class="carts-slider" ${range} aria-label=${spoken} aria-valuetext=${`${text3} ${unit}`.trim()} disabled>
 <span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text3.replace("−", "-")} aria-label=${named({ label, unit })} disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
@@ -11130,47 +11195,12 @@ ${further}</div>`;
     const rows = lines3.map(
       ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`
     );
-    return html`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
+    const summary = tr("Table: {quantity}", { quantity: named(facts) });
+    return html`<details class="carts-more carts-map-table"><summary>${summary}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead>
 ${second && across3}
 <tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads2.map((cell2) => html`<th scope="col">${cell2}</th>`)}</tr></thead>
 <tbody>${rows}</tbody></table></div></details>`;
-  }
-
-  // ../view/language.js
-  var catalogue = globalThis.cartsWords ?? {};
-  var FORMS = "\0";
-  var RULE = catalogue["\0"] ?? "";
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function counted(one, more, n, values = {}) {
-    return filled(form(one, more, n), { n, ...values });
-  }
-  function form(one, more, n) {
-    const ours = catalogue[more]?.split(FORMS);
-    if (!ours) return n === 1 ? one : more;
-    const english = n === 1 ? 0 : 1;
-    const asked = RULE ? Number(RULE[n < RULE.length ? n : 100 + n % 100]) : english;
-    return String(ours[Math.min(asked, ours.length - 1)]);
-  }
-  function told2(sentence) {
-    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
-    const values = Object.entries(sentence.values).map(([name, value]) => [name, told2(value)]);
-    const { code, one } = sentence;
-    const n = Number(String(sentence.values.n).replace(/,/g, ""));
-    const template = one ? form(one, code, n) : catalogue[code] ?? code;
-    return filled(template, Object.fromEntries(values));
-  }
-  function inRow(parts2) {
-    const [head = "", ...tail3] = parts2;
-    return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
-  }
-  function ended(sentence) {
-    return tr("{sentence}.", { sentence });
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // ../view/measured/units.js
@@ -11185,7 +11215,7 @@ ${second && across3}
     ...assumed.flatMap(
       (kind2) => chosen?.[kind2] ? tr("{letter} in {unit} (as chosen)", { letter: QUANTITY[kind2][0], unit: chosen[kind2] }) : []
     ),
-    ...read.map(told2)
+    ...read.map(told)
   ];
   function heads(read) {
     const left = open(read);
@@ -11860,13 +11890,13 @@ ${table3(facts)}
     return { name: kind2, row: LAST, ...VIEWS[kind2] };
   }
   function nameOf({ kind: kind2, called }) {
-    const name = VIEWS[kind2]?.name ?? (called && told2(called));
+    const name = VIEWS[kind2]?.name ?? (called && told(called));
     if (!name) throw new Error(`nobody describes an effect of the kind “${kind2}”`);
     return name;
   }
   function agent(effect) {
     const named2 = effect.by || effect.agent;
-    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told2(named2) : nameOf(effect));
+    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told(named2) : nameOf(effect));
   }
   function actsAt(effect, t) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
@@ -15699,7 +15729,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html2("p", "", told2(message)))
+        ...header.warnings.map(({ message }) => html2("p", "", told(message)))
       );
     }
     #offerWindows() {

@@ -1520,7 +1520,7 @@
   var SMALLER = 2;
   var EXACT = 12;
   function valueText(value, { low, high }) {
-    if (Number.isNaN(value)) return "no value";
+    if (Number.isNaN(value)) return tr("no value");
     const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
     const text2 = fixed(value, Math.min(decimalsFor(value || 1), most));
     return /[1-9]/.test(text2) ? text2 : fixed(0, most - SMALLER);
@@ -1533,7 +1533,7 @@
     return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
   }
   function named({ label, unit }) {
-    return unit ? `${label} in ${unit}` : label;
+    return unit ? tr("{label} in {unit}", { label, unit }) : label;
   }
 
   // ../view/map/figure.js
@@ -1641,18 +1641,18 @@ ${second && bar(facts)}
   function inside(facts, draw, picture) {
     const { id, title, why } = draw;
     return html2`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-map-body">
-<div class="carts-map-figure" role="group" aria-label="${facts.label} in ${facts.unit}">
+<div class="carts-map-figure" role="group" aria-label=${named(facts)}>
 ${under(facts, picture)}
 ${over(facts, draw)}
 </div>
 ${side(facts, draw)}
 </div>
 ${table(facts, draw)}
-<details class="carts-more carts-map-model"><summary>How this was computed</summary><p class="carts-map-why">${why}</p></details>
-<noscript><p class="carts-noscript">The picture and the table show the values. Asking single points needs JavaScript.</p></noscript>
+<details class="carts-more carts-map-model"><summary>${tr("How this was computed")}</summary><p class="carts-map-why">${why}</p></details>
+<noscript><p class="carts-noscript">${tr("The picture and the table show the values. Asking single points needs JavaScript.")}</p></noscript>
 </div>`;
   }
   var valueAt = ({ values }, place4) => values[place4] ?? Number.NaN;
@@ -1689,19 +1689,20 @@ ${table(facts, draw)}
     const ids = axes2.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
     const at = valueText(facts.at ?? Number.NaN, facts);
     return html2`<div class="carts-map-side">
-<p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
-<p class="carts-heading">One point of the map</p>
+<p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>${tr("Open the map")}</button> <span class="carts-map-wait" hidden>${tr("The map is a picture until you open it. Then every point can be asked for its value.")}</span></p>
+<p class="carts-heading">${tr("One point of the map")}</p>
 ${points}<p class="carts-map-value"><span>${label}</span> <output class="carts-map-number" for=${ids}>${facts.at === null ? at : `${at} ${unit}`}</output></p>
-<progress class="carts-map-progress" max="1" value="1" aria-label="points computed"></progress>
-${of && html2`<p class="carts-map-start"><button type="button" class="carts-button carts-map-run" disabled>Run this point</button> <a href="#${of}">the scene</a></p>`}
-${controls.length > 0 && html2`<p class="carts-heading">All points of the map</p>`}
+<progress class="carts-map-progress" max="1" value="1" aria-label=${tr("points computed")}></progress>
+${of && html2`<p class="carts-map-start"><button type="button" class="carts-button carts-map-run" disabled>${tr("Run this point")}</button> <a href="#${of}">${tr("the scene")}</a></p>`}
+${controls.length > 0 && html2`<p class="carts-heading">${tr("All points of the map")}</p>`}
 ${further}</div>`;
   }
   function slider({ id, set, label, unit, range, text: text2 }, more) {
     const box = `${id}-${set.replaceAll(".", "-")}`;
+    const spoken = tr("{label}, slider", { label });
     return html2`<div class="carts-control${more}" data-set=${set}>
 <label for=${box}>${label}</label>
-<input type="range" class="carts-slider" ${range} aria-label="${label}, slider" aria-valuetext=${`${text2} ${unit}`.trim()} disabled>
+<input type="range" class="carts-slider" ${range} aria-label=${spoken} aria-valuetext=${`${text2} ${unit}`.trim()} disabled>
 <span class="carts-typed"><input type="text" class="carts-number-box" id=${box} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2.replace("−", "-")} aria-label=${named({ label, unit })} disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
@@ -1721,7 +1722,8 @@ ${further}</div>`;
     const rows = lines3.map(
       ([name, ...cells]) => html2`<tr><th scope="row">${name}</th>${cells.map((cell) => html2`<td>${cell}</td>`)}</tr>`
     );
-    return html2`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
+    const summary = tr("Table: {quantity}", { quantity: named(facts) });
+    return html2`<details class="carts-more carts-map-table"><summary>${summary}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead>
 ${second && across2}
 <tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads2.map((cell) => html2`<th scope="col">${cell}</th>`)}</tr></thead>
