@@ -31,7 +31,7 @@ from sim.measured.refusal import FitError, ReadingError
 from sim.measured.same_ratio import same_ratio
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between
-from sim.measured.words_of_effects import head_of
+from sim.measured.words.effects import head_of
 
 MOST_FITTED = 700
 """Readings of a cart that the whole model is fitted to; of more, every second or third is taken."""

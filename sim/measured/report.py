@@ -18,10 +18,10 @@ from sim.measured.model.motion import Motion
 from sim.measured.model.quantity import Known, Untold
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
-from sim.measured.words import LAWS, of_balance, of_fit, of_interval, of_loss
-from sim.measured.words_of_effects import of_effects
-from sim.measured.words_of_forces import of_pair
-from sim.measured.words_of_phones import of_clocks, of_phones
+from sim.measured.words.effects import of_effects
+from sim.measured.words.fit import LAWS, of_balance, of_fit, of_interval, of_loss
+from sim.measured.words.forces import of_pair
+from sim.measured.words.phones import of_clocks, of_phones
 from sim.scene.said import said
 
 FORMAT = 1

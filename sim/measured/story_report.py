@@ -19,7 +19,7 @@ from sim.measured.model.quantity import Untold
 from sim.measured.refusal import FitError
 from sim.measured.report import FORMAT, motion_report, row_of
 from sim.measured.tracks import Measured
-from sim.measured.words import LAWS, of_balance, of_law
+from sim.measured.words.fit import LAWS, of_balance, of_law
 from sim.scene.said import said
 
 Masses = Mapping[str, float]

@@ -16,7 +16,7 @@ from sim.measured.model.known import told
 from sim.measured.model.motion import Motion, Parameters
 from sim.measured.report import motion_report
 from sim.measured.tracks import Measured
-from sim.measured.words import of_balance
+from sim.measured.words.fit import of_balance
 from tests.measured.cramer_rao import bound
 from tests.measured.makers import TOLD, film, random_truth, truth
 

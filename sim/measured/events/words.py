@@ -9,7 +9,7 @@ from sim.measured.events.momentum import Momentum
 from sim.measured.events.rungs import Rung
 from sim.measured.events.sides import Speeds
 from sim.measured.events.story import Story
-from sim.measured.words import places_for, with_half
+from sim.measured.words.fit import places_for, with_half
 from sim.scene.notation import number
 from sim.scene.said import Said, commas, joined, said
 

@@ -10,10 +10,9 @@ from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests.reference.effects import integrate
 
-
 SUMMED = 1e-13
-"""Relative. The method's stages are summed by numpy, in an order that the processor decides: on some
-the two halves of a mirrored row are equal to the last bit, on some to the last two."""
+"""Relative. The method's stages are summed by numpy, in an order that the processor decides: on
+some the two halves of a mirrored row are equal to the last bit, on some to the last two."""
 
 
 def mirrored_row() -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from sim.measured.third_law import SCATTERED, Pair
-from sim.measured.words import SYNTHETIC, places_for, with_half
+from sim.measured.words.fit import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
 from sim.scene.said import joined, said
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sim.measured.third_law import Pair
-from sim.measured.words import SYNTHETIC, places_for, with_half
+from sim.measured.words.fit import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
 from sim.scene.said import said
 
