@@ -854,9 +854,10 @@
   // src/class/staying.js
   function stay(classroom, signal) {
     const drop = (event) => {
-      if (event.defaultPrevented) return;
+      const { defaultPrevented, dataTransfer } = event;
+      if (defaultPrevented || !dataTransfer?.types.includes("Files")) return;
       event.preventDefault();
-      if (event.dataTransfer) event.dataTransfer.dropEffect = "none";
+      dataTransfer.dropEffect = "none";
     };
     addEventListener("dragover", drop, { signal });
     addEventListener("drop", drop, { signal });

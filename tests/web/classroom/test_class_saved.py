@@ -67,6 +67,7 @@ def test_everything_can_be_deleted(page: Page) -> None:
 
 BESIDE = """() => ["dragover", "drop"].map((kind) => {
   const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File(["{}"], "a.json"));
   const event = new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer });
   return !document.querySelector("h1").dispatchEvent(event);
 })"""

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.figures.law_writing import SPRING, STARTS, bench, opened, press, write
-from tests.web.runtime.booted import HURRIED
+from tests.web.runtime.booted import hurried
 
 __all__ = ["bench"]  # a fixture
 
@@ -49,7 +49,7 @@ def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
 def test_where_python_starts_slowly_a_law_is_given_longer(open_page: OpenPage, bench: Path) -> None:
     """Four seconds are ten usual laws here, and one on a laptop that has become old."""
     page = opened(open_page, bench)
-    page.evaluate(HURRIED)
+    page.evaluate(hurried(12))  # a start of a quarter of a second is three, and three are slow
     write(page, SLOW)
     press(page, "Judge")
     expect(page.locator(".carts-law-fault")).to_contain_text(

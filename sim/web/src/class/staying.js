@@ -4,9 +4,10 @@
 export function stay(classroom, signal) {
   /** A file that is dropped beside a field: the browser would open it in place of the page. @param {DragEvent} event */
   const drop = (event) => {
-    if (event.defaultPrevented) return; // a field takes it
+    const { defaultPrevented, dataTransfer } = event; // prevented: a field takes it
+    if (defaultPrevented || !dataTransfer?.types.includes("Files")) return; // words go into any box
     event.preventDefault();
-    if (event.dataTransfer) event.dataTransfer.dropEffect = "none";
+    dataTransfer.dropEffect = "none";
   };
   addEventListener("dragover", drop, { signal });
   addEventListener("drop", drop, { signal });
