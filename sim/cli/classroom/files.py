@@ -18,27 +18,27 @@ MOST_ZIP = MOST_UNPACKED
 def tables_in(paths: Iterable[Path]) -> Iterator[Path]:
     """Tables of marks that lie in named folders: who reads answer files passes over them."""
     for folder in filter(Path.is_dir, paths):
-        yield from sorted(p for p in folder.iterdir() if p.suffix.lower() in OF_TABLES)
+        yield from _inside(folder, OF_TABLES)
 
 
 def sources(paths: Iterable[Path]) -> Iterator[Source]:
     """Files as they are named, folders with all answer files and zips in them."""
     for path in paths:
         if path.is_dir():
-            yield from map(_source, _inside(path))
+            yield from map(_source, _inside(path, ENDINGS))
         else:
             yield _source(path)
 
 
-def _inside(folder: Path) -> Iterator[Path]:
-    """Files with one of the endings, sorted; of 100,000 one folder's names are held, no tree."""
+def _inside(folder: Path, endings: Sequence[str]) -> Iterator[Path]:
+    """Files with one of these endings, sorted; of 100,000 one folder's names are held, no tree."""
     with os.scandir(folder) as found:
         names = sorted((entry.name, entry.is_dir(follow_symlinks=False)) for entry in found)
     for name, is_folder in names:
         path = folder / name
         if is_folder:
-            yield from _inside(path)
-        elif path.suffix.lower() in ENDINGS and path.is_file():
+            yield from _inside(path, endings)
+        elif path.suffix.lower() in endings and path.is_file():
             yield path
 
 
