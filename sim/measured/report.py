@@ -48,15 +48,15 @@ def motion_report(
     known = [one for one in judged if isinstance(one, Known)]
     untold += [one for one in judged if isinstance(one, Untold)]
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
-    said = [
+    sentences = [
         *of_effects(compared, names),
         *of_loss(share if ratio else 0.0),
         *of_fit(fit, names, compared, synthetic=measured.synthetic),
     ]
     if balance := of_balance(ratio, masses, names, synthetic=measured.synthetic):
-        said.insert(0, balance)
+        sentences.insert(0, balance)
     first, last = span(measured)
-    lines = scene_lines(fit, names, (first, last), mass)
+    lines, notes = scene_lines(fit, names, (first, last), mass), remarks(fit, mass)
     return {
         "format": FORMAT,
         "kind": "motion",
@@ -80,9 +80,9 @@ def motion_report(
             for row in compared
         ],
         "calls_for": called_for(list(compared)) if compared else None,
-        "sentences": said,
-        "scene": scene_text(lines, remarks(fit, mass)),
-        "fence": fence(lines, FENCE_ID, remarks(fit, mass)),
+        "sentences": sentences,
+        "scene": scene_text(lines, notes),
+        "fence": fence(lines, FENCE_ID, notes),
     }
 
 

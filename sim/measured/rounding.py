@@ -81,9 +81,11 @@ def common_step(values: Sequence[float]) -> float:
     """What all differences are whole numbers of; 0 where there is nothing. Without numpy, for
     pages that compare forces."""
     told = sorted(set(values))
-    gaps = [b - a for a, b in itertools.pairwise(told) if b - a > SAME * (told[-1] - told[0])]
+    near = SAME * (told[-1] - told[0]) if told else 0.0
+    gaps = [b - a for a, b in itertools.pairwise(told) if b - a > near]
+    least = min(gaps, default=0.0)
     for share in range(1, SHARES + 1 if gaps else 1):
-        counts = [gap * share / min(gaps) for gap in gaps]
+        counts = [gap * share / least for gap in gaps]
         whole = [round(count) for count in counts]
         if all(abs(c - w) < WHOLE * share for c, w in zip(counts, whole, strict=True)):
             return math.fsum(gaps) / sum(whole)

@@ -76,20 +76,20 @@ def third_law(measured: Measured) -> Pair:
     times: each may count from its own start.
     """
     first, second = measured.tracks
-    phones = measured.kind == "acceleration"
-    if phones or second.t[0] > first.t[-1] or first.t[0] > second.t[-1]:
+    apart = second.t[0] > first.t[-1] or first.t[0] > second.t[-1]
+    if apart or measured.kind == "acceleration":
         return _compared(*aligned(measured))
+    if not measured.two_files:
+        return _compared(measured)
     try:
         found = _compared(measured)
     except FitError as why:
         with suppress(FitError):
-            if measured.two_files:
-                return _compared(*aligned(measured))
+            return _compared(*aligned(measured))
         raise why from None
-    if not measured.two_files or found.ratio_half <= SCATTERED:
-        return found
-    with suppress(FitError):
-        found = min(found, _compared(*aligned(measured)), key=lambda one: one.ratio_half)
+    if found.ratio_half > SCATTERED:
+        with suppress(FitError):
+            found = min(found, _compared(*aligned(measured)), key=lambda one: one.ratio_half)
     return found
 
 

@@ -61,14 +61,13 @@ class WorldField(Field):
         if pushed == 0.0:
             self.shares.pop(gap, None)
             return EVEN
-        two = (pair.left, pair.right)
-        if None in two:  # a wall has no mass to compare, and nothing that tells what became of it
+        a, b = pair.left, pair.right
+        if a is None or b is None:  # a wall has no mass that could be compared
             return EVEN
         if gap not in self.shares:
-            masses = tuple(math.inf if k is None else self.mass[k] for k in two)
-            speeds = tuple(0.0 if k is None else float(v[k]) for k in two)
-            outside = tuple(0.0 if k is None else self._acting_on(k, v) for k in two)
-            self.shares[gap] = self.world.shares(masses, speeds, outside)  # type: ignore[arg-type]
+            speeds = (float(v[a]), float(v[b]))
+            outside = (self._acting_on(a, v), self._acting_on(b, v))
+            self.shares[gap] = self.world.shares((self.mass[a], self.mass[b]), speeds, outside)
             self.hits[gap] = 0 if abs(speeds[0]) >= abs(speeds[1]) else 1
         return self.shares[gap]
 

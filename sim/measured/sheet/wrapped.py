@@ -29,11 +29,13 @@ def counted_on(table: Table) -> tuple[Table, list[str]]:
     columns, notes = [], []
     for column in table.columns:
         row, period = _anew(column) if holds_times(column.name, column.unit) else (0, 0.0)
-        if period:
-            line = in_line(table.lines[row])
-            notes.append(said("the clock begins anew in {line} and is counted on", line=line))
-        values = [v + period if v is not None and k >= row else v
-                  for k, v in enumerate(column.values)] if period else column.values  # fmt: skip
+        if not period:
+            columns.append(column)
+            continue
+        line = in_line(table.lines[row])
+        notes.append(said("the clock begins anew in {line} and is counted on", line=line))
+        told = enumerate(column.values)
+        values = (v + period if v is not None and k >= row else v for k, v in told)
         columns.append(replace(column, values=tuple(values)))
     return replace(table, columns=tuple(columns)), list(dict.fromkeys(notes))
 

@@ -77,6 +77,11 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     run = _kept(json.dumps(untitled, ensure_ascii=False))
     if run.header["ok"]:
         return Run(run.header | {"title": title}, run.numbers)
+    return problems_of(run.header)
+
+
+def problems_of(header: Mapping[str, Any]) -> list[Problem]:
+    """Why a request was refused."""
     return [
         Problem(
             tuple(row["path"]),
@@ -84,7 +89,7 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
             from_wire(row["message"]),
             from_wire(row.get("hint", "")),
         )
-        for row in run.header["problems"]
+        for row in header["problems"]
     ]
 
 

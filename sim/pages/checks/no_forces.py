@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sim.scene import Fence, Problem
+from sim.scene.fence.predict import for_a_time
 from sim.scene.reading.effects import all_effects
 
 OF_FORCES = ("free-body", "lens")
@@ -36,6 +37,4 @@ def no_forces(fence: Fence) -> list[Problem]:
 
 def _any_force(fence: Fence) -> bool:
     """Whether two push or pull each other for some time, or could."""
-    scene = fence.scene
-    lasting = [contact for contact in scene.contacts if contact and not contact.sudden]
-    return bool(lasting) or any(effect.between for effect in all_effects(fence.plain, scene))
+    return bool(for_a_time(fence.scene, all_effects(fence.plain, fence.scene)))

@@ -14,7 +14,7 @@ from typing import Any
 
 from sim.pages.cost.block import USUAL_TITLE, CostBlock
 from sim.pages.drawing import draw
-from sim.pages.language import mark, told
+from sim.pages.language import mark, told, told_if_ours
 from sim.pages.templates import element
 from sim.scene import read_scene
 from sim.scene.said import from_wire, said
@@ -37,7 +37,7 @@ def render_cost(block: CostBlock) -> str:
         "cost",
         {
             "id": block.id,
-            "title": told(block.title) if block.title == USUAL_TITLE else block.title,
+            "title": told_if_ours(block.title, USUAL_TITLE),
             "names": dict(block.names),
             "measured": "",
             **known,

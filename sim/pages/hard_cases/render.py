@@ -12,7 +12,7 @@ from sim.pages.hard_cases import GROUPS
 from sim.pages.hard_cases.block import TITLE, HardCasesBlock
 from sim.pages.hard_cases.measured import measured, request
 from sim.pages.hard_cases.row import HardCase
-from sim.pages.language import told
+from sim.pages.language import told, told_if_ours
 from sim.pages.templates import element
 
 
@@ -24,7 +24,7 @@ def render_hard_cases(block: HardCasesBlock) -> str:
         {"name": told(name), "rows": [_row(case, known[case.name]) for case in cases]}
         for name, cases in GROUPS
     ]
-    title = told(block.title) if block.title == TITLE else block.title
+    title = told_if_ours(block.title, TITLE)
     inside = draw("hard", {"id": block.id, "title": title, "groups": groups})
     return element("hard", block.id, inside, facts)
 

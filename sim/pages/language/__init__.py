@@ -19,7 +19,16 @@ from sim.pages.language.catalogue import (
     words_of,
     words_script,
 )
-from sim.pages.language.say import mark, speaking, spoken, told, tr, tr_counted, tr_html
+from sim.pages.language.say import (
+    mark,
+    speaking,
+    spoken,
+    told,
+    told_if_ours,
+    tr,
+    tr_counted,
+    tr_html,
+)
 
 __all__ = [
     "ENGLISH",
@@ -34,6 +43,7 @@ __all__ = [
     "speaking",
     "spoken",
     "told",
+    "told_if_ours",
     "tr",
     "tr_counted",
     "tr_html",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -88,21 +88,13 @@ def words(language: str) -> Mapping[str, str]:
 
 def words_of(language: str, folders: tuple[str, ...]) -> dict[str, str]:
     """Those of `words` that the sources in these folders say."""
-    return {
-        key: said
-        for key, (said, places) in _entries(language).items()
-        if any(place.startswith(folders) for place in places)
-    } | _rule(language)
+    return _where(language, lambda places: _any_in(places, folders)) | _rule(language)
 
 
 @cache
 def words_script(language: str) -> str:
     """A script that gives the page its words; "" where it needs none."""
-    found = {
-        key: said
-        for key, (said, places) in _entries(language).items()
-        if any(map(_in_page, places))
-    }
+    found = _where(language, lambda places: any(map(_in_page, places)))
     if not found:
         return ""
     return f"globalThis.cartsWords={_as_json(found | _rule(language))};\n"
@@ -112,13 +104,18 @@ def words_script(language: str) -> str:
 def own_words_script(element: str, language: str) -> str:
     """A script that adds what only pages with an element of `OWN` say; it stands behind the other
     one."""
-    found = {
-        key: said
-        for key, (said, places) in _entries(language).items()
-        if any(place.startswith(OWN[element]) for place in places)
-        and not any(map(_in_page, places))
-    }
+    own = OWN[element]
+    found = _where(language, lambda places: _any_in(places, own) and not any(map(_in_page, places)))
     return f"Object.assign(globalThis.cartsWords,{_as_json(found)});\n" if found else ""
+
+
+def _where(language: str, fits: Callable[[tuple[str, ...]], bool]) -> dict[str, str]:
+    """The words whose places in the sources fit."""
+    return {key: said for key, (said, places) in _entries(language).items() if fits(places)}
+
+
+def _any_in(places: tuple[str, ...], folders: tuple[str, ...]) -> bool:
+    return any(place.startswith(folders) for place in places)
 
 
 def _as_json(found: Mapping[str, str]) -> str:

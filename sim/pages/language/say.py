@@ -46,6 +46,11 @@ def told(text: str) -> str:
     return in_words(text, _words.get())
 
 
+def told_if_ours(text: str, ours: str) -> str:
+    """A text of ours in this language; another, which an author wrote, as it stands."""
+    return told(text) if text == ours else text
+
+
 def mark(sentence: str) -> str:
     """Says that a sentence is for the catalogues; it is translated later, where it is told."""
     return sentence

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.blocks.bake import bake
+from sim.pages.blocks.bake import bake, problems_of
 from sim.scene import Problem, SceneError, apply_changes
 from sim.scene.fence.map import Map
 from sim.scene.said import from_wire
@@ -80,12 +80,7 @@ def _computed(
     request = {"id": 0, "kind": "map", "map": plain, "set": changes}
     header, values = answer(request)
     if not header["ok"]:
-        return [
-            Problem(
-                tuple(row["path"]), row["code"], from_wire(row["message"]), from_wire(row["hint"])
-            )
-            for row in header["problems"]
-        ]
+        return problems_of(header)
     while header["done"] < header["runs"]:
         header, found = answer({**request, "from": header["done"]})
         half = len(found) // 2

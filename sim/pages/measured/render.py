@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from sim.measured.units import OFFERED
-from sim.pages.language import told
+from sim.pages.language import told_if_ours
 from sim.pages.measured.block import USUAL_TITLE, MeasuredBlock
 from sim.pages.templates import element
 
@@ -18,7 +18,7 @@ def render_measured(block: MeasuredBlock, *, drawn: bool = True) -> str:
     """HTML of the element. Not `drawn`: for a page that draws it itself."""
     facts = {
         "id": block.id,
-        "title": told(block.title) if block.title == USUAL_TITLE else block.title,
+        "title": told_if_ours(block.title, USUAL_TITLE),
         "name": block.name,
         "text": block.text,
         "units": _units(block),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from sim.scene.effects import Effect
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
 from sim.scene.prose import PROSE
@@ -143,9 +144,11 @@ def _arrows(
         named = "" if isinstance(strange, (dict, list, tuple)) else str(strange)
         problems.append(_no_pair(named, names, path))
         return None
-    sudden = [pair for pair in pairs if pair not in _for_a_time(scene)]
+    known = [pair for pair in pairs if pair is not None]
+    lasting = for_a_time(scene, scene.effects)
+    sudden = next((pair for pair in known if pair not in lasting), None)
     if sudden:
-        a, b = sudden[0] or ("", "")
+        a, b = sudden
         message = f"{a} and {b} push each other at one instant: their force has no size to predict"
         hint = "predict velocities, or take a contact with a duration: law: bumper"
         problems.append(Problem(path, "not-for-this-law", message, hint))
@@ -153,14 +156,15 @@ def _arrows(
     return Predict(
         kind="arrows",
         ask=ask or said("How long is each force arrow when the two push hardest on each other?"),
-        pairs=tuple(pair for pair in pairs if pair is not None),
+        pairs=tuple(known),
     )
 
 
-def _for_a_time(scene: Scene) -> set[tuple[str, str]]:
-    """Neighbours that may push each other for a time, not at one instant alone."""
+def for_a_time(scene: Scene, effects: Iterable[Effect]) -> set[tuple[str, str]]:
+    """Neighbours that may push each other for a time, not at one instant alone, by a contact or by
+    one of these effects."""
     lasting = {scene.names_at(k) for k, one in enumerate(scene.contacts) if one and not one.sudden}
-    return lasting | {effect.between for effect in scene.effects if effect.between}
+    return lasting | {effect.between for effect in effects if effect.between}
 
 
 def _no_pair(key: str, names: Mapping[str, tuple[str, str]], path: Path) -> Problem:
@@ -194,7 +198,7 @@ def _curve(
         hint = f"curve: v.{cart}, or another cart or a wall for it to meet"
         problems.append(Problem(path, "no-contact", message, hint))
         return None
-    if quantity == "F" and not any(cart in two for two in _for_a_time(scene)):
+    if quantity == "F" and not any(cart in two for two in for_a_time(scene, scene.effects)):
         message = f"nothing pushes {cart} for a time here: its force has no course to predict"
         hint = f"curve: v.{cart}, or a contact with a duration: law: bumper"
         problems.append(Problem(path, "not-for-this-law", message, hint))
