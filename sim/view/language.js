@@ -57,6 +57,12 @@ export function inRow(parts) {
   return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
 }
 
+/** @param {string[]} sentences @returns {string} one after the other, as one; empty ones are left out */
+export function joined(sentences) {
+  const [head = "", ...tail] = sentences.filter(Boolean);
+  return tail.reduce((first, then) => tr("{first} {then}", { first, then }), head);
+}
+
 /** @param {string} sentence @returns {string} with the full stop of the reader's language */
 export function ended(sentence) {
   return tr("{sentence}.", { sentence });

@@ -3,7 +3,7 @@
  * comes out is read from the rows that were measured, so a guess can be made again for another scene.
  */
 
-import { tr } from "../language.js";
+import { joined, tr } from "../language.js";
 import { html } from "../markup.js";
 import { short, superscript } from "../numbers.js";
 import { METHODS, stepping } from "./methods.js";
@@ -60,7 +60,7 @@ export function verdict(rows, { error, bet, times }) {
     bet && ofChoice(label(bet), bet === best.method, cheapest(rows, bet, error)),
   ];
   if (Number.isFinite(times)) parts.push(tr("You said {ratio} times.", { ratio: short(times) }));
-  return parts.filter(Boolean).reduce((said, then) => tr("{first} {then}", { first: said, then }));
+  return joined(parts);
 }
 
 /** @param {string} method in words @param {boolean} best @param {CostRow | undefined} own its cheapest row that is right enough */

@@ -3,6 +3,7 @@
 import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { px } from "../numbers.js";
+import { liveMark } from "../skeleton/mark.js";
 import { breaksPart } from "./breaks.js";
 import {
   BOTTOM,
@@ -40,7 +41,7 @@ export function inside({ id, title, names, measured, rows, floor, digits = {}, r
   );
   const said = measured && tr("Measured {when}.", { when: measured });
   return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 ${choice(names)}
 <div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label=${tr("the carts as stepped, and exactly as dashed outlines")}></svg></div>

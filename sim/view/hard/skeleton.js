@@ -3,6 +3,7 @@
 import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { short } from "../numbers.js";
+import { liveMark } from "../skeleton/mark.js";
 import { exactCell, expectedLines, METHODS, steppedCell } from "./words.js";
 
 /** @typedef {import("./words.js").Wanted} Wanted */
@@ -22,7 +23,7 @@ export function inside({ id, title, groups }) {
   const all = tr("Run all {n} here", { n: count });
   const methods = Object.values(METHODS).map((name) => html`<th scope="col">${name}</th>`);
   return html`<div class="carts-hard-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>${all}</button> <button type="button" class="carts-button carts-hard-stop" hidden>${tr("Stop")}</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label=${tr("cases run")} hidden></progress> <span class="carts-hard-say" role="status"></span></p>
 <table class="carts-hard-table">

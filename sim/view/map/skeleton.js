@@ -6,6 +6,7 @@
 import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { decimalsOf, fixed } from "../numbers.js";
+import { liveMark } from "../skeleton/mark.js";
 import { BOTTOM, curve, heightOf, LEFT, RIGHT, TOP, under, WIDTH } from "./figure.js";
 import { tableOf } from "./table.js";
 import { axisDecimals, named, shown, valueText } from "./words.js";
@@ -17,7 +18,7 @@ import { axisDecimals, named, shown, valueText } from "./words.js";
 export function inside(facts, draw, picture) {
   const { id, title, why } = draw;
   return html`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-map-body">
 <div class="carts-map-figure" role="group" aria-label=${named(facts)}>

@@ -5,6 +5,7 @@
 
 import { counted, tr } from "../language.js";
 import { html } from "../markup.js";
+import { liveMark } from "../skeleton/mark.js";
 import { tableOf } from "./table.js";
 import { howRead, semicolons } from "./units.js";
 
@@ -37,7 +38,7 @@ export function inside(facts) {
   const { id, title } = facts;
   const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">${tr("Open a file or a film, drop it here, or type readings.")}</text>`;
   return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
 <div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
@@ -93,9 +94,9 @@ function model({ id, law }) {
     ([key, text, unit]) =>
       html`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text()}</label><input type="range" class="carts-measured-slide" aria-label=${text()} disabled><span class="carts-measured-typed"><input type="text" id="${id}-${key}" inputmode=${SIGNED.includes(key) ? "text" : "decimal"} autocomplete="off" disabled> ${unit}</span></div>`,
   );
-  const laws = ["bumper", "paper"].map(
-    (name) =>
-      html`<option value=${name}${law === name && html` selected`}>${LAWS[name]?.()}</option>`,
+  const laws = Object.entries(LAWS).map(
+    ([name, text]) =>
+      html`<option value=${name}${law === name && html` selected`}>${text()}</option>`,
   );
   return html`<div class="carts-measured-model" hidden>
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>

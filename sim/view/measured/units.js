@@ -1,5 +1,6 @@
 /** Columns that name no unit: what was chosen for them, and what is still to be chosen. */
 
+import { listed } from "../bodies.js";
 import { told, tr } from "../language.js";
 
 /** @typedef {import("./types.js").Read} Read */
@@ -24,10 +25,9 @@ const open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
 
 /** What is asked for. @param {Read} read @returns {string} empty: nothing */
 export function missing(read) {
-  const [one, other] = open(read).map((kind) => CHOOSE[kind]());
-  if (!one) return "";
-  const what = other ? tr("{first} and {last}", { first: one, last: other }) : one;
-  return tr("This file does not say its units. Choose {what}.", { what });
+  const left = open(read).map((kind) => CHOOSE[kind]());
+  if (!left.length) return "";
+  return tr("This file does not say its units. Choose {what}.", { what: listed(left) });
 }
 
 /** How it was read. @param {Read} read @returns {string[]} */

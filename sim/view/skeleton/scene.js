@@ -9,6 +9,7 @@ import { fixed, short } from "../numbers.js";
 import { motion } from "../words.js";
 import { near, views } from "./beside.js";
 import { graph } from "./graph.js";
+import { liveMark } from "./mark.js";
 import { panel } from "./panel.js";
 import { predict } from "./predict.js";
 import { stage } from "./stage.js";
@@ -35,7 +36,7 @@ export function inside(baked, found = false) {
     ? tr("Make your prediction on paper. The run needs JavaScript.")
     : tr("The picture shows the start. Playing the run needs JavaScript.");
   return html`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described ${id}-keys">
 ${view.layouts.map((layout) => stage(baked, layout))}

@@ -65,6 +65,10 @@
     const [head = "", ...tail3] = parts2;
     return tail3.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
   }
+  function joined(sentences) {
+    const [head = "", ...tail3] = sentences.filter(Boolean);
+    return tail3.reduce((first, then) => tr("{first} {then}", { first, then }), head);
+  }
   function ended(sentence) {
     return tr("{sentence}.", { sentence });
   }
@@ -830,7 +834,7 @@
       bet && ofChoice(label(bet), bet === best.method, cheapest(rows, bet, error))
     ];
     if (Number.isFinite(times2)) parts2.push(tr("You said {ratio} times.", { ratio: short(times2) }));
-    return parts2.filter(Boolean).reduce((said, then) => tr("{first} {then}", { first: said, then }));
+    return joined(parts2);
   }
   function ofChoice(method, best, own) {
     if (best) return tr("As you said.");
@@ -873,7 +877,12 @@
     if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
-    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+    return { problem: noNumber(text) };
+  }
+  var noNumber = (text) => tr("“{text}” is not a number. Type for example 0.5", { text });
+  function outside({ label, unit }, low, high) {
+    const range = tr("{low} to {high}", { low, high });
+    return tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() });
   }
   var withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
   function tidy(typed) {
@@ -891,6 +900,25 @@
       decimal,
       whole
     });
+  }
+
+  // src/shared/number-box.js
+  function numberIn({ value }) {
+    const read = readTyped(value);
+    return "value" in read ? read.value : null;
+  }
+  function problemIn({ value }) {
+    const read = readTyped(value);
+    if ("text" in read) return noNumber(read.text);
+    return "problem" in read ? read.problem : "";
+  }
+  function complain(box2, problem) {
+    const place4 = box2.closest("label, [data-hand]") ?? box2.parentElement;
+    const told4 = place4.querySelector(".carts-error") ?? html("span", "carts-error");
+    if (!problem) return told4.remove();
+    told4.setAttribute("role", "alert");
+    place4.append(told4);
+    say(told4, problem);
   }
 
   // src/cost/guess.js
@@ -920,9 +948,7 @@
       }
       open2();
       const asked4 = Number(error.value);
-      const read = readTyped(times2.value);
-      const factor = "value" in read ? read.value : Number.NaN;
-      const said = { error: asked4, bet: bet.value, times: factor };
+      const said = { error: asked4, bet: bet.value, times: numberIn(times2) ?? Number.NaN };
       say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
       put(need(root, ".carts-cost-asked"), "d", `M${LEFT2} ${px(yAt(asked4))}H${RIGHT2}`);
     });
@@ -1114,7 +1140,7 @@
     const left = [...refused].map(
       ([method, reason]) => tr("{method}: {reason}.", { method, reason })
     );
-    return left.reduce((first, then) => tr("{first} {then}", { first, then }), just);
+    return joined([just, ...left]);
   }
   var measuredWords = (when) => when ? tr("Measured {when}.", { when }) : tr("Not measured yet.");
   var keptWords = (reason) => tr("{reason} What was prepared stays as it is.", { reason });
@@ -2275,19 +2301,15 @@
     #typed() {
       if (this.box.value === this.#sent) return;
       const at3 = performance.now();
-      const { low, high, unit, label } = this.control;
+      const { low, high, unit } = this.control;
       const read = readTyped(withoutUnit(this.box.value, unit));
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
         return this.change(this.control.set, read.text, at3);
       }
-      if (read.value < low || read.value > high) {
-        const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
-        return this.complain(
-          tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() })
-        );
-      }
+      if (read.value < low || read.value > high)
+        return this.complain(outside(this.control, this.#text(low), this.#text(high)));
       return this.take(read.value, at3);
     }
     #accept(value) {
@@ -2378,11 +2400,8 @@
       if ("problem" in read) return this.#complain(read.problem);
       if ("text" in read)
         return this.#complain(tr("{label}: a number in {unit}, please.", { label, unit }));
-      if (read.value < low || read.value > high) {
-        const ends = { low: fixed(low, decimals), high: fixed(high, decimals) };
-        const range = `${tr("{low} to {high}", ends)} ${unit}`.trim();
-        return this.#complain(tr("{label}: {range}, please.", { label, range }));
-      }
+      if (read.value < low || read.value > high)
+        return this.#complain(outside(this.axis, fixed(low, decimals), fixed(high, decimals)));
       return chosen(this.nearest(read.value, per));
     }
     #complain(message) {
@@ -3743,7 +3762,7 @@
         if (impulse && laws[names.join("-")] === "velcro") {
           return told4(tr("{pair} hit and stay together.", { pair }), shown3, after);
         }
-        if (impulse && joined(event, scale)) return told4(...hitAndGoOn(event, telling2, pair), shown3);
+        if (impulse && joined2(event, scale)) return told4(...hitAndGoOn(event, telling2, pair), shown3);
         if (impulse) {
           return told4(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
         }
@@ -3756,7 +3775,7 @@
       case "peak":
         return peakSentence(event, telling2, laws, bare, pair);
       case "separate": {
-        if (!joined(event, scale)) return told4(tr("{pair} separate.", { pair }), shown3, after);
+        if (!joined2(event, scale)) return told4(tr("{pair} separate.", { pair }), shown3, after);
         const ended3 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
@@ -3800,7 +3819,7 @@
     }
     return bare.has(key) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
   }
-  function joined({ bodies, after }, scale) {
+  function joined2({ bodies, after }, scale) {
     const [left, right] = bodies.map((name) => isWall(name) ? 0 : Number(after[name]));
     return isRest(Number(left) - Number(right), scale);
   }
@@ -4903,25 +4922,6 @@
       (height, k) => `${px(LEFT4 + k * step)} ${px(zero - per * height)}`
     );
     return `M${points.join("L")}`;
-  }
-
-  // src/shared/number-box.js
-  function numberIn({ value }) {
-    const read = readTyped(value);
-    return "value" in read ? read.value : null;
-  }
-  function problemIn({ value }) {
-    const read = readTyped(value);
-    if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
-    return "problem" in read ? read.problem : "";
-  }
-  function complain(box2, problem) {
-    const place4 = box2.closest("label, [data-hand]") ?? box2.parentElement;
-    const told4 = place4.querySelector(".carts-error") ?? html("span", "carts-error");
-    if (!problem) return told4.remove();
-    told4.setAttribute("role", "alert");
-    place4.append(told4);
-    say(told4, problem);
   }
 
   // src/predict/curve-features.js
@@ -6618,7 +6618,7 @@
       // whose force it is tells the line from the cart
     ];
   }
-  function outside(header) {
+  function outside2(header) {
     const { effects, track } = header;
     const sides = ["left", "right"];
     const walls = sides.filter((side) => track[side] === "wall").map((side) => kind(side, track));
@@ -6679,7 +6679,7 @@
           };
       }
     });
-    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
+    if (quantity === "p" && outside2(header)) curves.push(partner(curves, outside2(header)));
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
   }
@@ -7686,8 +7686,8 @@ ${lines4.join("\n")}
     const leftOut = header.notSimulated.map((kind2) => viewOf(kind2).leftOut ?? viewOf(kind2).name);
     const model = tr("In this model: {effects}.", { effects: inside2 });
     if (!leftOut.length) return model;
-    const outside2 = tr("Left out: {effects}.", { effects: inRow(leftOut) });
-    return `${model} ${outside2}`;
+    const outside3 = tr("Left out: {effects}.", { effects: inRow(leftOut) });
+    return `${model} ${outside3}`;
   }
   function phrase(effect, header, numbers) {
     const { kind: kind2, carts, between: between2 } = effect;
@@ -9925,11 +9925,11 @@ ${lines4.join("\n")}
       const [per, unit] = speedUnit(view.velocity);
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
-      const outside2 = x2 < 0 || x2 > layout.width;
-      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at3));
+      const outside3 = x2 < 0 || x2 > layout.width;
+      put(text, "x", px(outside3 ? x2 < 0 ? 8 : layout.width - 8 : at3));
       put(text, "y", px(cart.lane + 5));
-      put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
-      say(text, outside2 ? tr("{name} is outside: {speed}", { name, speed }) : speed);
+      put(text, "text-anchor", outside3 ? x2 < 0 ? "start" : "end" : anchor);
+      say(text, outside3 ? tr("{name} is outside: {speed}", { name, speed }) : speed);
     }
   };
   function drawBox(group2, name, box2) {

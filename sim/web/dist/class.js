@@ -119,6 +119,10 @@
       const { lesson, form: form2, student, item } = mark;
       this.marks.set(JSON.stringify([lesson, form2, codeWord(student), item]), mark);
     }
+    mark(mark) {
+      this.unsaved = true;
+      this.give(mark);
+    }
     name(file, typed) {
       const before = this.#who(file);
       this.unsaved = true;
@@ -596,8 +600,7 @@
       const answer = one.answers[at];
       if (!answer || marks > one.worth) return;
       const { lesson, form: form2, id: item } = one;
-      classroom.unsaved = true;
-      classroom.give({ lesson, form: form2, student: answer.student, item, marks });
+      classroom.mark({ lesson, form: form2, student: answer.student, item, marks });
       at = Math.min(at + 1, one.answers.length - 1);
       show();
       marked();

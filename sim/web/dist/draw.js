@@ -10474,6 +10474,9 @@
 `;
   }
 
+  // ../view/skeleton/mark.js
+  var liveMark = () => html`<span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span>`;
+
   // ../view/cost/breaks.js
   var [WIDTH2, HEIGHT2] = [520, 372];
   var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [62, 10, 510, 322];
@@ -10639,7 +10642,7 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
     );
     const said = measured2 && tr("Measured {when}.", { when: measured2 });
     return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 ${choice(names)}
 <div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label=${tr("the carts as stepped, and exactly as dashed outlines")}></svg></div>
@@ -10800,7 +10803,7 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
     const all = tr("Run all {n} here", { n: count });
     const methods = Object.values(METHODS2).map((name) => html`<th scope="col">${name}</th>`);
     return html`<div class="carts-hard-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>${all}</button> <button type="button" class="carts-button carts-hard-stop" hidden>${tr("Stop")}</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label=${tr("cases run")} hidden></progress> <span class="carts-hard-say" role="status"></span></p>
 <table class="carts-hard-table">
@@ -11114,7 +11117,7 @@ ${second && bar(facts)}
   function inside3(facts, draw, picture2) {
     const { id, title, why } = draw;
     return html`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-map-body">
 <div class="carts-map-figure" role="group" aria-label=${named(facts)}>
@@ -11203,6 +11206,64 @@ ${second && across3}
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
+  // ../view/bodies.js
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
+  }
+  function body(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "body");
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
+  }
+  function brief(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "brief");
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("wall");
+    return name === "left" ? tr("left wall") : tr("right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
+    );
+  }
+  function kind(name, track) {
+    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
+  }
+  function forceOn(on, by) {
+    return tr("force on {on} by {by}", { on, by });
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = inRow(names.slice(0, -1));
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+  function onBy(on, by, track) {
+    return tr("on {on} by {by}", { on: body(on, track), by: body(by, track) });
+  }
+  function dashed(names, track) {
+    return names.map((name) => brief(name, track)).join("–");
+  }
+  function bodiesOf(names, track) {
+    return listed(names.map((name) => body(name, track)));
+  }
+
   // ../view/measured/units.js
   var QUANTITY = {
     time: ["t", "s"],
@@ -11275,7 +11336,7 @@ ${second && across3}
     const { id, title } = facts;
     const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">${tr("Open a file or a film, drop it here, or type readings.")}</text>`;
     return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
 <div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
@@ -11323,8 +11384,8 @@ ${table3(facts)}
     const hands = HANDS.map(
       ([key2, text3, unit]) => html`<div class="carts-measured-hand" data-hand=${key2}><label for="${id}-${key2}">${text3()}</label><input type="range" class="carts-measured-slide" aria-label=${text3()} disabled><span class="carts-measured-typed"><input type="text" id="${id}-${key2}" inputmode=${SIGNED.includes(key2) ? "text" : "decimal"} autocomplete="off" disabled> ${unit}</span></div>`
     );
-    const laws = ["bumper", "paper"].map(
-      (name) => html`<option value=${name}${law === name && html` selected`}>${LAWS[name]?.()}</option>`
+    const laws = Object.entries(LAWS).map(
+      ([name, text3]) => html`<option value=${name}${law === name && html` selected`}>${text3()}</option>`
     );
     return html`<div class="carts-measured-model" hidden>
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
@@ -11343,64 +11404,6 @@ ${table3(facts)}
     const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell2) => html`<td>${cell2}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
     return html`<details class="carts-more carts-measured-table"><summary>${tr("Table of the readings")}</summary><div class="carts-scroll" role="group" tabindex="0" aria-label=${tr("readings")}><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">${counted("and 1 more row", "and {n} more rows", more)}</p>`}</details>`;
-  }
-
-  // ../view/bodies.js
-  var THINGS = {
-    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
-    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
-    board: () => ({ body: tr("the board"), brief: tr("board") })
-  };
-  function isWall(name) {
-    return name === "left" || name === "right";
-  }
-  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
-    return name === "left" ? left_is : right_is;
-  }
-  function body(name, track) {
-    if (!isWall(name)) return name;
-    const thing = thingAt(name, track, "body");
-    if (thing) return thing;
-    if (!hasTwoWalls(track)) return tr("the wall");
-    return name === "left" ? tr("the left wall") : tr("the right wall");
-  }
-  function brief(name, track) {
-    if (!isWall(name)) return name;
-    const thing = thingAt(name, track, "brief");
-    if (thing) return thing;
-    if (!hasTwoWalls(track)) return tr("wall");
-    return name === "left" ? tr("left wall") : tr("right wall");
-  }
-  function hasTwoWalls(track) {
-    return ["left", "right"].every(
-      (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
-    );
-  }
-  function kind(name, track) {
-    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
-  }
-  function thingAt(name, track, form2) {
-    const thing = THINGS[whatIs(name, track)]?.()[form2];
-    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
-    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
-  }
-  function forceOn(on, by) {
-    return tr("force on {on} by {by}", { on, by });
-  }
-  function listed(names) {
-    const [first = "", second] = names;
-    if (second === void 0) return first;
-    const rest = inRow(names.slice(0, -1));
-    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
-  }
-  function onBy(on, by, track) {
-    return tr("on {on} by {by}", { on: body(on, track), by: body(by, track) });
-  }
-  function dashed(names, track) {
-    return names.map((name) => brief(name, track)).join("–");
-  }
-  function bodiesOf(names, track) {
-    return listed(names.map((name) => body(name, track)));
   }
 
   // ../effects/drag/view.js
@@ -11977,7 +11980,7 @@ ${table3(facts)}
         if (impulse && laws[names.join("-")] === "velcro") {
           return told3(tr("{pair} hit and stay together.", { pair }), shown2, after2);
         }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
+        if (impulse && joined2(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
         if (impulse) {
           return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
         }
@@ -11990,7 +11993,7 @@ ${table3(facts)}
       case "peak":
         return peakSentence(event, telling, laws, bare, pair);
       case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
+        if (!joined2(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
         const ended2 = { pair: bodiesOf(names, track) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
@@ -12034,7 +12037,7 @@ ${table3(facts)}
     }
     return bare.has(key2) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
   }
-  function joined({ bodies, after: after2 }, scale) {
+  function joined2({ bodies, after: after2 }, scale) {
     const [left, right] = bodies.map((name) => isWall(name) ? 0 : Number(after2[name]));
     return isRest(Number(left) - Number(right), scale);
   }
@@ -13040,7 +13043,7 @@ ${fence.watch === "first" && html`<button type="button" class="carts-button cart
     );
     const paper = asked ? tr("Make your prediction on paper. The run needs JavaScript.") : tr("The picture shows the start. Playing the run needs JavaScript.");
     return html`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described ${id}-keys">
 ${view.layouts.map((layout) => stage(baked, layout))}

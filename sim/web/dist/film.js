@@ -419,8 +419,9 @@
     if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
-    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+    return { problem: noNumber(text) };
   }
+  var noNumber = (text) => tr("“{text}” is not a number. Type for example 0.5", { text });
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
@@ -445,7 +446,7 @@
   }
   function problemIn({ value }) {
     const read = readTyped(value);
-    if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+    if ("text" in read) return noNumber(read.text);
     return "problem" in read ? read.problem : "";
   }
   var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";

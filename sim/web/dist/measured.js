@@ -33,6 +33,14 @@
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
+  // ../view/bodies.js
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = inRow(names.slice(0, -1));
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
   // ../view/measured/units.js
   var CHOOSE = {
     time: () => tr("what times are in"),
@@ -47,10 +55,9 @@
   };
   var open = ({ assumed, chosen }) => assumed.filter((kind) => !chosen?.[kind]);
   function missing(read) {
-    const [one, other] = open(read).map((kind) => CHOOSE[kind]());
-    if (!one) return "";
-    const what = other ? tr("{first} and {last}", { first: one, last: other }) : one;
-    return tr("This file does not say its units. Choose {what}.", { what });
+    const left = open(read).map((kind) => CHOOSE[kind]());
+    if (!left.length) return "";
+    return tr("This file does not say its units. Choose {what}.", { what: listed(left) });
   }
   var howRead = ({ assumed, chosen, read }) => [
     ...assumed.flatMap(
@@ -247,8 +254,9 @@
     if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text2)) {
       return { text: text2.replace(/(\d),(\d)/, "$1.$2") };
     }
-    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text: text2 }) };
+    return { problem: noNumber(text2) };
   }
+  var noNumber = (text2) => tr("“{text}” is not a number. Type for example 0.5", { text: text2 });
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
@@ -273,7 +281,7 @@
   }
   function problemIn({ value }) {
     const read = readTyped(value);
-    if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+    if ("text" in read) return noNumber(read.text);
     return "problem" in read ? read.problem : "";
   }
   var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";
@@ -1222,14 +1230,6 @@
     place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
   }
 
-  // ../view/bodies.js
-  function listed(names) {
-    const [first = "", second] = names;
-    if (second === void 0) return first;
-    const rest = inRow(names.slice(0, -1));
-    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
-  }
-
   // src/measured/decoded.js
   function decoded(bytes) {
     const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
@@ -1497,9 +1497,7 @@
         if (!bytes) return this.tell(_Source.notRead(file.name) + tr("choose a file that is there."));
         const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
         if ("refused" in found) {
-          const why = found.refused.map(
-            ({ reason, hint: hint2 }) => tr("{reason} ({hint})", { reason: told(reason), hint: told(hint2) })
-          );
+          const why = found.refused.map((fault) => _Source.hinted(file.name, fault));
           return this.tell(_Source.notRead(file.name) + why.join(". "));
         }
         texts.push(found.text);
@@ -1520,6 +1518,10 @@
     }
     static told(name, reason) {
       return told(withPlaces(name, reason));
+    }
+    static hinted(name, { reason, hint: hint2 }) {
+      const found = _Source.told(name, reason);
+      return hint2 ? tr("{reason} ({hint})", { reason: found, hint: told(hint2) }) : found;
     }
     static called(name) {
       return name === TYPED ? tr("typed readings") : name;
@@ -1760,11 +1762,10 @@
     refuse(name, faults, what) {
       const whose = what === "read" ? Source.notRead(name) : "";
       const fit = what !== "" && what !== "read";
-      const rows = faults.map(({ line, reason, hint: hint2 }, k) => {
+      const rows = faults.map((fault, k) => {
         const row = document.createElement("li");
-        const found = Source.told(name, reason);
-        const help = hint2 ? tr("{reason} ({hint})", { reason: found, hint: told(hint2) }) : found;
-        const where = line === null ? "" : Source.place(name, line);
+        const help = Source.hinted(name, fault);
+        const where = fault.line === null ? "" : Source.place(name, fault.line);
         const text2 = where ? tr("{name}: {text}", { name: where, text: help }) : help;
         row.textContent = `${k ? "" : whose}${text2}`;
         return row;

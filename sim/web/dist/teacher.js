@@ -1516,6 +1516,9 @@
     return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
   }
 
+  // ../view/skeleton/mark.js
+  var liveMark = () => html2`<span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span>`;
+
   // ../view/map/words.js
   var SMALLER = 2;
   var EXACT = 12;
@@ -1641,7 +1644,7 @@ ${second && bar(facts)}
   function inside(facts, draw, picture) {
     const { id, title, why } = draw;
     return html2`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-map-body">
 <div class="carts-map-figure" role="group" aria-label=${named(facts)}>
@@ -1730,6 +1733,48 @@ ${second && across2}
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
+  // ../view/bodies.js
+  var THINGS = {
+    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
+    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
+    board: () => ({ body: tr("the board"), brief: tr("board") })
+  };
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
+    return name === "left" ? left_is : right_is;
+  }
+  function body(name, track) {
+    if (!isWall(name)) return name;
+    const thing = thingAt(name, track, "body");
+    if (thing) return thing;
+    if (!hasTwoWalls(track)) return tr("the wall");
+    return name === "left" ? tr("the left wall") : tr("the right wall");
+  }
+  function hasTwoWalls(track) {
+    return ["left", "right"].every(
+      (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
+    );
+  }
+  function kind(name, track) {
+    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
+  }
+  function thingAt(name, track, form2) {
+    const thing = THINGS[whatIs(name, track)]?.()[form2];
+    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
+    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
+  }
+  function forceOn(on, by) {
+    return tr("force on {on} by {by}", { on, by });
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = inRow(names.slice(0, -1));
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
   // ../view/measured/units.js
   var QUANTITY = {
     time: ["t", "s"],
@@ -1802,7 +1847,7 @@ ${second && across2}
     const { id, title } = facts;
     const hint = html2`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">${tr("Open a file or a film, drop it here, or type readings.")}</text>`;
     return html2`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
 <div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
@@ -1850,8 +1895,8 @@ ${table2(facts)}
     const hands = HANDS.map(
       ([key, text2, unit]) => html2`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text2()}</label><input type="range" class="carts-measured-slide" aria-label=${text2()} disabled><span class="carts-measured-typed"><input type="text" id="${id}-${key}" inputmode=${SIGNED.includes(key) ? "text" : "decimal"} autocomplete="off" disabled> ${unit}</span></div>`
     );
-    const laws = ["bumper", "paper"].map(
-      (name) => html2`<option value=${name}${law === name && html2` selected`}>${LAWS[name]?.()}</option>`
+    const laws = Object.entries(LAWS).map(
+      ([name, text2]) => html2`<option value=${name}${law === name && html2` selected`}>${text2()}</option>`
     );
     return html2`<div class="carts-measured-model" hidden>
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
@@ -1870,48 +1915,6 @@ ${table2(facts)}
     const lines3 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
     return html2`<details class="carts-more carts-measured-table"><summary>${tr("Table of the readings")}</summary><div class="carts-scroll" role="group" tabindex="0" aria-label=${tr("readings")}><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">${counted("and 1 more row", "and {n} more rows", more)}</p>`}</details>`;
-  }
-
-  // ../view/bodies.js
-  var THINGS = {
-    foam: () => ({ body: tr("the foam"), brief: tr("foam") }),
-    spring: () => ({ body: tr("the spring"), brief: tr("spring") }),
-    board: () => ({ body: tr("the board"), brief: tr("board") })
-  };
-  function isWall(name) {
-    return name === "left" || name === "right";
-  }
-  function whatIs(name, { left_is = "wall", right_is = "wall" }) {
-    return name === "left" ? left_is : right_is;
-  }
-  function body(name, track) {
-    if (!isWall(name)) return name;
-    const thing = thingAt(name, track, "body");
-    if (thing) return thing;
-    if (!hasTwoWalls(track)) return tr("the wall");
-    return name === "left" ? tr("the left wall") : tr("the right wall");
-  }
-  function hasTwoWalls(track) {
-    return ["left", "right"].every(
-      (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
-    );
-  }
-  function kind(name, track) {
-    return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
-  }
-  function thingAt(name, track, form2) {
-    const thing = THINGS[whatIs(name, track)]?.()[form2];
-    if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
-    return name === "left" ? tr("{thing} on the left", { thing }) : tr("{thing} on the right", { thing });
-  }
-  function forceOn(on, by) {
-    return tr("force on {on} by {by}", { on, by });
-  }
-  function listed(names) {
-    const [first = "", second] = names;
-    if (second === void 0) return first;
-    const rest = inRow(names.slice(0, -1));
-    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
 
   // ../effects/drag/view.js
@@ -3089,7 +3092,7 @@ ${fence.watch === "first" && html2`<button type="button" class="carts-button car
     );
     const paper = asked ? tr("Make your prediction on paper. The run needs JavaScript.") : tr("The picture shows the start. Playing the run needs JavaScript.");
     return html2`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button>${liveMark()}</div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described ${id}-keys">
 ${view.layouts.map((layout) => stage(baked, layout))}

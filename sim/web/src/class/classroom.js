@@ -76,6 +76,12 @@ export class Classroom {
     this.marks.set(JSON.stringify([lesson, form, codeWord(student), item]), mark);
   }
 
+  /** A mark that the teacher gives here; those of a file are given, too, and saved already. @param {GivenMark} mark */
+  mark(mark) {
+    this.unsaved = true;
+    this.give(mark);
+  }
+
   /** Says whose a file is that does not tell it. Marks that were given to it go along. @param {Held} file @param {string} typed */
   name(file, typed) {
     const before = this.#who(file);

@@ -33,8 +33,7 @@ export function reader(classroom, marked) {
     const answer = one.answers[at];
     if (!answer || marks > one.worth) return;
     const { lesson, form, id: item } = one;
-    classroom.unsaved = true;
-    classroom.give({ lesson, form, student: answer.student, item, marks });
+    classroom.mark({ lesson, form, student: answer.student, item, marks });
     at = Math.min(at + 1, one.answers.length - 1);
     show();
     marked();

@@ -5,7 +5,7 @@ import { verdict } from "../../../view/cost/guess.js";
 import { tr } from "../../../view/language.js";
 import { px } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
-import { readTyped } from "../shared/typed.js";
+import { numberIn } from "../shared/number-box.js";
 
 /** @param {HTMLElement} root @param {() => import("../../../view/cost/figure.js").CostRow[]} rows those of the chosen scene */
 export function guessFirst(root, rows) {
@@ -34,9 +34,7 @@ export function guessFirst(root, rows) {
     }
     open();
     const asked = Number(error.value);
-    const read = readTyped(times.value);
-    const factor = "value" in read ? read.value : Number.NaN;
-    const said = { error: asked, bet: bet.value, times: factor };
+    const said = { error: asked, bet: bet.value, times: numberIn(times) ?? Number.NaN };
     say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
     put(need(root, ".carts-cost-asked"), "d", `M${LEFT} ${px(yAt(asked))}H${RIGHT}`);
   });

@@ -1,6 +1,6 @@
 /** What is said while a reader compares and measures. */
 
-import { tr } from "../../../view/language.js";
+import { joined, tr } from "../../../view/language.js";
 
 export const POINT_RUNS = tr("The point of the map is being run …");
 export const LOADING = tr("Python’s scipy is being loaded …");
@@ -20,7 +20,7 @@ export function doneWords(refused) {
   const left = [...refused].map(([method, reason]) =>
     tr("{method}: {reason}.", { method, reason }),
   );
-  return left.reduce((first, then) => tr("{first} {then}", { first, then }), just);
+  return joined([just, ...left]);
 }
 
 /** @param {string | undefined} when with what, and on which day */

@@ -5,7 +5,7 @@ import { axisDecimals, shown } from "../../../view/map/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
 import { onEnter } from "../shared/enter.js";
-import { readTyped } from "../shared/typed.js";
+import { outside, readTyped } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/map/types.js").Axis} Axis */
 
@@ -72,11 +72,8 @@ export class AxisControl {
     if ("problem" in read) return this.#complain(read.problem);
     if ("text" in read)
       return this.#complain(tr("{label}: a number in {unit}, please.", { label, unit }));
-    if (read.value < low || read.value > high) {
-      const ends = { low: fixed(low, decimals), high: fixed(high, decimals) };
-      const range = `${tr("{low} to {high}", ends)} ${unit}`.trim();
-      return this.#complain(tr("{label}: {range}, please.", { label, range }));
-    }
+    if (read.value < low || read.value > high)
+      return this.#complain(outside(this.axis, fixed(low, decimals), fixed(high, decimals)));
     return chosen(this.nearest(read.value, per));
   }
 

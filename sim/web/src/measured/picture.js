@@ -134,11 +134,10 @@ export class Picture {
   refuse(name, faults, what) {
     const whose = what === "read" ? Source.notRead(name) : "";
     const fit = what !== "" && what !== "read";
-    const rows = faults.map(({ line, reason, hint }, k) => {
+    const rows = faults.map((fault, k) => {
       const row = document.createElement("li");
-      const found = Source.told(name, reason);
-      const help = hint ? tr("{reason} ({hint})", { reason: found, hint: told(hint) }) : found;
-      const where = line === null ? "" : Source.place(name, line);
+      const help = Source.hinted(name, fault);
+      const where = fault.line === null ? "" : Source.place(name, fault.line);
       const text = where ? tr("{name}: {text}", { name: where, text: help }) : help;
       row.textContent = `${k ? "" : whose}${text}`;
       return row;

@@ -112,9 +112,7 @@ export class Source {
       if (!bytes) return this.tell(Source.notRead(file.name) + tr("choose a file that is there."));
       const found = isZip(bytes) ? await this.#unzipped(bytes) : { text: decoded(bytes) };
       if ("refused" in found) {
-        const why = found.refused.map(({ reason, hint }) =>
-          tr("{reason} ({hint})", { reason: told(reason), hint: told(hint) }),
-        );
+        const why = found.refused.map((fault) => Source.hinted(file.name, fault));
         return this.tell(Source.notRead(file.name) + why.join(". "));
       }
       texts.push(found.text);
@@ -141,6 +139,12 @@ export class Source {
   /** A message with the lines that it names called so too. @param {string} name @param {Said} reason @returns {string} */
   static told(name, reason) {
     return told(withPlaces(name, reason));
+  }
+
+  /** The same with what helps. @param {string} name @param {{reason: Said, hint: Said}} fault */
+  static hinted(name, { reason, hint }) {
+    const found = Source.told(name, reason);
+    return hint ? tr("{reason} ({hint})", { reason: found, hint: told(hint) }) : found;
   }
 
   /** What readings are called. @param {string} name @returns {string} */

@@ -1,10 +1,9 @@
 /** Sliders and their number boxes. A wrong value is explained beside the box; the picture stays. */
 
-import { tr } from "../../../view/language.js";
 import { decimalsOf, fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
 import { onEnter } from "../shared/enter.js";
-import { readTyped } from "../shared/typed.js";
+import { outside, readTyped } from "../shared/typed.js";
 import { effectValue, Switches } from "./switches.js";
 
 /** @typedef {import("../../../view/types.js").Control} Control */
@@ -146,19 +145,15 @@ class ControlView {
   #typed() {
     if (this.box.value === this.#sent) return; // of Enter and the change that follows it, one asks
     const at = performance.now();
-    const { low, high, unit, label } = this.control;
+    const { low, high, unit } = this.control;
     const read = readTyped(withoutUnit(this.box.value, unit));
     if ("problem" in read) return this.complain(read.problem);
     if ("text" in read) {
       this.#sent = this.box.value;
       return this.change(this.control.set, read.text, at);
     }
-    if (read.value < low || read.value > high) {
-      const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
-      return this.complain(
-        tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() }),
-      );
-    }
+    if (read.value < low || read.value > high)
+      return this.complain(outside(this.control, this.#text(low), this.#text(high)));
     return this.take(read.value, at);
   }
 

@@ -2,7 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say } from "./dom.js";
-import { readTyped } from "./typed.js";
+import { noNumber, readTyped } from "./typed.js";
 
 /** @param {HTMLInputElement} box @returns {number | null} null: nothing stands there, or no number */
 export function numberIn({ value }) {
@@ -13,7 +13,7 @@ export function numberIn({ value }) {
 /** Why no number stands in a box; empty: one does. @param {HTMLInputElement} box @returns {string} */
 export function problemIn({ value }) {
   const read = readTyped(value);
-  if ("text" in read) return tr("“{text}” is not a number. Type for example 0.5", read);
+  if ("text" in read) return noNumber(read.text);
   return "problem" in read ? read.problem : "";
 }
 

@@ -23,7 +23,16 @@ export function readTyped(typed) {
   if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
     return { text: text.replace(/(\d),(\d)/, "$1.$2") };
   }
-  return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+  return { problem: noNumber(text) };
+}
+
+/** @param {string} text */
+export const noNumber = (text) => tr("“{text}” is not a number. Type for example 0.5", { text });
+
+/** What is said of a number beyond a box's range. @param {{label: string, unit: string}} box @param {string} low @param {string} high */
+export function outside({ label, unit }, low, high) {
+  const range = tr("{low} to {high}", { low, high });
+  return tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() });
 }
 
 /** What was typed in a box of forces, whose own unit may stand behind it. @param {string} typed */
