@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from sim.country.refusal import CountryError
-from sim.country.schema import NAMES
+from sim.country.schema import LATER, NAMES
 from sim.scene.said import said
 
 DUCKDB = "duckdb://"
@@ -95,10 +95,11 @@ def answers_in(backend: Any, places: Sequence[str]) -> Any:
         except Exception as error:  # each backend has errors of its own
             raise CountryError(f"{place}: {_first_line(error)}") from None
         missing = [name for name in NAMES if name not in table.columns]
-        if missing:
+        if absent := [name for name in missing if name not in LATER]:
             raise CountryError(said("{place}: this is no table of answers: no column {column}",
-                                    place=place, column=missing[0]))  # fmt: skip
-        tables.append(table.select(*NAMES))
+                                    place=place, column=absent[0]))  # fmt: skip
+        empty = {name: ibis.null("timestamp('UTC')") for name in missing}
+        tables.append(table.mutate(**empty).select(*NAMES))
     return ibis.union(*tables) if len(tables) > 1 else tables[0]
 
 

@@ -121,6 +121,7 @@ def _of_item(item: Item) -> dict[str, Any]:
         texts = ("said", "why", "asked")
         said = {name: safe_text(item.more[name]) for name in texts if name in item.more}
         said["locked"] = "locked" in item.more
+        said["again"] = _moment(item.more.get("again"))
     return {
         "hash": item.hash, "first": _moment(item.first), "last": _moment(item.last),
         "tries": item.tries, **said,

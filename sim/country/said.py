@@ -35,8 +35,10 @@ def beliefs_in(mine: Any) -> Any:
 def predictions_in(mine: Any) -> Any:
     """Predictions of files that are not foreign, by their words."""
     found = mine.filter(~mine.sheet_foreign, mine.answered, mine.type.isin(PREDICTIONS))
+    before = found.again.isnull()  # the others had seen the run
     return found.group_by(*FORM, "item", "type", "chosen").agg(
-        n=found.count(), certain=(found.sure == "sure").sum(), shut=found.locked.sum(),
+        n=before.sum(), certain=(before & (found.sure == "sure")).sum(),
+        shut=(before & found.locked).sum(), again=found.again.notnull().sum(),
         ask=found.asked.max(), begun=found["first"].min(),
     )  # fmt: skip
 
@@ -70,10 +72,12 @@ def prediction_rows_of(cells: Sequence[Mapping[str, Any]]) -> list[dict[str, Any
 
 def _row(name: str, cells: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     kind = min(cell["type"] for cell in cells)
-    order = sorted(cells, key=lambda cell: (-cell["n"], cell["chosen"])) if kind != "curve" else []
+    counted = [cell for cell in cells if cell["n"]] if kind != "curve" else []
+    order = sorted(counted, key=lambda cell: (-cell["n"], cell["chosen"]))
     return {
         "id": name, "type": kind, "ask": max((c["ask"] or "" for c in cells), default=""),
-        "n": sum(c["n"] for c in cells), "locked": sum(c["shut"] or 0 for c in cells),
+        "n": sum(c["n"] for c in cells), "again": sum(c["again"] for c in cells),
+        "locked": sum(c["shut"] or 0 for c in cells),
         "answers": [{"said": c["chosen"], "count": c["n"], "sure": c["certain"]}
                     for c in order[:MOST]],
         "more": max(0, len(order) - MOST), "curves": [], "reasons": [],

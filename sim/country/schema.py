@@ -66,8 +66,12 @@ COLUMNS = (
     Column("locked", "bool", "of a prediction: it was locked before the run", empty=True),
     Column("said", "string", "of a prediction: its words, and what was said besides", empty=True),
     Column("why", "string", "of a prediction: the reason given for it", empty=True),
+    Column("again", "timestamp", "of a prediction: when an earlier one of this student was locked, "
+           "who had seen the run", empty=True),
 )  # fmt: skip
 NAMES = tuple(column.name for column in COLUMNS)
+LATER = ("again",)
+"""Columns that older tables have not; nothing stands in them there."""
 
 
 def arrow_schema() -> Any:

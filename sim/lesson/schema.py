@@ -43,7 +43,7 @@ def answers_schema() -> dict[str, Any]:
             "id": _TEXT, "hash": {"type": "string", "pattern": "^([0-9a-f]{12})?$"}, "type": _TEXT,
             "value": {}, "first": _TIME, "last": _TIME, "tries": {"type": "integer", "minimum": 0},
             "unit": _TEXT, "sure": _TEXT, "said": _TEXT, "asked": _TEXT, "locked": _TEXT,
-            "own": {"type": "number"}, "set": {"type": "object"},
+            "again": _TEXT, "own": {"type": "number"}, "set": {"type": "object"},
             "right": {"type": "integer", "minimum": 0}, "before": {"type": "object"},
         },
     }  # fmt: skip

@@ -60,6 +60,21 @@ def test_predictions_are_counted_with_their_reasons_and_curves_are_kept() -> Non
     assert "3 × the same on both" in text
 
 
+def test_who_had_seen_the_run_has_not_predicted_it() -> None:
+    again = prediction("choice", "1", "more on B", locked=TIME, again=TIME, why="I saw it")
+    report = report_of([*CLASS, worksheet("OWL-2", [again])])
+    (form,) = report["lessons"][0]["forms"]
+    (row,) = [row for row in form["predictions"] if row["type"] == "choice"]
+    assert (row["n"], row["again"], row["locked"]) == (4, 1, 4)
+    assert [one["count"] for one in row["answers"]] == [3, 1]
+    assert row["reasons"][-1]["why"] == "I saw it"  # a reason is one, whenever it was found
+    told = "1 more was made again by a student who had seen the run; it is not counted."
+    assert f"4 predictions. {told}" in report_html(report)
+    assert told in report_as_text(report, {})
+    (alone,) = report_of([worksheet("OWL-2", [again])])["lessons"][0]["forms"][0]["predictions"]
+    assert (alone["n"], alone["again"], alone["answers"]) == (0, 1, [])
+
+
 def test_what_a_student_typed_as_a_reason_is_text_and_no_markup() -> None:
     bad = prediction("choice", "<b>", "<img src=x>", why="<script>alert(1)</script>", asked="<i>")
     html = report_html(report_of([worksheet("FOX", [bad])]))

@@ -66,8 +66,10 @@ def values(dice: random.Random, able: float) -> dict[str, Any]:
 def prediction(dice: random.Random) -> dict[str, Any]:
     """What a scene asked first: it has no key."""
     arrow = dice.choice(["longer", "equal", "shorter"])
+    seen = {"again": "2026-09-01T08:00:00.000Z"} if dice.random() < 0.2 else {}
     return {"id": "scene-1", "hash": "", "type": "choice", "value": arrow, "first": None,
-            "last": None, "tries": 0, "said": arrow, "why": "+because", "sure": "sure"}  # fmt: skip
+            "last": None, "tries": 0, "said": arrow, "why": "+because", "sure": "sure",
+            **seen}  # fmt: skip
 
 
 def files_of(seed: int, count: int, *, prefix: str = "FOX", gain: float = 0.2) -> list[Any]:

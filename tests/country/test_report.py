@@ -12,6 +12,7 @@ from typing import Any
 import pyarrow.parquet as pq
 import pytest
 
+from sim.country.schema import LATER
 from sim.lesson.handin import encode
 from tests.classroom.given.makers import bank, form, keys
 from tests.country.class_command import carts, table
@@ -130,6 +131,19 @@ def test_a_table_of_which_a_part_is_missing_is_refused(school_table: Path) -> No
     result = carts("--table", part)
     assert result.exit_code == 1
     assert "rows are there" in result.stderr
+
+
+def test_a_table_from_before_a_column_was_added_is_read(
+    school_table: Path, school_report: dict[str, Any]
+) -> None:
+    for part in school_table.glob("*.parquet"):
+        pq.write_table(pq.read_table(part).drop_columns(list(LATER)), part)
+    older = reported("--table", school_table)
+    for one, other in zip(older["lessons"], school_report["lessons"], strict=True):
+        for then, today in zip(one["forms"], other["forms"], strict=True):
+            (row,), (now,) = then["predictions"], today["predictions"]
+            assert (row["n"], row["again"]) == (now["n"] + now["again"], 0)
+            assert now["again"]
 
 
 def test_one_table_given_twice_is_refused(school_table: Path, tmp_path: Path) -> None:

@@ -2,7 +2,7 @@
 
 A prediction has no key: nothing here is right or wrong. Equal ones are counted together, so that a
 teacher sees what the class expected; curves are handed on as they were drawn, to lie over each
-other.
+other. What was said again by a student who had seen the run is no prediction: it is counted apart.
 """
 
 from __future__ import annotations
@@ -30,8 +30,9 @@ def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
 
 
 def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
-    items = [item for _, item in made]
-    drawn = items[0].type == "curve"  # in words each one is different
+    first = made[0][1]
+    items = [item for _, item in made if "again" not in item.more]
+    drawn = first.type == "curve"  # in words each one is different
     each = told(items)
     words, more = most_said([] if drawn else each)
     sure = Counter(
@@ -40,19 +41,20 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     curves = [[float(h) for h in item.value] for item in items if _is_curve(item)]
     return {
         "id": name,
-        "type": items[0].type,
-        "ask": next((item.more["asked"] for item in items if item.more.get("asked")), ""),
+        "type": first.type,
+        "ask": next((item.more["asked"] for _, item in made if item.more.get("asked")), ""),
         "n": len(items),
+        "again": len(made) - len(items),
         "locked": sum("locked" in item.more for item in items),
         "answers": [{"said": said, "count": count, "sure": sure[said]} for said, count in words],
         "more": more,
         "curves": curves,
         "reasons": [
             {"student": file.who, "said": words, "why": item.more["why"]}
-            for (file, item), words in zip(made, each, strict=True)
+            for (file, item), words in zip(made, told([item for _, item in made]), strict=True)
             if item.more.get("why")
         ],
-        "first": min((item.first or "" for item in items), default=""),
+        "first": min(item.first or "" for _, item in made),
     }
 
 

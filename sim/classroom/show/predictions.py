@@ -7,7 +7,7 @@ from typing import Any
 
 from sim.classroom.show.drawing import curves
 from sim.classroom.show.html_parts import Tell, person, table, text
-from sim.scene.said import counted, said, template
+from sim.scene.said import counted, joined, said, template
 
 Row = Mapping[str, Any]
 
@@ -51,6 +51,20 @@ def _prediction(row: Row, tell: Tell) -> str:
 
 def _how_many(row: Row) -> str:
     count = counted("1 prediction", "{n} predictions", n=row["n"])
+    sentence = said("{sentence}.", sentence=count)
     if open_ones := row["n"] - row["locked"]:
-        return said("{predictions}, {n} of them not locked.", predictions=count, n=f"{open_ones}")
-    return said("{sentence}.", sentence=count)
+        sentence = said(
+            "{predictions}, {n} of them not locked.", predictions=count, n=f"{open_ones}"
+        )
+    return joined(sentence, again_sentence(row))
+
+
+def again_sentence(row: Row) -> str:
+    """How many had seen the run; empty: nobody."""
+    if not row["again"]:
+        return ""
+    return counted(
+        "1 more was made again by a student who had seen the run; it is not counted.",
+        "{n} more were made again by students who had seen the run; they are not counted.",
+        n=row["again"],
+    )

@@ -11,6 +11,7 @@ from sim.classroom.report.items.typed_numbers import typed_sentence
 from sim.classroom.report.numerals import mean_and_sd
 from sim.classroom.report.sentences import FEW_QUESTIONS, left_open, of_files, unmarked, waiting
 from sim.classroom.show.own_runs import own_run_sentence
+from sim.classroom.show.predictions import again_sentence
 from sim.classroom.show.report_page import beside, of_group
 from sim.cli.tables import table
 from sim.scene.notation import number
@@ -176,6 +177,8 @@ def _prediction(row: Mapping[str, Any], tell: Tell) -> str:
         says.append(said("and {n} more", n=f"{row['more']}"))
     if row["reasons"]:
         says.append(said("{n} gave a reason (--json)", n=f"{len(row['reasons'])}"))
+    if again := again_sentence(row):
+        says.append(again)
     title = tell(said("Predicted, {scene}", scene=row["ask"] or row["id"]))
     return f"{title}\n{_lines(says, tell)}"
 

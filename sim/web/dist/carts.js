@@ -4202,6 +4202,7 @@
     const channel2 = channelOf(`carts:${site}`);
     return {
       ...store,
+      student: "",
       put: async (key, value, alone3) => {
         await store.put(key, value, alone3);
         channel2?.postMessage({ key, gone: false });
@@ -4248,6 +4249,7 @@
     return {
       kind: all.kind,
       how: all.how,
+      student: code,
       get: (key) => all.get(before + key),
       put: (key, value, alone3) => {
         letItStay();
@@ -4289,6 +4291,9 @@
     }
     async lasts() {
       return (await this.#store).kind === "kept";
+    }
+    async named() {
+      return (await this.#store).student !== "";
     }
     async get() {
       const store = await this.#store;
@@ -5219,8 +5224,11 @@
         say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
       }
     }
-    async forget() {
+    async forget({ id, type, locked, again = locked ?? void 0 }) {
       await this.#kept.forget();
+      if (!again || !await this.#kept.named()) return;
+      const nothing = { value: null, first: null, last: null, tries: 0, locked: null };
+      await this.#kept.put({ id, type, ...nothing, again });
     }
   };
 
@@ -5532,7 +5540,7 @@
     async restore() {
       const found3 = await this.#keeping.open(this.spec.kind, (found4) => this.#elsewhere(found4));
       this.#back(found3 ?? this.#entry);
-      if (found3) say(this.#keeping.saved, tr("Saved."));
+      if (found3?.last) say(this.#keeping.saved, tr("Saved."));
     }
     #elsewhere(found3) {
       if (!found3) return this.forgotten(false);
@@ -5647,7 +5655,7 @@
     }
     async #forget() {
       try {
-        await this.#keeping.forget();
+        await this.#keeping.forget(this.#entry);
         return true;
       } catch {
         this.complain(tr("This browser refuses to forget it."));

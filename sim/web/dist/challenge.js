@@ -406,6 +406,7 @@
     const channel = channelOf(`carts:${site}`);
     return {
       ...store,
+      student: "",
       put: async (key, value2, alone2) => {
         await store.put(key, value2, alone2);
         channel?.postMessage({ key, gone: false });
@@ -452,6 +453,7 @@
     return {
       kind: all.kind,
       how: all.how,
+      student: code,
       get: (key) => all.get(before + key),
       put: (key, value2, alone2) => {
         letItStay();
@@ -493,6 +495,9 @@
     }
     async lasts() {
       return (await this.#store).kind === "kept";
+    }
+    async named() {
+      return (await this.#store).student !== "";
     }
     async get() {
       const store = await this.#store;

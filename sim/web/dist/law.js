@@ -2733,6 +2733,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     const channel = channelOf(`carts:${site}`);
     return {
       ...store,
+      student: "",
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
         channel?.postMessage({ key, gone: false });
@@ -2779,6 +2780,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return {
       kind: all.kind,
       how: all.how,
+      student: code,
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => {
         letItStay();
@@ -2820,6 +2822,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     }
     async lasts() {
       return (await this.#store).kind === "kept";
+    }
+    async named() {
+      return (await this.#store).student !== "";
     }
     async get() {
       const store = await this.#store;

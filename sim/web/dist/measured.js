@@ -716,6 +716,7 @@
     const channel = channelOf(`carts:${site}`);
     return {
       ...store,
+      student: "",
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
         channel?.postMessage({ key, gone: false });

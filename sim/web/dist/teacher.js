@@ -1078,6 +1078,7 @@
     const channel2 = channelOf(`carts:${site}`);
     return {
       ...store,
+      student: "",
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
         channel2?.postMessage({ key, gone: false });

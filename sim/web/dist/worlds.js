@@ -2531,6 +2531,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     const channel = channelOf(`carts:${site}`);
     return {
       ...store,
+      student: "",
       put: async (key, value, alone2) => {
         await store.put(key, value, alone2);
         channel?.postMessage({ key, gone: false });
@@ -2577,6 +2578,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return {
       kind: all.kind,
       how: all.how,
+      student: code,
       get: (key) => all.get(before + key),
       put: (key, value, alone2) => {
         letItStay();

@@ -80,7 +80,7 @@ def _done(k: int) -> list[dict[str, Any]]:
                 "tries": 1, "asked": "E?", **more}  # fmt: skip
 
     return [
-        row("choice", "0", said=f"p{k}", why="q", sure="sure"),
+        row("choice", "0", said=f"p{k}", why="q", sure="sure", **({"again": DAY} if k > 2 else {})),
         row("arrows", [1], said="r", locked=DAY),
         row("curve", [0, 2, k % 5, 2, 0], said="s"),
         row("challenge", {"runs": 3, "found": k % 2, "values": "u"}),

@@ -6,6 +6,7 @@ import re
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Route, expect
@@ -71,6 +72,36 @@ def test_a_lesson_over_two_days_gives_one_file(
     assert set(items) == {*asked, f"{name}-forces"}
     # One of the four stands in an optional part, which is not counted.
     assert page.locator(".carts-bar-count").inner_text().startswith("3 of ")
+
+
+@pytest.mark.one_browser
+def test_under_a_code_word_a_second_prediction_says_that_the_run_was_seen(
+    site: Path, open_page: OpenPage
+) -> None:
+    lesson = site / "worksheets" / "momentum-and-restitution.html"
+    page = ready(open_page(lesson, folder=site))
+    scene = page.locator("#momentum-stays")
+
+    def predicted() -> dict[str, Any]:
+        scene.locator(".carts-predict [type=radio]").first.check()
+        scene.locator(".carts-lock").click()
+        expect(scene.locator(".carts-results")).to_be_visible(timeout=40_000)
+        expect(scene.locator(".carts-saved")).to_have_text("Saved.")
+        (made,) = saved_file(page)["items"]
+        scene.locator(".carts-again").click()
+        scene.locator(".carts-forget-yes").click()
+        expect(scene.locator(".carts-results")).to_be_hidden()
+        return dict(made)
+
+    continue_as(page, "FOX-12")
+    first = predicted()
+    assert "again" not in first
+    assert predicted()["again"] == first["locked"]
+    page.reload()  # it is the browser that knows
+    ready(page)
+    assert predicted()["again"] == first["locked"]
+    continue_as(page, "OWL-34", "Yes, somebody else: begin anew")
+    assert "again" not in predicted()
 
 
 @pytest.mark.one_browser

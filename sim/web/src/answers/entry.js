@@ -3,7 +3,7 @@
  *
  * @typedef {{id: string, form?: string, lesson?: string, lessonHash?: string, hash?: string, type: string,
  *   value: any, said?: string, asked?: string, unit?: string, sure?: string | null, own?: number | null,
- *   first: string | null, last: string | null, tries: number, judged?: boolean, locked?: string | null,
+ *   first: string | null, last: string | null, tries: number, judged?: boolean, locked?: string | null, again?: string,
  *   earlier?: Entry[]}} Entry
  */
 

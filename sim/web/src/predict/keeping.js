@@ -50,7 +50,15 @@ export class Keeping {
     }
   }
 
-  async forget() {
+  /**
+   * Who starts again is the next reader at this computer; under a code word it is the same student, who has
+   * seen the run. That stays, so that nobody takes the next prediction for one before the run.
+   * @param {Entry} entry
+   */
+  async forget({ id, type, locked, again = locked ?? undefined }) {
     await this.#kept.forget();
+    if (!again || !(await this.#kept.named())) return;
+    const nothing = { value: null, first: null, last: null, tries: 0, locked: null };
+    await this.#kept.put({ id, type, ...nothing, again });
   }
 }

@@ -23,8 +23,9 @@ import { ChoiceForm, WordsForm } from "./words.js";
  *   compare: (run: Run) => Node[], ready?: () => void, once?: import("./once-more.js").OnceMore}} Form
  */
 /** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, sure?: string, watched?: string,
- *   talk?: string, before?: {value: unknown, said: string}, why?: string, now?: string}} Entry
- * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking; now: the same question after the run */
+ *   talk?: string, before?: {value: unknown, said: string}, why?: string, now?: string, again?: string}} Entry
+ * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking; now: the same question after the run;
+ * again: when an earlier one of this student was locked, who has seen the run since */
 
 export class Predict {
   /** @type {Entry} */
@@ -100,7 +101,7 @@ export class Predict {
   async restore() {
     const found = await this.#keeping.open(this.spec.kind, (found) => this.#elsewhere(found));
     this.#back(found ?? this.#entry);
-    if (found) say(this.#keeping.saved, tr("Saved."));
+    if (found?.last) say(this.#keeping.saved, tr("Saved."));
   }
 
   /** Another tab has kept this prediction, or forgotten it (null). What is locked here else stays so. @param {Entry | null} found */
@@ -235,7 +236,7 @@ export class Predict {
   /** @returns {Promise<boolean>} whether the prediction is gone */
   async #forget() {
     try {
-      await this.#keeping.forget();
+      await this.#keeping.forget(this.#entry);
       return true;
     } catch {
       this.complain(tr("This browser refuses to forget it."));

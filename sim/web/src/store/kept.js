@@ -22,6 +22,11 @@ export class Kept {
     return (await this.#store).kind === "kept";
   }
 
+  /** Whether it stands under a code word. */
+  async named() {
+    return (await this.#store).student !== "";
+  }
+
   /** What is kept; null: nothing, or it cannot be read. @returns {Promise<any>} */
   async get() {
     const store = await this.#store;

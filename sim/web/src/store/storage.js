@@ -26,7 +26,8 @@ export const READINGS = "-measured";
  *   get: (key: string) => Promise<any>, put: (key: string, value: unknown, alone?: boolean) => Promise<void>,
  *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Opened
  * `hear`: what to do when another tab, or another script of this page, has kept something under a key, or forgotten it; until the signal.
- * @typedef {Opened & {hear: (act: (key: string, gone: boolean) => void, signal?: AbortSignal) => void}} Store
+ * `student`: the code word whose keys it has; empty: none was given, or it has all.
+ * @typedef {Opened & {student: string, hear: (act: (key: string, gone: boolean) => void, signal?: AbortSignal) => void}} Store
  */
 
 /** @type {Map<string, Promise<Store>>} */
@@ -69,6 +70,7 @@ export function forStudent(all, code) {
   return {
     kind: all.kind,
     how: all.how,
+    student: code,
     get: (key) => all.get(before + key),
     put: (key, value, alone) => {
       letItStay();

@@ -5,6 +5,7 @@ export function telling(store, site) {
   const channel = channelOf(`carts:${site}`);
   return {
     ...store,
+    student: "",
     put: async (key, value, alone) => {
       await store.put(key, value, alone);
       channel?.postMessage({ key, gone: false });
