@@ -141,8 +141,8 @@ export function breaksPart(breaks) {
   const [contact, limit] = theory(breaks, first, method);
   return html`<div class="carts-cost-breaks">
 <p class="carts-heading">${tr("Where methods break")}</p>
-<div class="carts-cost-choice"><label>${tr("method")} <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
-<label>${tr("across")} <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
+<div class="carts-cost-choice"><label>${tr("method")} <select autocomplete="off" class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
+<label>${tr("across")} <select autocomplete="off" class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
 <svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label=${tr("right digits of the velocities for each step and each value; the lists below reach every point")}>
 <g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind, d]) => html`<path class="carts-breaks-${kind}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
@@ -152,8 +152,8 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text]) => html`<te
 <rect class="carts-breaks-ring" visibility="hidden"/>
 </svg>
 <ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? digitsText(k) : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, tr("a step as long as the contact"))}${sample("limit", DASH, tr("limit of stability"))}</ul>
-<div class="carts-cost-choice"><label>${tr("value")} <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
-<label>${tr("steps in 1 s")} <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>${tr("Run it above")}</button></div>
+<div class="carts-cost-choice"><label>${tr("value")} <select autocomplete="off" class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
+<label>${tr("steps in 1 s")} <select autocomplete="off" class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>${tr("Run it above")}</button></div>
 <p class="carts-breaks-found" role="status"></p>
 <pre class="carts-breaks-command" hidden></pre>
 </div>`;

@@ -28,8 +28,8 @@ export function guess() {
   );
   const none = html`<option value="">${tr("choose")}</option>`;
   return html`<div class="carts-cost-guess" role="group" aria-label=${tr("your guess")} hidden>
-<p>${tr("Say first how right you want it.")} <label>${tr("Velocities wrong by at most")} <select class="carts-cost-error">${errors}</select></label>
-<label>${tr("Which method gets there in the least time?")} <select class="carts-cost-bet">${none}${methods}</select></label>
+<p>${tr("Say first how right you want it.")} <label>${tr("Velocities wrong by at most")} <select autocomplete="off" class="carts-cost-error">${errors}</select></label>
+<label>${tr("Which method gets there in the least time?")} <select autocomplete="off" class="carts-cost-bet">${none}${methods}</select></label>
 <label>${tr("How many times as long as the exact outcome?")} <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
 <p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">${tr("Show")}</button> <button type="button" class="carts-button carts-cost-skip">${tr("Show without a guess")}</button> <span class="carts-cost-verdict" role="status"></span></p>
 </div>`;

@@ -84,9 +84,9 @@ function choice(names) {
     (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`,
   );
   return html`<div class="carts-cost-choice">
-<label>${tr("scene")} <select class="carts-cost-scene" disabled>${scenes}</select></label>
-<label>${tr("method")} <select class="carts-cost-method" disabled>${methods}</select></label>
-<label>${tr("step")} <select class="carts-cost-step" disabled>${parts}</select><select class="carts-cost-rtol" aria-label=${tr("tolerance")} disabled hidden>${tolerances}</select></label>
+<label>${tr("scene")} <select autocomplete="off" class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>${tr("method")} <select autocomplete="off" class="carts-cost-method" disabled>${methods}</select></label>
+<label>${tr("step")} <select autocomplete="off" class="carts-cost-step" disabled>${parts}</select><select autocomplete="off" class="carts-cost-rtol" aria-label=${tr("tolerance")} disabled hidden>${tolerances}</select></label>
 </div>`;
 }
 

@@ -69,7 +69,7 @@ function source({ name, units, offered, read }) {
         html`<option value=${unit}${units?.[kind] === unit && html` selected`}>${unit}</option>`,
     );
     const said = read && !read.assumed.some((one) => one === kind) && html` hidden`;
-    return html`${k > 0 && " "}<label${said}>${text()} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">${tr("choose …")}</option>${options}</select></label>`;
+    return html`${k > 0 && " "}<label${said}>${text()} <select autocomplete="off" class="carts-measured-unit" data-kind=${kind} disabled><option value="">${tr("choose …")}</option>${options}</select></label>`;
   });
   const own = html`<button type="button" class="carts-button carts-measured-own" disabled>${tr("The lesson’s readings")}</button> `;
   return html`<div class="carts-measured-source">
@@ -77,7 +77,7 @@ function source({ name, units, offered, read }) {
 <details class="carts-more carts-measured-paste"><summary>${tr("Paste readings")}</summary><label>${tr("Text from Tracker, a spreadsheet or a sensor")} <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>${tr("Read this text")}</button></p></details>
 <details class="carts-more carts-measured-type"><summary>${tr("Type readings")}</summary><div class="carts-scroll" role="group" aria-label=${tr("table to type readings into")}><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "A" })}</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "B" })}</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>${tr("More rows")}</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>${tr("Read this table")}</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select autocomplete="off" class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
 <p class="carts-measured-said" role="status">${name && `${name}: ${read ? semicolons(howRead(read)) : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
@@ -101,7 +101,7 @@ function model({ id, law }) {
   return html`<div class="carts-measured-model" hidden>
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
 <div class="carts-measured-hands">${hands}</div>
-<p class="carts-measured-row"><label>${tr("contact law")} <select class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
+<p class="carts-measured-row"><label>${tr("contact law")} <select autocomplete="off" class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select autocomplete="off" class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
 <p class="carts-measured-row"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
 <p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>

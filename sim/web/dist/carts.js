@@ -504,6 +504,24 @@
     return Object.assign(new Error(text), { path: first.path, refused: true });
   }
 
+  // src/shared/working.js
+  var still = (event) => event.repeat && event.preventDefault();
+  function passOn(from, to) {
+    if (document.activeElement !== from) return;
+    to.addEventListener("keydown", still);
+    to.focus();
+  }
+  function showWorking(root, name, on) {
+    const part = (what) => need(root, `.carts-${name}-${what}`);
+    const [from, to] = on ? [part("go"), part("stop")] : [part("stop"), part("go")];
+    to.hidden = false;
+    passOn(from, to);
+    from.hidden = true;
+    const progress = part("progress");
+    progress.hidden = !on;
+    progress.value = 0;
+  }
+
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
@@ -912,6 +930,7 @@
     if ("text" in read) return noNumber(read.text);
     return "problem" in read ? read.problem : "";
   }
+  var ifTyped = (box2) => box2.value.trim() ? problemIn(box2) : "";
   function complain(box2, problem) {
     const place4 = box2.closest("label, [data-hand]") ?? box2.parentElement;
     const told4 = place4.querySelector(".carts-error") ?? html("span", "carts-error");
@@ -927,6 +946,7 @@
     const error = need(root, ".carts-cost-error");
     const bet = need(root, ".carts-cost-bet");
     const times2 = need(root, ".carts-cost-times");
+    const [told4, line3] = [need(root, ".carts-cost-verdict"), need(root, ".carts-cost-asked")];
     const skip = need(root, ".carts-cost-skip");
     form2.hidden = false;
     known2.hidden = true;
@@ -940,18 +960,22 @@
     });
     need(root, ".carts-cost-show").addEventListener("click", () => {
       if (known2.hidden && !bet.value) {
-        say(
-          need(root, ".carts-cost-verdict"),
-          tr("Choose a method first: a wrong guess is worth more than none.")
-        );
+        say(told4, tr("Choose a method first: a wrong guess is worth more than none."));
         return bet.focus();
       }
+      const problem = ifTyped(times2);
+      complain(times2, problem);
+      if (problem) return times2.focus();
       open2();
       const asked4 = Number(error.value);
       const said = { error: asked4, bet: bet.value, times: numberIn(times2) ?? Number.NaN };
-      say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
-      put(need(root, ".carts-cost-asked"), "d", `M${LEFT2} ${px(yAt(asked4))}H${RIGHT2}`);
+      say(told4, verdict(rows(), said));
+      put(line3, "d", `M${LEFT2} ${px(yAt(asked4))}H${RIGHT2}`);
     });
+    return () => {
+      say(told4, "");
+      put(line3, "d", "");
+    };
   }
 
   // ../view/scales.js
@@ -1145,18 +1169,6 @@
   var measuredWords = (when) => when ? tr("Measured {when}.", { when }) : tr("Not measured yet.");
   var keptWords = (reason) => tr("{reason} What was prepared stays as it is.", { reason });
 
-  // src/cost/working.js
-  function showWorking(root, on) {
-    const [go, stop] = [need(root, ".carts-cost-go"), need(root, ".carts-cost-stop")];
-    const focused = document.activeElement === (on ? go : stop);
-    go.hidden = on;
-    stop.hidden = !on;
-    const progress = need(root, ".carts-cost-progress");
-    progress.hidden = !on;
-    progress.value = 0;
-    if (focused) (on ? stop : go).focus();
-  }
-
   // src/cost/element.js
   function costElement(client2) {
     return class CartsCost extends HTMLElement {
@@ -1167,6 +1179,8 @@
       choice = new Choice(this);
       #generation = 0;
       #measuring = 0;
+      #forgetGuess = () => {
+      };
       #fresh = 0;
       // rows of the newest measurement
       #stage = null;
@@ -1187,7 +1201,7 @@
         this.#figure.floor = known2?.floor;
         this.#show(facts.run);
         this.#mark();
-        guessFirst(this, () => this.rows);
+        this.#forgetGuess = guessFirst(this, () => this.rows);
         if (facts.breaks) {
           new BreaksFigure(this, facts.breaks, (point) => {
             this.scrollIntoView();
@@ -1229,6 +1243,7 @@
           if (this.choice.adaptive) {
             this.#note(LOADING);
             await client2.need(PACKAGES);
+            if (generation !== this.#generation) return;
           }
           const scene = point?.scene ?? this.#scene;
           const message = { kind: "cost", scene, ...asked4 };
@@ -1251,14 +1266,14 @@
       stop() {
         if (!this.#measuring) return;
         this.#measuring = 0;
-        showWorking(this, false);
+        showWorking(this, "cost", false);
         say(need(this, ".carts-cost-say"), stoppedWords(this.#fresh));
       }
       async #measure() {
         const turn = Math.random() + 1;
         this.#measuring = turn;
         this.#fresh = 0;
-        showWorking(this, true);
+        showWorking(this, "cost", true);
         say(need(this, ".carts-cost-say"), LOADING_BOTH);
         const refused = /* @__PURE__ */ new Map();
         try {
@@ -1280,11 +1295,12 @@
           this.#fail(error);
           say(need(this, ".carts-cost-say"), "");
         } finally {
-          if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, false);
+          if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, "cost", false);
         }
       }
       #newScene() {
         this.stop();
+        this.#forgetGuess();
         const known2 = this.#facts?.measured[this.choice.scene];
         this.#figure?.tell(known2?.floor, known2?.digits ?? {});
         this.#rows(known2?.rows ?? []);
@@ -1464,7 +1480,7 @@
           }
           this.#say(doneWords2(good, all.length, seconds));
         } catch (error) {
-          this.#fail(error);
+          if (this.#turn === turn) this.#fail(error);
         } finally {
           if (this.#turn === turn) this.#working(false);
           if (this.#turn === turn) this.#turn = 0;
@@ -1484,15 +1500,11 @@
         row.classList.add("carts-hard-fresh");
       }
       #working(on) {
-        const [go, stop] = [need(this, ".carts-hard-go"), need(this, ".carts-hard-stop")];
-        const focused = document.activeElement === (on ? go : stop);
-        go.hidden = on;
-        stop.hidden = !on;
-        need(this, ".carts-hard-progress").hidden = !on;
-        if (on)
-          for (const row of this.querySelectorAll(".carts-hard-fresh"))
-            row.classList.remove("carts-hard-fresh");
-        if (focused) (on ? stop : go).focus();
+        showWorking(this, "hard", on);
+        if (!on) return;
+        need(this, ".carts-note").hidden = true;
+        for (const row of this.querySelectorAll(".carts-hard-fresh"))
+          row.classList.remove("carts-hard-fresh");
       }
       #live() {
         this.dataset.state = "live";
@@ -2374,6 +2386,7 @@
       this.values = values;
       put(this.slider, "max", String(values.length - 1));
       this.slider.valueAsNumber = place4;
+      if (document.activeElement === this.box && this.box.value !== this.#read) return;
       this.#read = this.text(place4).replace("−", "-");
       this.box.value = this.#read;
       this.#complain("");
@@ -3593,7 +3606,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "hard", "law", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "cost", "hard", "law", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages: packages2 = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -5065,10 +5078,11 @@
       this.pad = need(root, ".carts-pad");
       this.boxes = [...root.querySelectorAll(".carts-height")];
       this.boxes.forEach((box2, k) => {
-        box2.addEventListener("input", () => this.#set(k, numberIn(box2)));
+        box2.addEventListener("input", () => this.#set(k, this.#beyond(box2) ? null : numberIn(box2)));
         box2.addEventListener("change", () => {
-          complain(box2, problemIn(box2));
-          this.#show(k);
+          const beyond = this.#beyond(box2);
+          complain(box2, beyond || problemIn(box2));
+          if (!beyond) this.#show(k);
         });
       });
       this.pad.addEventListener("pointerdown", (event) => {
@@ -5155,6 +5169,12 @@
       );
       const at3 = (time) => valueAt(t3, values[this.cart] ?? [0], slopes[this.cart] ?? [0], time) - start;
       return { values: evenly(0, header.until, at3), title };
+    }
+    #beyond(box2) {
+      const height = numberIn(box2) ?? 0;
+      if (height >= this.place.low && height <= HIGHEST) return "";
+      const label = box2.closest("label")?.firstChild?.textContent?.trim() ?? "";
+      return outside({ label, unit: "" }, fixed(this.place.low, 0), fixed(HIGHEST, 0));
     }
     #point(event) {
       const frame2 = this.pad.getBoundingClientRect();
@@ -10319,7 +10339,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }));
       const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
       const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
-      const still = { key: "stills", label: STILLS, seen: now.stills };
+      const still2 = { key: "stills", label: STILLS, seen: now.stills };
       const sound = { key: "sound", label: SOUND, seen: now.sound };
       const stops = { key: "stops", label: STOPS, seen: slow2 === "stops" };
       place4.replaceChildren(
@@ -10330,7 +10350,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           tr("Playing"),
           [
             ...lasting && slow2 !== "never" ? [stops] : [],
-            still,
+            still2,
             ...baked.run.header.contacts.length ? [sound] : []
           ],
           acts.playing

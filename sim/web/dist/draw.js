@@ -10534,8 +10534,8 @@
     const [contact, limit] = theory(breaks, first, method);
     return html`<div class="carts-cost-breaks">
 <p class="carts-heading">${tr("Where methods break")}</p>
-<div class="carts-cost-choice"><label>${tr("method")} <select class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
-<label>${tr("across")} <select class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
+<div class="carts-cost-choice"><label>${tr("method")} <select autocomplete="off" class="carts-breaks-method" disabled>${names.map((name) => html`<option value=${name}${name === method && html` selected`}>${METHODS[name]?.label}</option>`)}</select></label>
+<label>${tr("across")} <select autocomplete="off" class="carts-breaks-map" disabled>${breaks.maps.map(({ name }, k) => html`<option value=${k}>${name}</option>`)}</select></label></div>
 <svg class="carts-breaks-picture" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} role="img" aria-label=${tr("right digits of the velocities for each step and each value; the lists below reach every point")}>
 <g class="carts-breaks-squares">${squares(breaks, first, method).map(([kind2, d]) => html`<path class="carts-breaks-${kind2}" d=${d}/>`)}</g>
 <path class="carts-breaks-contact" d=${contact}/><path class="carts-breaks-limit" d=${limit}/>
@@ -10545,8 +10545,8 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
 <rect class="carts-breaks-ring" visibility="hidden"/>
 </svg>
 <ul class="carts-cost-key">${DIGITS.map((k) => sample(`${k}`, SQUARE, k === 8 ? digitsText(k) : `${k}`))}${sample("x", SQUARE, MADE)}${sample("contact", DASH, tr("a step as long as the contact"))}${sample("limit", DASH, tr("limit of stability"))}</ul>
-<div class="carts-cost-choice"><label>${tr("value")} <select class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
-<label>${tr("steps in 1 s")} <select class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>${tr("Run it above")}</button></div>
+<div class="carts-cost-choice"><label>${tr("value")} <select autocomplete="off" class="carts-breaks-value" disabled>${first.values.map((value, k) => html`<option value=${k}>${valueText(first, value)}</option>`)}</select></label>
+<label>${tr("steps in 1 s")} <select autocomplete="off" class="carts-breaks-step" disabled>${breaks.parts.map((n, k) => html`<option value=${k}>${n}</option>`)}</select></label> <button type="button" class="carts-button carts-breaks-run" disabled>${tr("Run it above")}</button></div>
 <p class="carts-breaks-found" role="status"></p>
 <pre class="carts-breaks-command" hidden></pre>
 </div>`;
@@ -10573,8 +10573,8 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
     );
     const none = html`<option value="">${tr("choose")}</option>`;
     return html`<div class="carts-cost-guess" role="group" aria-label=${tr("your guess")} hidden>
-<p>${tr("Say first how right you want it.")} <label>${tr("Velocities wrong by at most")} <select class="carts-cost-error">${errors}</select></label>
-<label>${tr("Which method gets there in the least time?")} <select class="carts-cost-bet">${none}${methods}</select></label>
+<p>${tr("Say first how right you want it.")} <label>${tr("Velocities wrong by at most")} <select autocomplete="off" class="carts-cost-error">${errors}</select></label>
+<label>${tr("Which method gets there in the least time?")} <select autocomplete="off" class="carts-cost-bet">${none}${methods}</select></label>
 <label>${tr("How many times as long as the exact outcome?")} <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
 <p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">${tr("Show")}</button> <button type="button" class="carts-button carts-cost-skip">${tr("Show without a guess")}</button> <span class="carts-cost-verdict" role="status"></span></p>
 </div>`;
@@ -10680,9 +10680,9 @@ ${breaks && breaksPart(breaks)}
       (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`
     );
     return html`<div class="carts-cost-choice">
-<label>${tr("scene")} <select class="carts-cost-scene" disabled>${scenes}</select></label>
-<label>${tr("method")} <select class="carts-cost-method" disabled>${methods}</select></label>
-<label>${tr("step")} <select class="carts-cost-step" disabled>${parts2}</select><select class="carts-cost-rtol" aria-label=${tr("tolerance")} disabled hidden>${tolerances}</select></label>
+<label>${tr("scene")} <select autocomplete="off" class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>${tr("method")} <select autocomplete="off" class="carts-cost-method" disabled>${methods}</select></label>
+<label>${tr("step")} <select autocomplete="off" class="carts-cost-step" disabled>${parts2}</select><select autocomplete="off" class="carts-cost-rtol" aria-label=${tr("tolerance")} disabled hidden>${tolerances}</select></label>
 </div>`;
   }
   function figure(rows, floor, digits) {
@@ -11364,7 +11364,7 @@ ${table3(facts)}
         (unit) => html`<option value=${unit}${units?.[kind2] === unit && html` selected`}>${unit}</option>`
       );
       const said = read && !read.assumed.some((one) => one === kind2) && html` hidden`;
-      return html`${k > 0 && " "}<label${said}>${text3()} <select class="carts-measured-unit" data-kind=${kind2} disabled><option value="">${tr("choose …")}</option>${options}</select></label>`;
+      return html`${k > 0 && " "}<label${said}>${text3()} <select autocomplete="off" class="carts-measured-unit" data-kind=${kind2} disabled><option value="">${tr("choose …")}</option>${options}</select></label>`;
     });
     const own = html`<button type="button" class="carts-button carts-measured-own" disabled>${tr("The lesson’s readings")}</button> `;
     return html`<div class="carts-measured-source">
@@ -11372,7 +11372,7 @@ ${table3(facts)}
 <details class="carts-more carts-measured-paste"><summary>${tr("Paste readings")}</summary><label>${tr("Text from Tracker, a spreadsheet or a sensor")} <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>${tr("Read this text")}</button></p></details>
 <details class="carts-more carts-measured-type"><summary>${tr("Type readings")}</summary><div class="carts-scroll" role="group" aria-label=${tr("table to type readings into")}><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "A" })}</th><th scope="col">${tr("{letter} of {cart}", { letter: "x", cart: "B" })}</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>${tr("More rows")}</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>${tr("Read this table")}</button></p></details>
 <p class="carts-measured-row">${choices}</p>
-<p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-row"><label class="carts-measured-runs" hidden>${tr("run")} <select autocomplete="off" class="carts-measured-run"></select></label> <label>${tr("use readings from")} <input type="text" autocomplete="off" class="carts-measured-from" disabled> s</label> <label>${tr("until")} <input type="text" autocomplete="off" class="carts-measured-until" disabled> s</label></p>
 <p class="carts-measured-said" role="status">${name && `${name}: ${read ? semicolons(howRead(read)) : ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unread"></ul></div>
 </div>`;
@@ -11390,7 +11390,7 @@ ${table3(facts)}
     return html`<div class="carts-measured-model" hidden>
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
 <div class="carts-measured-hands">${hands}</div>
-<p class="carts-measured-row"><label>${tr("contact law")} <select class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
+<p class="carts-measured-row"><label>${tr("contact law")} <select autocomplete="off" class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select autocomplete="off" class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
 <p class="carts-measured-row carts-measured-masses"></p>
 <p class="carts-measured-row"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
 <p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
@@ -13019,7 +13019,7 @@ ${button("start", START2, tr("Back to the start"), tr("Back to the start (Home)"
 ${button("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
 <button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
-<label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
+<label class="carts-speed-label">${tr("Speed")} <select autocomplete="off" class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
 ${fence.watch === "first" && html`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}

@@ -2288,6 +2288,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return row;
   }
 
+  // src/shared/working.js
+  var still = (event) => event.repeat && event.preventDefault();
+  function passOn(from, to) {
+    if (document.activeElement !== from) return;
+    to.addEventListener("keydown", still);
+    to.focus();
+  }
+
   // src/law/bar.js
   function lawBar(acts) {
     const button2 = (text, act) => {
@@ -2309,7 +2317,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       "carts-law-again"
     );
     root.append(run, judge, end2, button2(tr("Save as a file"), acts.save), again);
-    return { root, run, judge, end: end2 };
+    let begun2 = run;
+    const working = (on) => {
+      if (on) begun2 = document.activeElement === judge ? judge : run;
+      for (const one of on ? [end2] : [run, judge]) one.disabled = false;
+      passOn(on ? begun2 : end2, on ? end2 : begun2);
+      for (const one of on ? [run, judge] : [end2]) one.disabled = true;
+    };
+    return { root, end: end2, working };
   }
 
   // src/shared/enter.js
@@ -3352,7 +3367,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "hard", "law", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "cost", "hard", "law", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
@@ -3736,8 +3751,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         if (line2) this.editor?.go(line2);
       }
       #working(on) {
-        for (const one of [this.#bar.run, this.#bar.judge]) one.disabled = on;
-        this.#bar.end.disabled = !on;
+        this.#bar.working(on);
         this.toggleAttribute("data-working", on);
       }
     };

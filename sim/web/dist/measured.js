@@ -2998,7 +2998,7 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  var LONG = ["certify", "class", "hard", "law", "measured", "relevance", "teach"];
+  var LONG = ["certify", "class", "cost", "hard", "law", "measured", "relevance", "teach"];
   async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();

@@ -24,6 +24,11 @@
       if (only.nodeValue !== text) only.nodeValue = text;
     } else if (element.textContent !== text) element.textContent = text;
   }
+  function need(root, selector) {
+    const found = root.querySelector(selector);
+    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return found;
+  }
 
   // src/shared/tab.js
   var TAB = () => sessionStorage;
@@ -124,6 +129,7 @@
     scene.addEventListener("pointerdown", pull, options);
     close.addEventListener("click", () => {
       finish(...HINTS.map(({ name }) => name));
+      if (document.activeElement === close) need(scene, ".carts-play").focus();
       look();
     });
     const changes = new MutationObserver(soon);

@@ -2701,13 +2701,16 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#values = values;
       if (!this.querySelector('[aria-pressed="true"]')) return;
       this.#turn += 1;
+      this.#clear();
+      say(need(this, ".carts-worlds-note"), tr("The values have changed: press again."));
+    }
+    #clear() {
       this.#pictures?.leave();
       this.#pictures = null;
       need(this, ".carts-worlds-show").replaceChildren();
       for (const one of this.querySelectorAll(".carts-worlds-names button")) {
         one.setAttribute("aria-pressed", "false");
       }
-      say(need(this, ".carts-worlds-note"), tr("The values have changed: press again."));
     }
     async #show(world, button) {
       this.#turn += 1;
@@ -2722,16 +2725,17 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         const worlds = this.worlds.map(({ name, numbers }) => ({ [name]: numbers }));
         const real = await this.#ask({ kind: "run" });
         const other = await this.#ask({ kind: "worlds", worlds, world: world.name });
+        const baked = readBaked(this.scene);
+        const own = await isYours(baked, other);
         if (turn !== this.#turn) return;
         this.#pictures?.leave();
-        const baked = readBaked(this.scene);
         this.#pictures = new Pictures(baked, [
           { run: real, caption: tr("Our world") },
           { run: other, caption: world.says, impossible: true }
         ]);
         place3.replaceChildren(
           this.#pictures.root,
-          ...await isYours(baked, other) ? [yours()] : [],
+          ...own ? [yours()] : [],
           ends(
             [
               { label: tr("Our world"), run: real },
@@ -2744,7 +2748,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         say(note, "");
         this.#pictures.player.play();
       } catch (error) {
-        if (turn === this.#turn) say(note, error.message);
+        if (turn !== this.#turn) return;
+        this.#clear();
+        say(note, error.message);
       }
     }
     async #ask(message) {

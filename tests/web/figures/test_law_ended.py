@@ -38,7 +38,9 @@ def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
     # The number in the message is of seconds: no line of the text is marked, to be typed over.
     assert box.evaluate("box => box.selectionStart === box.selectionEnd")
     page.get_by_role("button", name="Judge", exact=True).click()
-    page.get_by_role("button", name="Stop", exact=True).click()
+    stop = page.get_by_role("button", name="Stop", exact=True)
+    expect(stop).to_be_focused()
+    stop.press("Enter")
     expect(page.locator(".carts-law-fault")).to_have_text("Stopped.", timeout=STARTS)
     write(page, SPRING)
     press(page, "Run")

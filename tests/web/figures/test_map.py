@@ -100,6 +100,10 @@ def test_a_map_shows_and_runs_the_values_of_its_points(site: Path, open_page: Op
     expect(box).to_have_value("1.025")
     text = page.locator("#map-velocity .carts-map-number").text_content() or ""
     assert (slider.get_attribute("aria-valuetext") or "") == f"1.025 kg: {text}"
+    box.fill("4.2")  # an answer that comes meanwhile takes nothing from what is being typed
+    on_map(page, 'await el.set({"B.mass": 2})')
+    expect(box).to_have_value("4.2")
+    on_map(page, 'await el.set({"B.mass": 1})')
     # A number box takes the nearest point, and says what is wrong.
     box.fill("2.004")
     box.press("Enter")

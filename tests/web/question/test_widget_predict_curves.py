@@ -39,7 +39,7 @@ def test_a_curve_is_typed_or_drawn_and_compared_by_features(
 
 
 @pytest.mark.one_browser
-def test_a_height_that_is_cleared_or_cannot_be_read_is_none_and_a_decimal_comma_is_one(
+def test_a_height_that_is_cleared_or_cannot_be_read_or_drawn_is_none_and_a_decimal_comma_is_one(
     shared_page: SharePage, widget_site: Path
 ) -> None:
     page = live(shared_page(widget_site / "curve.html"), "curve")
@@ -54,9 +54,15 @@ def test_a_height_that_is_cleared_or_cannot_be_read_is_none_and_a_decimal_comma_
         expect(missing).to_contain_text("Give all five heights first")
         expect(told.locator(".carts-error")).to_contain_text(said)
         expect(heights.nth(2)).to_have_value(typed)
-    heights.nth(2).fill("90")
+    for typed in ("90", "-1"):  # a height that nobody typed would be none of theirs
+        heights.nth(2).fill(typed)
+        heights.nth(2).press("Tab")
+        page.locator("#curve .carts-lock").click()
+        expect(missing).to_contain_text("Give all five heights first")
+        expect(told.locator(".carts-error")).to_contain_text("0 to 10, please.")
+        expect(heights.nth(2)).to_have_value(typed)
+    heights.nth(2).fill("10")
     heights.nth(2).press("Tab")
-    expect(heights.nth(2)).to_have_value("10")
     expect(told.locator(".carts-error")).to_have_count(0)
     page.reload()
     expect(heights.nth(1)).to_have_value("2.5")

@@ -72,8 +72,9 @@ def test_hints_come_one_by_one_and_never_again_once_done(site: Path, open_page: 
 def test_hints_that_are_closed_stay_closed(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / "sandbox.html", viewport=SMALL)
     expect(hint(page)).to_contain_text("Pull a cart")
-    page.get_by_role("button", name="No more hints").click()
+    page.get_by_role("button", name="No more hints").press("Enter")
     expect(hint(page)).to_have_count(0)
+    expect(page.locator("carts-scene .carts-play").first).to_be_focused()
     page.reload()
     page.wait_for_selector("carts-scene[data-state=live]", timeout=60_000)
     expect(hint(page)).to_have_count(0)

@@ -6,6 +6,7 @@ import { LIVE } from "../scene/element-words.js";
 import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
+import { showWorking } from "../shared/working.js";
 import { BreaksFigure } from "./breaks.js";
 import { Choice } from "./choice.js";
 import { CostFigure } from "./figure.js";
@@ -14,7 +15,6 @@ import { measureAll, PACKAGES } from "./measuring.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
 import * as words from "./words.js";
-import { showWorking } from "./working.js";
 
 /** @typedef {import("../../../view/cost/figure.js").CostRow} CostRow */
 /** @typedef {import("../../../view/cost/words.js").CostHeader} CostHeader */
@@ -38,6 +38,7 @@ export function costElement(client) {
     choice = new Choice(this);
     #generation = 0;
     #measuring = 0;
+    #forgetGuess = () => {};
     #fresh = 0; // rows of the newest measurement
     /** @type {CostStage | null} */
     #stage = null;
@@ -62,7 +63,7 @@ export function costElement(client) {
       this.#figure.floor = known?.floor;
       this.#show(facts.run);
       this.#mark();
-      guessFirst(this, () => this.rows);
+      this.#forgetGuess = guessFirst(this, () => this.rows);
       if (facts.breaks) {
         new BreaksFigure(this, facts.breaks, (point) => {
           this.scrollIntoView();
@@ -113,6 +114,7 @@ export function costElement(client) {
         if (this.choice.adaptive) {
           this.#note(words.LOADING);
           await client.need(PACKAGES);
+          if (generation !== this.#generation) return;
         }
         const scene = point?.scene ?? this.#scene;
         const message = { kind: "cost", scene, ...asked };
@@ -138,7 +140,7 @@ export function costElement(client) {
     stop() {
       if (!this.#measuring) return;
       this.#measuring = 0;
-      showWorking(this, false);
+      showWorking(this, "cost", false);
       say(need(this, ".carts-cost-say"), words.stoppedWords(this.#fresh));
     }
 
@@ -146,7 +148,7 @@ export function costElement(client) {
       const turn = Math.random() + 1;
       this.#measuring = turn;
       this.#fresh = 0;
-      showWorking(this, true);
+      showWorking(this, "cost", true);
       say(need(this, ".carts-cost-say"), words.LOADING_BOTH);
       const refused = new Map(); // what a method that cannot follow the scene says
       try {
@@ -168,13 +170,14 @@ export function costElement(client) {
         this.#fail(/** @type {Error} */ (error));
         say(need(this, ".carts-cost-say"), "");
       } finally {
-        if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, false);
+        if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, "cost", false);
       }
     }
 
     /** Another scene: the measurements were those of the one before. */
     #newScene() {
       this.stop();
+      this.#forgetGuess(); // it was of the other scene
       const known = this.#facts?.measured[this.choice.scene];
       this.#figure?.tell(known?.floor, known?.digits ?? {});
       this.#rows(known?.rows ?? []);

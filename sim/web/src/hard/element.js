@@ -4,6 +4,7 @@ import * as words from "../../../view/hard/words.js";
 import { LIVE } from "../scene/element-words.js";
 import { html, need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
+import { showWorking } from "../shared/working.js";
 
 /** @typedef {{scene: object, expected: words.Wanted, within: number[], events: boolean, packages: string[]}} Case */
 /** @typedef {{exact: {got: words.Got, seconds: number}, stepped: {method: string, verdict: string, got: words.Got}[]}} Answer */
@@ -76,7 +77,7 @@ export function hardElement(client) {
         }
         this.#say(words.doneWords(good, all.length, seconds));
       } catch (error) {
-        this.#fail(/** @type {Error & {reason?: string}} */ (error));
+        if (this.#turn === turn) this.#fail(/** @type {Error & {reason?: string}} */ (error));
       } finally {
         if (this.#turn === turn) this.#working(false);
         if (this.#turn === turn) this.#turn = 0;
@@ -100,15 +101,11 @@ export function hardElement(client) {
 
     /** @param {boolean} on */
     #working(on) {
-      const [go, stop] = [need(this, ".carts-hard-go"), need(this, ".carts-hard-stop")];
-      const focused = document.activeElement === (on ? go : stop);
-      go.hidden = on;
-      stop.hidden = !on;
-      need(this, ".carts-hard-progress").hidden = !on;
-      if (on)
-        for (const row of this.querySelectorAll(".carts-hard-fresh"))
-          row.classList.remove("carts-hard-fresh");
-      if (focused) (on ? stop : go).focus();
+      showWorking(this, "hard", on);
+      if (!on) return;
+      need(this, ".carts-note").hidden = true; // of what went wrong before
+      for (const row of this.querySelectorAll(".carts-hard-fresh"))
+        row.classList.remove("carts-hard-fresh");
     }
 
     #live() {

@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { askingButton } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
+import { passOn } from "../shared/working.js";
 
 /** @param {Record<"run" | "judge" | "stop" | "save" | "again", () => void>} acts */
 export function lawBar(acts) {
@@ -25,5 +26,13 @@ export function lawBar(acts) {
     "carts-law-again",
   );
   root.append(run, judge, end, button(tr("Save as a file"), acts.save), again);
-  return { root, run, judge, end };
+  let begun = run; // the one that was pressed
+  /** @param {boolean} on whether one of them is at work */
+  const working = (on) => {
+    if (on) begun = document.activeElement === judge ? judge : run;
+    for (const one of on ? [end] : [run, judge]) one.disabled = false;
+    passOn(on ? begun : end, on ? end : begun);
+    for (const one of on ? [run, judge] : [end]) one.disabled = true;
+  };
+  return { root, end, working };
 }

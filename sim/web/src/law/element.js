@@ -242,8 +242,7 @@ export function lawElement(base) {
 
     /** @param {boolean} on */
     #working(on) {
-      for (const one of [this.#bar.run, this.#bar.judge]) one.disabled = on;
-      this.#bar.end.disabled = !on;
+      this.#bar.working(on);
       this.toggleAttribute("data-working", on);
     }
   };

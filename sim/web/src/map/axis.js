@@ -38,6 +38,7 @@ export class AxisControl {
     this.values = values;
     put(this.slider, "max", String(values.length - 1));
     this.slider.valueAsNumber = place;
+    if (document.activeElement === this.box && this.box.value !== this.#read) return; // being typed
     this.#read = this.text(place).replace("−", "-");
     this.box.value = this.#read;
     this.#complain("");

@@ -2,11 +2,13 @@
 
 import { body } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
+import { fixed } from "../../../view/numbers.js";
 import { HIGHEST, LEFT, POINTS, pad, path, STEP } from "../../../view/pad.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { html, need, put } from "../shared/dom.js";
 import { complain, numberIn, problemIn } from "../shared/number-box.js";
+import { outside } from "../shared/typed.js";
 import { features } from "./curve-features.js";
 import { placeLabels } from "./pad-labels.js";
 
@@ -28,10 +30,11 @@ export class CurveForm {
     this.pad = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-pad")));
     this.boxes = /** @type {HTMLInputElement[]} */ ([...root.querySelectorAll(".carts-height")]);
     this.boxes.forEach((box, k) => {
-      box.addEventListener("input", () => this.#set(k, numberIn(box)));
+      box.addEventListener("input", () => this.#set(k, this.#beyond(box) ? null : numberIn(box)));
       box.addEventListener("change", () => {
-        complain(box, problemIn(box));
-        this.#show(k);
+        const beyond = this.#beyond(box);
+        complain(box, beyond || problemIn(box));
+        if (!beyond) this.#show(k);
       });
     });
     this.pad.addEventListener("pointerdown", (event) => {
@@ -133,6 +136,14 @@ export class CurveForm {
     const at = (/** @type {number} */ time) =>
       valueAt(t, values[this.cart] ?? [0], slopes[this.cart] ?? [0], time) - start;
     return { values: evenly(0, header.until, at), title };
+  }
+
+  /** Why the height in a box is none for this pad; empty: it is one, or cannot be read. @param {HTMLInputElement} box */
+  #beyond(box) {
+    const height = numberIn(box) ?? 0;
+    if (height >= this.place.low && height <= HIGHEST) return "";
+    const label = box.closest("label")?.firstChild?.textContent?.trim() ?? "";
+    return outside({ label, unit: "" }, fixed(this.place.low, 0), fixed(HIGHEST, 0));
   }
 
   /** @param {PointerEvent} event */

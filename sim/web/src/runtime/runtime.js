@@ -10,7 +10,7 @@ import { AT_WORK, PATIENCE, SLOW_AFTER, watch } from "./watch.js";
 /** @typedef {{header: any, numbers: Float64Array}} Answer */
 
 const PICK_UP = 3; // s until an idle worker must have taken up a request
-const LONG = ["certify", "class", "hard", "law", "measured", "relevance", "teach"]; // kinds of requests that no picture waits for
+const LONG = ["certify", "class", "cost", "hard", "law", "measured", "relevance", "teach"]; // kinds of requests that no picture waits for
 
 /**
  * Starts Python for a page.

@@ -5,7 +5,7 @@
  */
 
 import { tr } from "../../../view/language.js";
-import { html, say } from "../shared/dom.js";
+import { html, need, say } from "../shared/dom.js";
 import { BROWSER, recall, retain } from "../shared/tab.js";
 import { HINTS, isPulled } from "./hints.js";
 
@@ -68,6 +68,7 @@ export function showTour(scene) {
   scene.addEventListener("pointerdown", pull, options);
   close.addEventListener("click", () => {
     finish(...HINTS.map(({ name }) => name));
+    if (document.activeElement === close) need(scene, ".carts-play").focus();
     look();
   });
   const changes = new MutationObserver(soon);

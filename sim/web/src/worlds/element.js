@@ -98,13 +98,18 @@ export class WorldsElement extends HTMLElement {
     this.#values = values;
     if (!this.querySelector('[aria-pressed="true"]')) return;
     this.#turn += 1;
+    this.#clear();
+    say(need(this, ".carts-worlds-note"), tr("The values have changed: press again."));
+  }
+
+  /** No world is shown. */
+  #clear() {
     this.#pictures?.leave();
     this.#pictures = null;
     need(this, ".carts-worlds-show").replaceChildren();
     for (const one of this.querySelectorAll(".carts-worlds-names button")) {
       one.setAttribute("aria-pressed", "false");
     }
-    say(need(this, ".carts-worlds-note"), tr("The values have changed: press again."));
   }
 
   /** @param {World} world @param {Element} button */
@@ -121,16 +126,17 @@ export class WorldsElement extends HTMLElement {
       const worlds = this.worlds.map(({ name, numbers }) => ({ [name]: numbers }));
       const real = await this.#ask({ kind: "run" });
       const other = await this.#ask({ kind: "worlds", worlds, world: world.name });
+      const baked = readBaked(this.scene);
+      const own = await isYours(baked, other);
       if (turn !== this.#turn) return;
       this.#pictures?.leave();
-      const baked = readBaked(this.scene);
       this.#pictures = new Pictures(baked, [
         { run: real, caption: tr("Our world") },
         { run: other, caption: world.says, impossible: true },
       ]);
       place.replaceChildren(
         this.#pictures.root,
-        ...((await isYours(baked, other)) ? [yours()] : []),
+        ...(own ? [yours()] : []),
         ends(
           [
             { label: tr("Our world"), run: real },
@@ -143,7 +149,9 @@ export class WorldsElement extends HTMLElement {
       say(note, "");
       this.#pictures.player.play();
     } catch (error) {
-      if (turn === this.#turn) say(note, /** @type {Error} */ (error).message);
+      if (turn !== this.#turn) return;
+      this.#clear(); // what is shown is another world than the one asked for
+      say(note, /** @type {Error} */ (error).message);
     }
   }
 
