@@ -85,8 +85,8 @@
     refused = [];
     codes = ["", ""];
     // as typed, of each group
-    unsaved = false;
-    // marks, codes or code words of this visit are nowhere else
+    unfiled = false;
+    // marks of this visit are in no file
     tables = [];
     most = "";
     // marks of the tests in them, as typed
@@ -100,6 +100,9 @@
     }
     get typed() {
       return this.codes.some(Boolean);
+    }
+    get unsaved() {
+      return this.unfiled || this.typed || this.files.some(({ named }) => named);
     }
     get groups() {
       if (!this.two) return [WHOLE];
@@ -120,12 +123,11 @@
       this.marks.set(JSON.stringify([lesson, form2, codeWord(student), item]), mark);
     }
     mark(mark) {
-      this.unsaved = true;
+      this.unfiled = true;
       this.give(mark);
     }
     name(file, typed) {
       const before = this.#who(file);
-      this.unsaved = true;
       file.row[STUDENT] = codeWord(typed);
       file.named = true;
       if (this.files.some((other) => this.#who(other) === before)) return;
@@ -171,10 +173,10 @@
       if (!two) this.codes = [this.codes.filter(Boolean).join("\n"), ""];
     }
     typeCodes(group, text) {
-      this.unsaved = true;
       this.codes[group] = text;
     }
     marksFile() {
+      this.unfiled = false;
       const rows = [...this.marks.values()].map((mark) => ({
         ...mark,
         student: codeWord(mark.student)
@@ -797,7 +799,6 @@
       tr("Save marks"),
       () => {
         download("class.marks.json", element.classroom.marksFile(), "application/json");
-        element.classroom.unsaved = false;
         say2(
           tr("Saved as {name}. Drop it here with the files next time.", { name: "class.marks.json" })
         );

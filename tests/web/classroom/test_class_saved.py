@@ -95,6 +95,8 @@ def test_the_browser_asks_before_marks_are_lost_that_were_not_saved(page: Page) 
     page.locator(".carts-class-codes > summary").click()
     page.locator(".carts-class-codes textarea").fill("BLUE-FOX pre")
     assert page.evaluate(STAYS)
+    saved(page, ".carts-class-save-marks")
+    assert page.evaluate(STAYS)  # typed codes are in no file
     page.get_by_role("button", name="Delete everything").click()
     page.get_by_role("button", name="Delete", exact=True).click()
     assert not page.evaluate(STAYS)

@@ -29,7 +29,7 @@ export class Classroom {
   /** @type {[string, string][]} */
   refused = [];
   codes = ["", ""]; // as typed, of each group
-  unsaved = false; // marks, codes or code words of this visit are nowhere else
+  unfiled = false; // marks of this visit are in no file
   /** @type {Table[]} */
   tables = [];
   most = ""; // marks of the tests in them, as typed
@@ -50,6 +50,11 @@ export class Classroom {
   /** @returns {boolean} whether a code was typed */
   get typed() {
     return this.codes.some(Boolean);
+  }
+
+  /** @returns {boolean} whether marks, codes or code words of this visit are nowhere else */
+  get unsaved() {
+    return this.unfiled || this.typed || this.files.some(({ named }) => named);
   }
 
   /** @returns {string[]} the names of the groups, each once */
@@ -78,14 +83,13 @@ export class Classroom {
 
   /** A mark that the teacher gives here; those of a file are given, too, and saved already. @param {GivenMark} mark */
   mark(mark) {
-    this.unsaved = true;
+    this.unfiled = true;
     this.give(mark);
   }
 
   /** Says whose a file is that does not tell it. Marks that were given to it go along. @param {Held} file @param {string} typed */
   name(file, typed) {
     const before = this.#who(file);
-    this.unsaved = true;
     file.row[STUDENT] = codeWord(typed);
     file.named = true;
     if (this.files.some((other) => this.#who(other) === before)) return; // they are that one's
@@ -146,12 +150,12 @@ export class Classroom {
 
   /** @param {number} group @param {string} text */
   typeCodes(group, text) {
-    this.unsaved = true;
     this.codes[group] = text;
   }
 
-  /** @returns {string} the text of a file with the teacher's marks */
+  /** @returns {string} the text of a file with the teacher's marks, for a file to be saved */
   marksFile() {
+    this.unfiled = false;
     const rows = [...this.marks.values()].map((mark) => ({
       ...mark,
       student: codeWord(mark.student),
