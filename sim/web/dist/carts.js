@@ -2411,8 +2411,10 @@
       const { decimals } = this;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read)
-        return this.#complain(tr("{label}: a number in {unit}, please.", { label, unit }));
+      if ("text" in read) {
+        const wanted2 = tr("{label}: a number in {unit}, please.", { label, unit });
+        return this.#complain(unit ? wanted2 : noNumber(read.text));
+      }
       if (read.value < low || read.value > high)
         return this.#complain(outside(this.axis, fixed(low, decimals), fixed(high, decimals)));
       return chosen(this.nearest(read.value, per));

@@ -5,7 +5,7 @@ import { axisDecimals, shown } from "../../../view/map/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
 import { onEnter } from "../shared/enter.js";
-import { outside, readTyped } from "../shared/typed.js";
+import { noNumber, outside, readTyped } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/map/types.js").Axis} Axis */
 
@@ -71,8 +71,10 @@ export class AxisControl {
     const { decimals } = this;
     const read = readTyped(this.box.value);
     if ("problem" in read) return this.#complain(read.problem);
-    if ("text" in read)
-      return this.#complain(tr("{label}: a number in {unit}, please.", { label, unit }));
+    if ("text" in read) {
+      const wanted = tr("{label}: a number in {unit}, please.", { label, unit });
+      return this.#complain(unit ? wanted : noNumber(read.text));
+    }
     if (read.value < low || read.value > high)
       return this.#complain(outside(this.axis, fixed(low, decimals), fixed(high, decimals)));
     return chosen(this.nearest(read.value, per));
