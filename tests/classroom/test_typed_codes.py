@@ -6,6 +6,8 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import count
 
+import pytest
+
 from sim.bridge.protocol import answer
 from sim.classroom.files.codes import MOST_LINES, read_codes
 from sim.classroom.files.keyed import KeyedForm, read_key_file
@@ -92,6 +94,41 @@ def test_of_two_lessons_with_the_same_questions_one_can_be_named() -> None:
             (found,), none = read_codes(line, forms)
             assert not none
             assert (found.answers.student, found.answers.lesson) == ("BLUE FOX", named)
+
+
+@pytest.mark.parametrize(
+    "line", ["FOX, carts, pre, ", "FOX carts pre ", "FOX; Carts; ", "FOX, pre "]
+)
+def test_the_lesson_may_always_be_named_and_is_no_part_of_the_code_word(line: str) -> None:
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    (found,), refused = read_codes(line + code, read_key_file(keys(BANK, ["pre"])))
+    assert not refused
+    assert (found.answers.student, found.answers.lesson) == ("FOX", "carts")
+
+
+@pytest.mark.parametrize(
+    ("line", "named"),
+    [
+        ("FOX, newtons-third-law, pre, ", "newtons-third-law"),
+        ("BLUE FOX crats-again pre ", "crats-again"),
+    ],
+)
+def test_a_lesson_that_no_key_has_is_refused_and_no_part_of_the_code_word(
+    line: str, named: str
+) -> None:
+    (once,) = read_key_file(keys(BANK, ["pre"]))
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    read, (refused,) = read_codes(line + code, [once, replace(once, lesson="carts-again")])
+    assert not read
+    assert (
+        refused.reason == f"there is no key for a lesson “{named}”, only for carts or carts-again"
+    )
+
+
+def test_two_lines_of_one_student_can_be_told_apart() -> None:
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    read, _ = read_codes(f"FOX {code}\nFOX {code}", read_key_file(keys(BANK, ["pre"])))
+    assert [one.name for one in read] == ["typed, line 1: FOX pre", "typed, line 2: FOX pre"]
 
 
 def test_a_code_that_two_texts_of_a_form_have_by_chance_says_which_key_to_choose() -> None:

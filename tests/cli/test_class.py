@@ -51,7 +51,20 @@ def test_without_a_key_answers_are_counted_and_nothing_is_marked(school: Path) -
     assert pre["has_key"] is post["has_key"] is False
     assert pre["of"] == 0
     assert sum(choice["count"] for choice in pre["items"][0]["choices"]) > 5
-    assert "no key for it, so nothing is marked" in carts(school / "7a").stdout
+    told = carts(school / "7a").stdout
+    assert "no key for it, so nothing is marked" in told
+    assert "It is called carts.key.json." in told
+    assert "The keys that are here" not in told
+
+
+def test_where_the_key_of_another_lesson_was_given_both_are_named(
+    school: Path, tmp_path: Path
+) -> None:
+    given = json.loads(keys(bank(2), ["pre"]))
+    other = tmp_path / "other.key.json"
+    other.write_text(json.dumps(given | {"lesson": "other"}), encoding="utf-8")
+    told = carts(school / "7a", "--key", other).stdout
+    assert "It is called carts.key.json. The keys that are here are for other pre" in told
 
 
 def test_tables_for_a_spreadsheet_with_decimal_commas_hold_the_same(school: Path) -> None:

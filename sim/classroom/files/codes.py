@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from difflib import get_close_matches
 
 from sim.classroom.files.archive import shown
 from sim.classroom.files.keyed import KeyedForm
@@ -20,7 +21,10 @@ from sim.lesson.opening import FORMS
 from sim.scene.said import listed_or, reason_of, said, template
 
 _CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
+_BETWEEN = re.compile("[,;]")
 MOST_LINES = 2000
+ALIKE = 0.8
+"""Of the letters of a word and a lesson: then it was meant. A slip of the pen is; a name is not."""
 
 
 def read_codes(
@@ -50,7 +54,7 @@ def _name(line: str, n: int, file: str) -> str:
     told = shown(line)[:60]
     if file:
         return said("{file}/line {n}: {line}", file=shown(file), n=f"{n}", line=told)
-    return said("typed: {line}", line=told)
+    return said("typed, line {n}: {line}", n=f"{n}", line=told)
 
 
 def _line(line: str, forms: Sequence[KeyedForm]) -> AnswerFile | str:
@@ -59,14 +63,15 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> AnswerFile | str:
         return template(
             "a line is: code word, form, hand-in code; for example BLUE-FOX-27 pre 7K2M-Q9ZD-03HX"
         )
-    words = line[: match.start()].replace(",", " ").replace(";", " ").split()
-    wanted = words.pop().lower() if words and words[-1].lower() in FORMS else ""
-    student = " ".join(words)
-    if not student:
-        return template("the student's code word is missing in front of the code")
+    told = _who(line[: match.start()], [form.lesson for form in forms])
+    if isinstance(told, str):
+        return told
+    student, lesson, wanted = told
     fits: dict[tuple[str, str, str], tuple[KeyedForm, Sequence[int]]] = {}
     problem = template("there is no key for it: choose the key file as well")
     for form in forms:
+        if lesson not in ("", form.lesson):
+            continue
         try:
             chosen = decode(
                 [count for _, count in form.options], match.group(), f"{form.form}:{form.hash}"
@@ -76,10 +81,7 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> AnswerFile | str:
         else:
             # A form whose key is there twice, or in two copies of a site, is one: the later counts.
             fits[form.lesson, form.form, form.hash] = form, chosen
-    named = [one for one in fits if len(fits) > 1 and student.endswith(f" {one[0]}")]
-    if named:
-        student = student.removesuffix(f" {named[0][0]}")
-    meant = [one for one in named or fits if wanted in ("", one[1])]
+    meant = [one for one in fits if wanted in ("", one[1])]
     if len(meant) == 1:
         return _read(student, match.group().strip(), *fits[meant[0]])
     names = list(dict.fromkeys(f"{lesson} {form}" for lesson, form, _ in meant))
@@ -92,6 +94,32 @@ def _line(line: str, forms: Sequence[KeyedForm]) -> AnswerFile | str:
             "answered"
         )
     return problem
+
+
+def _who(text: str, lessons: Sequence[str]) -> tuple[str, str, str] | str:
+    """Code word, lesson and form in front of a code, the last two perhaps empty; or what is wrong.
+
+    A code word may have blanks: a misspelt lesson is known by commas only, or by what it is like.
+    """
+    fields = [words for field in _BETWEEN.split(text) if (words := field.split())]
+    words = [word for field in fields for word in field]
+    form = words.pop().lower() if words and words[-1].lower() in FORMS else ""
+    if not words:
+        return template("the student's code word is missing in front of the code")
+    before = " ".join(words)
+    for lesson in sorted(set(lessons), key=len, reverse=True):
+        if before.lower().endswith(f" {lesson.lower()}"):
+            return before[: -len(lesson) - 1], lesson, form
+    apart = words[len(fields[0]) :]
+    if not apart and get_close_matches(words[-1].lower(), map(str.lower, lessons), 1, ALIKE):
+        apart = words[1:][-1:]
+    if not apart or not lessons:
+        return before, "", form
+    known = listed_or(sorted(set(lessons)))
+    return said(
+        "there is no key for a lesson “{name}”, only for {lessons}",
+        name=shown(" ".join(apart))[:60], lessons=known,
+    )  # fmt: skip
 
 
 def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> AnswerFile:

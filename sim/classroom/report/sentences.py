@@ -16,7 +16,7 @@ from sim.classroom.statistics.gain import EDGE
 from sim.classroom.statistics.ranks import SignedRanks
 from sim.classroom.statistics.spread import Spread
 from sim.scene.notation import number
-from sim.scene.said import commas, counted, joined, said, template
+from sim.scene.said import commas, counted, joined, listed, said, template
 
 ONE_ITEM = template(
     "One item is no diagnosis. The tables say which answers were chosen, and what students who "
@@ -81,13 +81,19 @@ def left_open(items: Iterable[Mapping[str, Any]]) -> str:
     )  # fmt: skip
 
 
-def unmarked(form: str, files: Mapping[str, Any], *, name_it: str) -> str:
+def unmarked(form: str, lesson: str, report: Mapping[str, Any], *, name_it: str) -> str:
     """That a form's key is missing, and where it can come from; `name_it`: how files of answers get
     one, where the report is shown. To a summary no key can be added any more."""
-    row = template("A row KEY in the table gives the right answers.")
-    advice = {"files": name_it, "rows": row}.get(files.get("unit", "files"), "")
-    return joined(said("Form {form}: there is no key for it, so nothing is marked.", form=form),
-                  advice)  # fmt: skip
+    missing = said("Form {form}: there is no key for it, so nothing is marked.", form=form)
+    unit = report["files"].get("unit", "files")
+    if unit == "rows":
+        return joined(missing, template("A row KEY in the table gives the right answers."))
+    if unit != "files":
+        return missing
+    name = said("It is called {name}.", name=f"{lesson}.key.json")
+    tests = [key for key in report["keys"] if not key.endswith(" worksheet")]
+    there = said("The keys that are here are for {keys}.", keys=listed(tests)) if tests else ""
+    return joined(missing, name_it, name, there)
 
 
 def waiting(form: Mapping[str, Any]) -> str:

@@ -140,7 +140,7 @@ def _means(lesson: Row, report: Row, tell: Tell) -> str:
             says.append(of_group(TITLES.get(form["form"], form["form"]), left))
         if not form["has_key"]:
             choose = template("Choose the key file as well.")
-            says.append(say.unmarked(form["form"], report["files"], name_it=choose))
+            says.append(say.unmarked(form["form"], lesson["lesson"], report, name_it=choose))
         elif form["unread"]:
             says.append(say.waiting(form))
     head = [template("form"), template("group"), template("students"),

@@ -57,7 +57,7 @@ def _parts(report: Mapping[str, Any], tell: Tell) -> Iterator[str]:
         for f in report["flags"]
     )
     for lesson in report["lessons"]:
-        yield from _lesson(lesson, report["files"], tell)
+        yield from _lesson(lesson, report, tell)
     yield _lines([*report["notes"], *_options(report)], tell)
 
 
@@ -68,7 +68,7 @@ def _options(report: Mapping[str, Any]) -> Iterator[str]:
         yield template("--max N tells the most marks too.")
 
 
-def _lesson(lesson: Mapping[str, Any], files: Mapping[str, Any], tell: Tell) -> Iterator[str]:
+def _lesson(lesson: Mapping[str, Any], report: Mapping[str, Any], tell: Tell) -> Iterator[str]:
     title = _safe(lesson["title"])
     yield f"{title}\n{'=' * len(title)}"
     yield _means(lesson, tell)
@@ -79,8 +79,8 @@ def _lesson(lesson: Mapping[str, Any], files: Mapping[str, Any], tell: Tell) -> 
     says += [of_group(form["form"], left) for form in lesson["forms"]
              if form["of"] is not None and (left := left_open(form["items"]))]  # fmt: skip
     name_it = template("Name the key file too: --key FILE")
-    says += [unmarked(form["form"], files, name_it=name_it) for form in lesson["forms"]
-             if not form["has_key"]]  # fmt: skip
+    says += [unmarked(form["form"], lesson["lesson"], report, name_it=name_it)
+             for form in lesson["forms"] if not form["has_key"]]  # fmt: skip
     says += [waiting(form) for form in lesson["forms"] if form["has_key"] and form["unread"]]
     yield _lines(says, tell)
     if lesson["comparison"]:

@@ -24,8 +24,7 @@ import { ChoiceForm, WordsForm } from "./words.js";
  */
 /** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, sure?: string, watched?: string,
  *   talk?: string, before?: {value: unknown, said: string}, why?: string, now?: string, again?: string}} Entry
- * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking; now: the same question after the run;
- * again: when an earlier one of this student was locked, who has seen the run since */
+ * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking; now: the same question after the run; again: when an earlier one of this student was locked, who has seen the run since */
 
 export class Predict {
   /** @type {Entry} */
