@@ -17,7 +17,7 @@ from sim.pages.classroom.losses import Target, fitting, losses
 from sim.pages.classroom.moodle import moodle_xml
 from sim.pages.classroom.portable import Portable, portable
 from sim.pages.classroom.qti.package import qti_package
-from sim.pages.classroom.qti.pictures import Pictures, pictures_of
+from sim.pages.classroom.qti.pictures import pictures_of
 from sim.pages.findings import AuthorError
 from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.question.of_lesson import lesson_asks
@@ -27,10 +27,9 @@ from sim.pages.translate.catalogues import OTHERS
 from sim.pages.translate.in_languages import in_languages
 
 ENDINGS = {"moodle": ".moodle.xml", "gift": ".gift.txt", "qti": ".qti.zip"}
-WRITERS: dict[str, Callable[[str, Sequence[Portable], Pictures], str | bytes]] = {
-    "moodle": lambda title, taken, _: moodle_xml(title, taken),
-    "gift": lambda title, taken, _: gift(title, taken),
-    "qti": qti_package,
+WRITERS: dict[str, Callable[[str, Sequence[Portable]], str]] = {
+    "moodle": moodle_xml,
+    "gift": gift,
 }
 
 
@@ -106,7 +105,13 @@ def command(
     # a bank lies in a folder beside the lessons that show its questions
     shown_from = path.parent if path.suffix == ".md" else path.parent.parent
     pictures = pictures_of(shown_from, Path.cwd())
-    write_out(out, WRITERS[target](asked.title, taken, pictures), "--out FILE")
+    spoken = language or ENGLISH
+    made = (
+        qti_package(asked.title, taken, pictures, name=name, language=spoken)
+        if target == "qti"
+        else WRITERS[target](asked.title, taken)
+    )
+    write_out(out, made, "--out FILE")
     click.echo(f"{out}: {len(taken)} {'question' if len(taken) == 1 else 'questions'}")
     for sentence in (*left, *refused, *losses(taken, target, pictures), *asked.stays):
         click.echo(sentence, err=True)

@@ -27,7 +27,7 @@ from sim.pages.classroom.qti.package import qti_package
 from sim.pages.classroom.qti.xhtml import blocks, flow
 from sim.pages.question.quiz import read_bank_text
 from tests.pages.given.qti_platform import Platform
-from tests.pages.given.qti_rules import ITEM, NAME, PACKAGE, local, mistakes
+from tests.pages.given.qti_rules import ITEM, LANG, NAME, PACKAGE, local, mistakes
 
 ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "exports" / "every-kind.yml"
@@ -60,7 +60,7 @@ BANKS = {"every-kind": read(GOLDEN), "own": read(OWN), "more": more()}
 
 def unpacked(bank: Bank) -> dict[str, bytes]:
     taken, _ = portable(bank.items.values())
-    with zipfile.ZipFile(io.BytesIO(qti_package(bank.title, taken))) as archive:
+    with zipfile.ZipFile(io.BytesIO(qti_package(bank.title, taken, name="bank"))) as archive:
         assert archive.testzip() is None
         return {name: archive.read(name) for name in archive.namelist()}
 
@@ -187,6 +187,23 @@ def test_what_a_person_reads_says_so_and_has_its_rubric_for_the_scorer() -> None
 def test_any_html_becomes_xml_of_known_elements(html: str, xml: str) -> None:
     assert flow(html) == xml
     ElementTree.fromstring(f"<x>{blocks(html)}</x>")
+
+
+def test_a_package_says_its_language_and_has_a_name_of_its_own() -> None:
+    taken, _ = portable(BANKS["own"].items.values())
+    names = set()
+    for name, language in (("newtons-third-law.ta", "ta"), ("விசை", "ta"), ("力", "zh-Hans")):
+        made = qti_package("T", taken, name=name, language=language)
+        with zipfile.ZipFile(io.BytesIO(made)) as archive:
+            roots = {one: ElementTree.fromstring(archive.read(one))
+                     for one in archive.namelist() if one.endswith(".xml")}  # fmt: skip
+        names.add(roots["test.xml"].get("identifier"))
+        assert f">{language}</imsmd:language>" in zipfile.ZipFile(io.BytesIO(made)).read(
+            "imsmanifest.xml").decode()  # fmt: skip
+        items = [root for one, root in roots.items() if one.startswith("items/")]
+        assert items and {root.get(LANG) for root in items} == {language}
+    assert len(names) == 3
+    assert "carts-newtons-third-law-ta" in names
 
 
 def test_equal_banks_give_equal_packages(tmp_path: Path) -> None:

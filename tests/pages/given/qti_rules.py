@@ -29,11 +29,12 @@ BLOCK = (r"p|div|ul|ol|blockquote|pre|table|h[1-6]|hr|qti-choice-interaction"
          r"|qti-order-interaction|qti-match-interaction|qti-extended-text-interaction"
          r"|qti-rubric-block")  # fmt: skip
 
+LANG = "{http://www.w3.org/XML/1998/namespace}lang"
 
 # element: (attributes it must have, others it may have, what stands in it in order, text allowed)
 RULES: dict[str, tuple[str, str, str, bool]] = {
     "qti-assessment-item": (
-        "identifier title adaptive time-dependent", "",
+        "identifier title adaptive time-dependent", LANG,
         "(qti-response-declaration )*(qti-outcome-declaration )*(qti-item-body )?"
         "(qti-response-processing )?(qti-modal-feedback )*", False),
     "qti-response-declaration": ("identifier cardinality base-type", "",

@@ -20,13 +20,14 @@ RESPONSES = {
 }  # fmt: skip
 
 
-def qti_item(q: Portable) -> str:
-    """The file of an item."""
+def qti_item(q: Portable, language: str) -> str:
+    """The file of an item; a screen reader speaks it in `language`."""
     made = processing(q)
     return "\n".join([
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<qti-assessment-item {HEAD} identifier={xml_attribute(q.id)} '
-        f'title={xml_attribute(q.id)} adaptive="false" time-dependent="false">',
+        f'title={xml_attribute(q.id)} xml:lang="{language}" adaptive="false" '
+        'time-dependent="false">',
         _response(q),
         *_outcomes(q, made.feedback),
         "<qti-item-body>",

@@ -11,6 +11,7 @@ from sim.pages.classroom.portable import Portable
 from sim.pages.classroom.qti.item import HEAD, INSTANCE, NAMESPACE, SCHEMA, qti_item
 from sim.pages.classroom.qti.pictures import Packed, Pictures, no_pictures
 from sim.pages.classroom.qti.xhtml import xml_attribute, xml_text
+from sim.pages.language.catalogue import ENGLISH
 
 PACKAGE = "http://www.imsglobal.org/xsd/qti/qtiv3p0/imscp_v1p1"
 PACKAGE_SCHEMA = "https://purl.imsglobal.org/spec/qti/v3p0/schema/xsd/imsqtiv3p0_imscpv1p2_v1p0.xsd"
@@ -22,23 +23,28 @@ DATE = (1980, 1, 1, 0, 0, 0)
 
 
 def qti_package(
-    title: str, questions: Iterable[Portable], pictures: Pictures = no_pictures
+    title: str,
+    questions: Iterable[Portable],
+    pictures: Pictures = no_pictures,
+    *,
+    name: str,
+    language: str = ENGLISH,
 ) -> bytes:
-    """The zip; `title` names the test."""
+    """The zip; `title` names the test for people, `name` for programs; `language`: ISO 639."""
     items = list(questions)
     packed = Packed(pictures)
-    made = {q.id: packed.item(qti_item(q)) for q in items}
+    made = {q.id: packed.item(qti_item(q, language)) for q in items}
     shown = {name: [f"{ITEMS}/{path}" for path in paths] for name, (_, paths) in made.items()}
     files = {
-        "imsmanifest.xml": _manifest(title, items, shown).encode(),
-        TEST: _test(title, items).encode(),
+        "imsmanifest.xml": _manifest(title, _identifier(name), language, items, shown).encode(),
+        TEST: _test(title, _identifier(name), items).encode(),
         **{_path(q): made[q.id][0].encode() for q in items},
         **{f"{ITEMS}/{path}": content for path, content in packed.files.items()},
     }
     zipped = io.BytesIO()
     with zipfile.ZipFile(zipped, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            entry = zipfile.ZipInfo(name, DATE)
+        for path, content in files.items():
+            entry = zipfile.ZipInfo(path, DATE)
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
     return zipped.getvalue()
@@ -48,12 +54,13 @@ def _path(q: Portable) -> str:
     return f"{ITEMS}/{q.id}.xml"
 
 
-def _identifier(title: str) -> str:
-    """A name for XML out of a title."""
-    return "carts-" + (re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") or "bank")
+def _identifier(name: str) -> str:
+    """A name for XML out of that of a file; letters that it may not have stand there as numbers."""
+    plain = re.sub(r"[^\x00-\x7f]", lambda one: f"-{ord(one[0]):x}-", name.lower())
+    return f"carts-{re.sub('[^a-z0-9]+', '-', plain).strip('-') or 'bank'}"
 
 
-def _test(title: str, items: Sequence[Portable]) -> str:
+def _test(title: str, identifier: str, items: Sequence[Portable]) -> str:
     refs = [
         f'<qti-assessment-item-ref identifier={xml_attribute(q.id)} '
         f"href={xml_attribute(_path(q))}/>"
@@ -61,7 +68,7 @@ def _test(title: str, items: Sequence[Portable]) -> str:
     ]  # fmt: skip
     return "\n".join([
         '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<qti-assessment-test {HEAD} identifier="{_identifier(title)}" '
+        f'<qti-assessment-test {HEAD} identifier="{identifier}" '
         f"title={xml_attribute(title)}>",
         '<qti-outcome-declaration identifier="SCORE" cardinality="single" base-type="float"/>',
         '<qti-test-part identifier="part-1" navigation-mode="nonlinear" '
@@ -80,16 +87,23 @@ def _test(title: str, items: Sequence[Portable]) -> str:
     ])  # fmt: skip
 
 
-def _manifest(title: str, items: Sequence[Portable], shown: Mapping[str, Sequence[str]]) -> str:
+def _manifest(
+    title: str,
+    identifier: str,
+    language: str,
+    items: Sequence[Portable],
+    shown: Mapping[str, Sequence[str]],
+) -> str:
     return "\n".join([
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<manifest xmlns="{PACKAGE}" xmlns:imsmd="{LOM}" xmlns:xsi="{INSTANCE}" '
         f'xsi:schemaLocation="{PACKAGE} {PACKAGE_SCHEMA} {LOM} {LOM_SCHEMA} {NAMESPACE} {SCHEMA}" '
-        f'identifier="manifest-{_identifier(title)}">',
+        f'identifier="manifest-{identifier}">',
         "<metadata>",
         "<schema>QTI Package</schema>",
         "<schemaversion>3.0.0</schemaversion>",
-        _lom(f"<imsmd:title><imsmd:string>{xml_text(title)}</imsmd:string></imsmd:title>"),
+        _lom(f"<imsmd:title><imsmd:string>{xml_text(title)}</imsmd:string></imsmd:title>"
+             f"<imsmd:language>{language}</imsmd:language>"),
         "</metadata>",
         "<organizations/>",
         "<resources>",
