@@ -73,6 +73,23 @@ def test_the_true_value_lies_in_the_interval_as_often_as_promised() -> None:
     assert all(count >= films - 9 for count in inside.values()), inside
 
 
+def test_velocities_after_the_contact_lie_in_their_intervals_as_often_as_promised() -> None:
+    inside, looks = 0, 0
+    for seed in range(30):
+        made, rate = random_truth(seed)
+        found = fit(film(made, rate, seed=seed))
+        known = {one.key: one for one in told(found, ("A", "B"))[0]}
+        m1, m2 = 1.0, made.ratio
+        centre = (m1 * made.v[0] + m2 * made.v[1]) / (m1 + m2)
+        apart = made.e * (made.v[1] - made.v[0]) / (m1 + m2)  # e turns the approach round
+        for key, true in (("v_a_after", centre + m2 * apart), ("v_b_after", centre - m1 * apart)):
+            one = known[key]
+            inside += one.low <= true <= one.high
+            looks += 1
+            assert one.sd < 0.1 * abs(made.v[0] - made.v[1])
+    assert 0.88 <= inside / looks <= 1.0  # 60 looks at 95 % scatter by 2.8 %
+
+
 @pytest.mark.parametrize("rate", [30, 60, 240])
 def test_standard_deviations_are_those_of_the_cramer_rao_bound(rate: int) -> None:
     made = truth(contact=0.15, v=(0.8, -0.2))

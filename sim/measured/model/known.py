@@ -11,7 +11,7 @@ import math
 
 from sim.measured.model.fit import Fit
 from sim.measured.model.lasting import by_any_law
-from sim.measured.model.motion import GRAVITY
+from sim.measured.model.motion import GRAVITY, Motion
 from sim.measured.model.quantity import Known, Untold, not_shown
 from sim.measured.model.unknowns import LEANS, RUBS
 from sim.scene.said import Said, said
@@ -63,6 +63,7 @@ def told(
         slopes = {f"v{k + 1}": 1.0}
         what = said("velocity of {cart} at the touch", cart=name)
         found.append(_plain(fit, key, what, p.v[k], slopes, "m/s"))
+    found += _after(fit, names)
     found.append(_plain(fit, "touch", said("first touch at t"), p.touch, {"touch": 1.0}, "s"))
     stiff = {"ln_w0": 1.0}
     duration = {"ln_w0": -1.0, "e": _duration_by_e(fit)}
@@ -85,6 +86,28 @@ def told(
         found.append(_plain(fit, "tilt", what, p.tilt, slopes, "m/s²"))
     _masses(fit, names, mass, found, untold, by_device=by_device)
     return found, untold
+
+
+def _after(fit: Fit, names: tuple[str, str]) -> list[Known]:
+    """Both velocities when the carts part: v' = V ± e u m_other/M, of which a brake changes next to
+    nothing within the contact, and the derivatives of that."""
+    p = fit.parameters
+    motion = Motion(p, fit.asked.law)
+    if not math.isfinite(motion.duration):
+        return []
+    a = 1.0 / (1.0 + p.ratio)  # share of the mass that A has
+    b, e, u = 1.0 - a, p.e, p.approach
+    by_ratio = -(1.0 + e) * u * a * b  # of both: V, and what e adds to it
+    slopes = (
+        {"v1": a - b * e, "v2": b * (1.0 + e), "e": -b * u, "ln_ratio": by_ratio},
+        {"v1": a * (1.0 + e), "v2": b - a * e, "e": a * u, "ln_ratio": by_ratio},
+    )
+    return [
+        _plain(fit, f"v_{'ab'[k]}_after", said("velocity of {cart} after", cart=name),
+               motion.after[1][k],
+               {key: by for key, by in slopes[k].items() if key in fit.unknowns}, "m/s")
+        for k, name in enumerate(names)
+    ]  # fmt: skip
 
 
 def _coefficient(brake: Known, name: str) -> Known:
