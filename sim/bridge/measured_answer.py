@@ -21,6 +21,7 @@ from array import array
 from binascii import a2b_base64
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from math import isfinite
 from typing import Any, cast
 
 from sim.measured.analysis import Analysis, Wanted, analysed, happened
@@ -60,12 +61,23 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
     }
     try:
         header = ways[str(request.get("do"))](request)
+        if not _finite(header):  # JSON has no infinity, and a picture no place for it
+            raise FitError(said("with numbers as large or small as these it cannot be computed"))
     except ReadingError as error:
         rows = [{"line": f.line, "reason": f.reason, "hint": f.hint} for f in error.faults]
         header = {"refused": rows, "source": error.source}
     except FitError as error:
         header = {"refused": [{"line": None, "reason": error.reason, "hint": error.hint}]}
     return _told(header), array("d")
+
+
+def _finite(value: Any) -> bool:
+    """Whether every number in it is."""
+    if isinstance(value, float):
+        return isfinite(value)
+    if isinstance(value, Mapping):
+        return all(map(_finite, value.values()))
+    return not isinstance(value, (list, tuple)) or all(map(_finite, value))
 
 
 def _told(value: Any) -> Any:

@@ -67,6 +67,17 @@ def test_the_fitted_model_laid_over_leaves_the_residuals_of_the_fit() -> None:
     assert len(inside) >= 40
 
 
+def test_numbers_beyond_all_sense_are_refused_in_words() -> None:
+    hand = asked("read")["parameters"]
+    answers = [
+        asked("model", hand=hand | {"touch": 1e308}),
+        asked("model", hand=hand | {"v": [1e200, 0.0]}),
+        asked("fit", masses={"A": 1e-300, "B": 1e300}),
+    ]
+    for one in answers:
+        assert "cannot be computed" in one["refused"][0]["reason"]
+
+
 def test_the_page_reads_sets_and_fits() -> None:
     read = asked("read")
     assert read["kind"] == "length"

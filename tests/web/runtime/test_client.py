@@ -221,3 +221,16 @@ def test_packages_that_are_there_stay_there_after_another_was_refused() -> None:
         """
     )
     assert said == ["not-packed", 2]
+
+
+def test_what_cannot_be_computed_is_no_failure_of_python() -> None:
+    said = told(
+        """
+        const asked = client.ask({}, () => ({ kind: "run" })).catch(({ reason }) => reason);
+        await turn();
+        await turn();
+        started[0].asked.pop().reject(failure("request-failed"));
+        said.push(await asked, client.state, started.length);
+        """
+    )
+    assert said == ["request-failed", "ready", 1]

@@ -121,7 +121,7 @@ export class Client extends EventTarget {
         this.#next();
       },
       (error) => {
-        if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+        if (error?.reason !== "request-failed") return this.#lost(runtime, error);
         if (!landed()) return;
         for (const { reject } of job.settle) reject(error);
         this.#next();

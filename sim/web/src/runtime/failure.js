@@ -4,7 +4,7 @@ import { tr } from "../../../view/language.js";
 import { isOnWeb } from "./line.js";
 
 /** @typedef {"not-packed" | "payload-missing" | "payload-damaged" | "no-wasm" | "wasm-refused" | "no-memory" | "no-worker" | "too-old" |
- *   "worker-refused" | "worker-lost" | "snapshot-refused" | "python-failed" | "stalled" | "stopped"} Reason */
+ *   "worker-refused" | "worker-lost" | "snapshot-refused" | "python-failed" | "request-failed" | "stalled" | "stopped"} Reason */
 
 /** @type {Record<Reason, string>} */
 const MESSAGES = {
@@ -34,6 +34,7 @@ const MESSAGES = {
   "python-failed": tr(
     "Python could not start. Copy the whole folder again or try another browser.",
   ),
+  "request-failed": tr("This cannot be computed with these values."),
   stalled: tr("Python does not answer. Close other programs and load the page again."),
   stopped: tr("Python was stopped."),
 };

@@ -121,7 +121,7 @@ export class Runtime {
     if (data.tell === "answer") {
       current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
     } else {
-      current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+      current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "request-failed", data.detail));
       if (data.dead) this.lose("worker-lost", data.detail);
     }
     if (!this.gone) this.send();
