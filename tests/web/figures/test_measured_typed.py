@@ -34,10 +34,10 @@ for (const { slide } of hands.rows.values()) {
 }
 hands.value = { touch: 1, v: [0.5, 0], ratio: 2, e: 1, duration: 0.1 };
 const [mass] = root.querySelectorAll(".carts-measured-masses input");
-const box = { mass, from: settings.from, e: hands.rows.get("e").box }[data.box];
+const box = { mass, from: settings.from }[data.box] ?? hands.rows.get(data.box).box;
 const told = type(box, data.typed);
 const { from, masses } = settings.asked;
-give([told, { mass: masses.A, from, e: hands.value.e }[data.box]]);
+give([told, { ...hands.value, mass: masses.A, from }[data.box]]);
 """
 FILM = """
 const { inside } = await import(`${source}/film/skeleton.js`);
@@ -63,6 +63,10 @@ give([told, setup.ruler?.length ?? null, setup.slower]);
         ("e", "0,8", 0.8, ""),
         ("e", "much", 1, "“much” is not a number"),
         ("e", "", 1, ""),
+        ("e", "1,5", 1, "bounciness e: 0 to 1, please."),
+        ("ratio", "-2", 2, "0.001 to 1000, please."),
+        ("duration", "0", 0.1, "0.0001 to 1000 s, please."),
+        ("touch", "-3", -3, ""),
     ],
 )
 def test_a_number_beside_readings_is_read_with_a_comma_or_told_not_to_be_one(

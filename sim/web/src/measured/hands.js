@@ -3,34 +3,37 @@
 import { tr } from "../../../view/language.js";
 import { need } from "../shared/dom.js";
 import { complain, ifTyped, numberIn } from "../shared/number-box.js";
+import { outside } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/measured/types.js").Hand} Hand */
 /** @typedef {import("../../../view/measured/types.js").Track} Track */
+/** @typedef {{key: string, slide: HTMLInputElement, box: HTMLInputElement, label: HTMLElement}} Row */
 
 const FASTER = 1.5; // times the fastest the film shows
 const RATIO = [0.1, 10];
+/** What Python takes (sim/bridge/measured_answer.py would set what lies beyond to an end), and the unit. @type {Record<string, [number, number, string]>} */
+const LIMITS = { e: [0, 1, ""], ratio: [0.001, 1000, ""], duration: [0.0001, 1000, "s"] };
 const LONGEST = 0.4; // s, of a contact
 
 export class Hands {
   /** @param {HTMLElement} root @param {() => void} changed */
   constructor(root, changed) {
-    /** @type {Map<string, {slide: HTMLInputElement, box: HTMLInputElement}>} */
+    /** @type {Map<string, Row>} */
     this.rows = new Map();
-    for (const row of root.querySelectorAll(".carts-measured-hand")) {
-      const slide = /** @type {HTMLInputElement} */ (need(row, "input[type=range]"));
-      const box = /** @type {HTMLInputElement} */ (need(row, "input[type=text]"));
-      this.rows.set(/** @type {HTMLElement} */ (row).dataset.hand ?? "", {
-        slide,
-        box,
-      });
+    for (const place of root.querySelectorAll(".carts-measured-hand")) {
+      const slide = /** @type {HTMLInputElement} */ (need(place, "input[type=range]"));
+      const box = /** @type {HTMLInputElement} */ (need(place, "input[type=text]"));
+      const key = /** @type {HTMLElement} */ (place).dataset.hand ?? "";
+      const row = { key, slide, box, label: need(place, "label") };
+      this.rows.set(key, row);
       slide.addEventListener("input", () => {
         put(box, slide.valueAsNumber);
         changed();
       });
       box.addEventListener("change", () => {
-        complain(box, ifTyped(box));
+        complain(box, problem(row));
         if (!box.value.trim()) put(box, slide.valueAsNumber);
-        const value = numberIn(box);
+        const value = taken(row);
         if (value === null) return; // it stands there to be mended
         slide.value = String(value);
         changed();
@@ -67,8 +70,7 @@ export class Hands {
     Object.assign(row.slide, { min: low, max: high, step });
     if (label) {
       row.slide.setAttribute("aria-label", label);
-      const text = row.slide.closest(".carts-measured-hand")?.querySelector("label");
-      if (text) text.textContent = label;
+      row.label.textContent = label;
     }
   }
 
@@ -86,7 +88,7 @@ export class Hands {
   get value() {
     const read = (/** @type {string} */ key) => {
       const row = this.rows.get(key);
-      return row ? (numberIn(row.box) ?? row.slide.valueAsNumber) : 0;
+      return row ? (taken(row) ?? row.slide.valueAsNumber) : 0;
     };
     return {
       touch: read("touch"),
@@ -99,6 +101,17 @@ export class Hands {
     };
   }
 }
+
+/** Why Python would not take what stands in a box; empty: it does, or the box is. @param {Row} row */
+function problem({ key, box, label }) {
+  const [low, high, unit] = LIMITS[key] ?? [-Infinity, Infinity, ""];
+  const value = numberIn(box);
+  if (value === null || (value >= low && value <= high)) return ifTyped(box);
+  return outside({ label: label.textContent ?? "", unit }, String(low), String(high));
+}
+
+/** @param {Row} row @returns {number | null} */
+const taken = (row) => (problem(row) ? null : numberIn(row.box));
 
 /** Four figures. @param {HTMLInputElement} box @param {number} value */
 function put(box, value) {
