@@ -45,7 +45,7 @@ export function inside({ id, title, names, measured, rows, floor, digits = {}, r
 <div class="carts-note" role="status" hidden></div>
 ${choice(names)}
 <div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label=${tr("the carts as stepped, and exactly as dashed outlines")}></svg></div>
-<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>${tr("Play")}</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")} disabled><output class="carts-cost-clock">0.00 s</output></div>
+<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>${tr("Play")}</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")} disabled><span class="carts-cost-clock">0.00 s</span></div>
 <p class="carts-cost-legend"><span class="carts-cost-solid"></span> ${tr("as stepped")} <span class="carts-cost-dashed"></span> ${tr("exactly")}</p>
 <div class="carts-cost-body">
 <div><p class="carts-heading">${tr("Energy of motion")}</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label=${tr("energy of motion against time, as stepped and exactly")}></svg></div>

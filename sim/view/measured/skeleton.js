@@ -42,7 +42,7 @@ export function inside(facts) {
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
 <div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
-<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">${tr("Play")}</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")}><output class="carts-measured-clock"></output></div></div>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">${tr("Play")}</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")}><span class="carts-measured-clock"></span></div></div>
 <div class="carts-measured-figures">
 <p class="carts-measured-legend"></p>
 <div class="carts-measured-spans" hidden></div>

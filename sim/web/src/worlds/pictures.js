@@ -82,7 +82,7 @@ export class Pictures {
       this.player.pause();
       this.player.seek(Number(this.scrub?.value));
     });
-    this.clock = html("output", "carts-worlds-clock", "");
+    this.clock = html("span", "carts-worlds-clock");
     bar.append(this.play, this.scrub, this.clock);
     return bar;
   }
