@@ -6,9 +6,9 @@ from base64 import b64encode
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
-from sim.measured.tracks import read_measured
+from sim.measured.tracks import Measured, read_measured
 from tests.film.collision import Filmed, filmed
 from tests.film.film_bench import AIMS, MADE, STARTS, benches, choose, click, film, set_up
 from tests.film.maker import Stage, encoded, frames
@@ -82,13 +82,7 @@ def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
     page.locator(".carts-measured-save").click()
     read = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
     assert list(read.tracks[0].t) == pytest.approx(film.times, abs=1e-6)
-    # A ruler that was twice as long makes all places twice as far apart.
-    apart = read.tracks[1].value[0] - read.tracks[0].value[0]
-    retype(page, "100")
-    page.evaluate(CATCH)
-    page.locator(".carts-measured-save").click()
-    again = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
-    assert again.tracks[1].value[0] - again.tracks[0].value[0] == pytest.approx(2 * apart, abs=1e-3)
+    measured_anew(page, read)
     retype(page, "50")
     # The model and the film move together.
     page.locator(".carts-measured-scrub").focus()
@@ -104,11 +98,13 @@ def test_by_keys_on_a_dark_phone_lost_places_are_mended(
 ) -> None:
     page = open_page(benches / "empty.html", viewport={"width": 360, "height": 740})
     page.evaluate(DARK)
+    page.evaluate(MOVED)
     expect(page.locator("carts-measured[data-state=live]")).to_have_count(1, timeout=STARTS)
     choose(page, "lost.webm", broken_off.content)
     said = page.locator(".carts-film-say")
     expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
     view = page.locator(".carts-film-view")
+    swipe(page, view)
     view.focus()
     at = (broken_off.stage.width // 2, broken_off.stage.height // 2)  # where the cross begins
     for aim, place in zip(AIMS, broken_off.clicks(), strict=True):
@@ -117,6 +113,17 @@ def test_by_keys_on_a_dark_phone_lost_places_are_mended(
         page.keyboard.press("Enter")
     page.locator(".carts-film-length").fill("0.5")
     look(page)
+    # Single frames by the slider's keys, though the film is short; marks hold for their frame only.
+    clock, slider = page.locator(".carts-film-clock"), page.locator(".carts-film-time")
+    for key, k in (("ArrowRight", 1), ("ArrowRight", 2), ("ArrowLeft", 1)):
+        slider.press(key)
+        expect(clock).to_have_text(f"{broken_off.times[k]:.3f} s")
+    expect(page.locator("[data-aim=A].carts-film-set")).to_have_count(0)
+    page.locator(".carts-film-back").click()
+    expect(clock).to_have_text(f"{broken_off.times[0]:.3f} s")
+    for place in broken_off.clicks()[:2]:
+        click(page, *place)
+    expect(said).to_contain_text("Type how long the ruler is")
     page.locator(".carts-film-follow").click()
     expect(said).to_contain_text("Lost places, left out for now: A: 3.", timeout=STARTS)
     page.locator(".carts-film-next").click()
@@ -140,6 +147,44 @@ def test_by_keys_on_a_dark_phone_lost_places_are_mended(
     text = {"name": "t.txt", "mimeType": "text/plain", "buffer": b"t;x_A;x_B\n0;0;1\n"}
     page.locator(".carts-measured-file").set_input_files([text])  # type: ignore[list-item]
     expect(page.locator(".carts-film")).to_have_count(0)
+
+
+def measured_anew(page: Page, read: Measured) -> None:
+    """A ruler twice as long makes all places twice as far apart; the carts are the same."""
+    mass = page.locator(".carts-measured-masses input").first
+    bounce = page.locator("[data-hand=e] input[type=text]")
+    for box, typed in ((mass, "0,25"), (bounce, "0.7")):
+        box.fill(typed)
+        box.dispatch_event("change")  # no keys: after a download Firefox's window has the focus
+    page.evaluate("document.querySelector('carts-measured').complete")
+    apart = read.tracks[1].value[0] - read.tracks[0].value[0]
+    retype(page, "100")
+    page.evaluate(CATCH)
+    page.locator(".carts-measured-save").click()
+    again = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
+    assert again.tracks[1].value[0] - again.tracks[0].value[0] == pytest.approx(2 * apart, abs=1e-3)
+    expect(mass).to_have_value("0,25")
+    expect(bounce).to_have_value("0.7")
+
+
+def swipe(page: Page, view: Locator) -> None:
+    """A finger that scrolls the page sets nothing."""
+    view.scroll_into_view_if_needed()
+    box = view.bounding_box()
+    assert box is not None
+    before = page.evaluate("scrollY")
+    hand = page.context.new_cdp_session(page)
+    hand.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    for kind, moved in (("touchStart", 0), *(("touchMove", k) for k in range(10, 110, 10))):
+        hand.send(
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y - moved}]}
+        )
+    hand.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    page.wait_for_function("before => scrollY > before", arg=before)
+    expect(page.locator(".carts-film-say")).to_have_text("Click on the mark of cart A.")
+    expect(page.locator(".carts-film-set")).to_have_count(0)
+    hand.send("Emulation.setTouchEmulationEnabled", {"enabled": False})
 
 
 def retype(page: Page, length: str) -> None:
@@ -173,6 +218,11 @@ def look(page: Page) -> None:
     assert found == []
 
 
+# Whoever moves a bench in its page takes it out and puts it in again.
+MOVED = """() => {
+  const bench = document.querySelector("carts-measured");
+  bench.parentElement.append(bench);
+}"""
 DARK = """() => {
   document.body.dataset.mdColorScheme = "slate";
   const theme = { "default-bg-color": "#1e2129", "default-fg-color": "#e7e9ee",

@@ -1,7 +1,7 @@
 /**
  * The script of films, loaded when one is wanted. `cartsFilm.open(bench, file, take)` puts a film into a bench of
- * readings; `take(name, text)` gets what was read, as a file of readings would say it. `cartsFilm.camera(bench,
- * take, tell)` makes one.
+ * readings; `take(name, [text], same)` gets what was read, as a file of readings would say it.
+ * `cartsFilm.camera(bench, take, tell)` makes one.
  */
 
 import { filmWithCamera } from "./film/camera.js";
@@ -15,7 +15,7 @@ const style = new CSSStyleSheet();
 style.replaceSync(styleText);
 document.adoptedStyleSheets = [...document.adoptedStyleSheets, style];
 
-/** @param {HTMLElement} bench @param {File} file @param {(name: string, text: string) => void} take */
+/** @param {HTMLElement} bench @param {File} file @param {import("./measured/films.js").Take} take */
 function open(bench, file, take) {
   const section = parsed(inside(bench.id || "film").text);
   need(bench, ".carts-measured-source").after(section);

@@ -14,10 +14,14 @@ import {
   WEBM,
 } from "mediabunny";
 
+import { clamp } from "./clamp.js";
+
 /** @typedef {import("./patch.js").Box} Box */
 /** @typedef {{width: number, height: number, begin: number, end: number}} Facts pixels; times in s */
 
 const AHEAD = 1; // s; so far a film is played on to a frame, else it is looked for anew
+
+const TINY = 1e-6; // s; files count in no smaller parts
 
 /** Why a film cannot be opened; the page has the words. */
 export class Refused extends Error {
@@ -65,9 +69,22 @@ export class Film {
     return this.sink.samples(time);
   }
 
-  /** The frame that is shown at this time; it is closed with the next one. @param {number} time s @returns {Promise<Sample>} */
-  async at(time) {
-    const asked = Math.min(Math.max(time, this.facts.begin), this.facts.end);
+  /** The frame that is shown at this time, or the one beside it; it is closed with the next one. @param {number} time s @param {number} step 1: the one after it, −1: before it @returns {Promise<Sample>} */
+  async at(time, step = 0) {
+    try {
+      const here = await this.#at(time);
+      if (!step) return here;
+      const { timestamp } = here;
+      return await this.#at(step < 0 ? timestamp - TINY : (this.#next?.timestamp ?? timestamp));
+    } catch (error) {
+      await this.#leave().catch(() => {}); // the next frame is looked for anew
+      throw error;
+    }
+  }
+
+  /** @param {number} time s @returns {Promise<Sample>} */
+  async #at(time) {
+    const asked = clamp(time, this.facts.begin, this.facts.end);
     const near = this.#shown && asked >= this.#shown.timestamp;
     if (!near || asked > Number(this.#shown?.timestamp) + AHEAD) {
       await this.#leave();

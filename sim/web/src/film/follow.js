@@ -6,6 +6,7 @@
  * and looked for in a larger piece of the next.
  */
 
+import { clamp } from "./clamp.js";
 import { markAt, LARGEST as REACH } from "./mark.js";
 import { find, searched, templateOf } from "./match.js";
 import { boxAround } from "./patch.js";
@@ -57,9 +58,8 @@ export class Follower {
     const later = time - this.#time;
     const on = later < LATER ? later : 0;
     const [x, y] = [this.#at.x + on * this.#speed.x, this.#at.y + on * this.#speed.y];
-    const within = (/** @type {number} */ v, /** @type {number} */ most) =>
-      Math.max(0, Math.min(most - 1, v));
-    return { x: within(x, this.picture.width), y: within(y, this.picture.height) };
+    const { width, height } = this.picture;
+    return { x: clamp(x, 0, width - 1), y: clamp(y, 0, height - 1) };
   }
 
   /** Where to look in the frame at this time. @param {number} time s @returns {Box} */

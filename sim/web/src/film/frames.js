@@ -1,7 +1,7 @@
 /** Asks for frames to be shown: the newest wish counts, and the next frame is asked for when one is there. */
 
 export class Frames {
-  /** @type {number | null} */
+  /** @type {{time?: number, step: number} | null} */
   #wish = null;
   /** @type {Promise<void> | null} */
   #running = null;
@@ -16,24 +16,38 @@ export class Frames {
 
   /** @param {number} time s of the film @returns {Promise<void>} resolves when nothing more is wished for */
   want(time) {
-    this.#wish = time;
+    return this.#go({ time, step: 0 });
+  }
+
+  /** The frame beside the one that is shown. @param {number} step 1: after it, −1: before it */
+  beside(step) {
+    return this.#go({ step });
+  }
+
+  /** Whether the frame that comes is not the one that is wished for any more. */
+  get newer() {
+    return this.#wish !== null;
+  }
+
+  /** @param {{time?: number, step: number}} wish @returns {Promise<void>} */
+  #go(wish) {
+    this.#wish = wish;
     this.#running ??= this.#run();
     return this.#running;
   }
 
   async #run() {
-    try {
-      while (this.#wish !== null) {
-        const wish = this.#wish;
-        this.#wish = null;
-        const found = await this.helper.ask({ do: "frame", time: wish });
+    while (this.#wish) {
+      const { time = this.time, step } = this.#wish;
+      this.#wish = null;
+      try {
+        const found = await this.helper.ask({ do: "frame", time, step });
         this.time = found.time;
         this.show(found.picture, found.time);
+      } catch (refused) {
+        this.failed(refused);
       }
-    } catch (refused) {
-      this.failed(refused);
-    } finally {
-      this.#running = null;
     }
+    this.#running = null;
   }
 }

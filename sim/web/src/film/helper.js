@@ -3,6 +3,8 @@
 // @ts-expect-error: the bundler puts the worker's text here
 import workerText from "./worker.js?text";
 
+let address = ""; // of the worker's text: one for all films of the page
+
 /** @typedef {{code: string, detail: string}} Refusal */
 /** @typedef {{resolve: (found: any) => void, reject: (refused: Refusal) => void, part: (part: number) => void}} Asked */
 
@@ -12,7 +14,7 @@ export class Helper {
   #last = 0;
 
   constructor() {
-    const address = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
+    address ||= URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data: { id, done, refused, part, ...found } }) => {
       const asked = this.#asked.get(id);
@@ -45,7 +47,7 @@ export class Helper {
 
   /** What is being followed is given up. */
   stop() {
-    this.worker.postMessage({ do: "stop" });
+    this.worker.postMessage({ do: "stop", id: this.#last });
   }
 
   end() {

@@ -7,6 +7,7 @@
  * few pixels, then in whole pixels, and at last takes the least of the parabola through the neighbours.
  */
 
+import { clamp } from "./clamp.js";
 import { boxAround, value } from "./patch.js";
 
 /** @typedef {import("./patch.js").Patch} Patch */
@@ -70,7 +71,7 @@ function alikeAt(patch, { half, most, channels, own }, { x, y }) {
 }
 
 /** @param {number} k @param {number} count */
-const inside = (k, count) => Math.max(0, Math.min(count - 1, k));
+const inside = (k, count) => clamp(k, 0, count - 1);
 
 /**
  * The place in the patch that is most like the template; of two that are alike the one nearer to (x, y).
@@ -157,7 +158,7 @@ function between(patch, template, best, low, high) {
     distance(patch, template, best.x + dx, best.y + dy, 1);
   const along = (/** @type {number} */ before, /** @type {number} */ after) => {
     const bend = before + after - 2 * best.cost;
-    return bend > 0 ? Math.max(-0.5, Math.min(0.5, (before - after) / (2 * bend))) : 0;
+    return bend > 0 ? clamp((before - after) / (2 * bend), -0.5, 0.5) : 0;
   };
   const free = { x: best.x > low && best.x < high.x, y: best.y > low && best.y < high.y };
   return {

@@ -7,6 +7,8 @@
 export class Mending {
   /** @type {Set<string>} */
   #left = new Set();
+  /** The place that was changed last, as it was before. @type {{place: Place, point: Point | null, left: boolean} | null} */
+  #last = null;
 
   /** @param {Row[]} rows */
   constructor(rows) {
@@ -38,17 +40,36 @@ export class Mending {
   }
 
   /** @param {Place} place @param {Point} point */
-  set({ row, mark }, point) {
-    const marks = this.rows[row]?.marks;
-    if (marks) marks[mark] = point;
-    this.#left.delete(`${row} ${mark}`);
+  set(place, point) {
+    this.#put(place, point, false);
   }
 
   /** @param {Place} place */
-  leave({ row, mark }) {
-    const marks = this.rows[row]?.marks;
-    if (marks) marks[mark] = null;
-    this.#left.add(`${row} ${mark}`);
+  leave(place) {
+    this.#put(place, null, true);
+  }
+
+  /** @param {Place} place @param {Point | null} point @param {boolean} left whether it is left out */
+  #put(place, point, left) {
+    const marks = this.rows[place.row]?.marks ?? [];
+    const key = `${place.row} ${place.mark}`;
+    this.#last = { place, point: marks[place.mark] ?? null, left: this.#left.has(key) };
+    marks[place.mark] = point;
+    if (left) this.#left.add(key);
+    else this.#left.delete(key);
+  }
+
+  get undoable() {
+    return this.#last !== null;
+  }
+
+  /** Takes the last change back. @returns {Place | null} whose */
+  undo() {
+    if (!this.#last) return null;
+    const { place, point, left } = this.#last;
+    this.#put(place, point, left);
+    this.#last = null;
+    return place;
   }
 
   /** Where a mark should be, from the frames before and after that show it. @param {Place} place @returns {Point | null} */

@@ -45,7 +45,7 @@ export class Repair {
     const t = this.mending.rows[place.row]?.t ?? 0;
     const { setup, frames, view, say } = this.film;
     setup.aim = /** @type {"A"} */ (NAMES[place.mark]);
-    setup.show(/** @type {("A" | "B")[]} */ (NAMES));
+    setup.show();
     say(words.clickLost(setup.aim, fixed(t, 3)));
     const expected = this.mending.expected(place);
     void frames.want(t + 1e-6).then(() => {
@@ -57,19 +57,48 @@ export class Repair {
 
   /** @param {Point} point a click in the frame that is shown */
   set(point) {
-    if (this.#going) return;
+    if (!this.#meant()) return;
     const here = this.here;
-    const lost = this.mending.lost.some(({ row, mark }) => row === here.row && mark === here.mark);
+    const lost = this.#lost(here);
     this.mending.set(here, point);
+    if (!lost) this.#tell(words.setAnew, here);
     this.#done(here, lost);
   }
 
   /** There is no mark to be seen in this frame. */
   leave() {
-    if (this.#going) return;
+    if (!this.#meant()) return;
     const here = this.here;
     this.mending.leave(here);
     this.#done(here, true);
+  }
+
+  /** Takes back what was set or left out last. */
+  undo() {
+    const place = this.mending.undo();
+    if (!place) return;
+    this.film.changed();
+    if (this.#lost(place)) return this.#go(place);
+    this.#tell(words.asBefore, place);
+    this.#going = null;
+    void this.film.frames.want((this.mending.rows[place.row]?.t ?? 0) + 1e-6);
+  }
+
+  /** Whether it is known whose place is meant, in the frame that stands there. */
+  #meant() {
+    const known = NAMES.includes(this.film.setup.aim);
+    if (!known) this.film.say(words.chooseMark());
+    return known && !this.#going;
+  }
+
+  /** @param {Place} place */
+  #lost({ row, mark }) {
+    return this.mending.lost.some((one) => one.row === row && one.mark === mark);
+  }
+
+  /** @param {(name: string, time: string) => string} text @param {Place} place */
+  #tell(text, { row, mark }) {
+    this.film.say(text(NAMES[mark] ?? "", fixed(this.mending.rows[row]?.t ?? 0, 3)));
   }
 
   /** @param {Place} here @param {boolean} on whether another lost place is looked for */
@@ -78,6 +107,8 @@ export class Repair {
     const next = on ? this.mending.after(here) : null;
     if (next) return this.#go(next);
     if (!on) return;
+    this.film.setup.aim = ""; // a click that only means to look changes nothing
+    this.film.setup.show();
     this.film.say(words.noneLost());
     this.film.read();
   }

@@ -2,18 +2,20 @@
 
 import { fixed } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
-import { Along, readings } from "./along.js";
 import { Frames } from "./frames.js";
 import { Helper } from "./helper.js";
+import { Laid } from "./laid.js";
 import { Mending } from "./mending.js";
-import { crosses, marked, NAMES } from "./over.js";
+import { marked, NAMES } from "./over.js";
 import { Repair } from "./repair.js";
+import { Scrub } from "./scrub.js";
 import { Setup } from "./setup.js";
 import { View } from "./view.js";
 import * as words from "./words.js";
 
 /** @typedef {import("./along.js").Point} Point */
 /** @typedef {import("./helper.js").Refusal} Refusal */
+/** @typedef {import("../measured/films.js").Take} Take */
 /** @typedef {"opening" | "marking" | "following" | "followed" | "failed"} Phase */
 
 const ENDS = ["one", "other"];
@@ -22,17 +24,15 @@ const TYPED = 600; // ms
 const CARTS = /** @type {import("./words.js").Aim[]} */ (["A", "B"]);
 
 export class Session {
-  /** @type {Mending | null} */
-  #mending = null;
+  /** @type {Laid | null} what was followed */
+  #laid = null;
+  #clock = ""; // of the readings that were taken last
   #typing = 0; // another ruler, or slower: read anew when no more keys come
+  #turn = 0; // frames that were wished for
   /** @type {Repair | null} */
   #repair = null;
-  /** Where the model's carts are, m, and when, s of the readings. @type {{time: number, places: Record<string, number>}} */
-  #model = { time: 0, places: {} };
-  /** @type {Along | null} */
-  #along = null;
 
-  /** @param {HTMLElement} root @param {File} file @param {(name: string, text: string) => void} take */
+  /** @param {HTMLElement} root @param {File} file @param {Take} take */
   constructor(root, file, take) {
     this.root = root;
     this.file = file;
@@ -43,10 +43,9 @@ export class Session {
     this.frames = new Frames(
       this.helper,
       (picture, time) => this.#shown(picture, time),
-      (refused) => this.#fail(refused),
+      (refused) => this.#unseen(refused),
     );
-    this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-film-time"));
-    this.slider.addEventListener("input", () => this.#seek());
+    this.scrub = new Scrub(root, (step) => this.#seek(step));
     for (const input of this.setup.inputs) {
       input.addEventListener("input", () => {
         clearTimeout(this.#typing);
@@ -57,6 +56,7 @@ export class Session {
     this.#on("cancel", () => this.helper.stop());
     this.#on("next", () => this.#repair?.next());
     this.#on("leave", () => this.#repair?.leave());
+    this.#on("undo", () => this.#repair?.undo());
     this.#on("read", () => this.read());
     this.#on("again", () => this.#again());
     /** Resolves when the first frame is shown, or the film is refused. */
@@ -65,7 +65,12 @@ export class Session {
 
   /** @param {string} name @param {() => void} act */
   #on(name, act) {
-    need(this.root, `.carts-film-${name}`).addEventListener("click", act);
+    this.#button(name).addEventListener("click", act);
+  }
+
+  /** @param {string} name @returns {HTMLButtonElement} */
+  #button(name) {
+    return need(this.root, `.carts-film-${name}`);
   }
 
   /** @param {Phase} phase */
@@ -73,12 +78,13 @@ export class Session {
     this.phase = phase;
     this.root.dataset.phase = phase;
     const busy = phase === "following";
-    this.setup.show(phase === "marking" ? ALL : phase === "followed" ? CARTS : []);
-    this.slider.disabled = busy || phase === "opening" || phase === "failed";
-    need(this.root, ".carts-film-cancel").hidden = !busy;
+    this.setup.offered = phase === "marking" ? ALL : phase === "followed" ? CARTS : [];
+    this.setup.show();
+    this.scrub.disabled = busy || phase === "opening" || phase === "failed";
+    this.#button("cancel").hidden = !busy;
     need(this.root, ".carts-film-part").hidden = !busy;
     need(this.root, ".carts-film-mend").hidden = phase !== "followed";
-    need(this.root, ".carts-film-follow").hidden = phase === "followed";
+    this.#button("follow").hidden = phase === "followed";
   }
 
   /** @param {string} text */
@@ -92,7 +98,7 @@ export class Session {
     try {
       const { facts } = await this.helper.ask({ do: "open", file: this.file });
       this.facts = facts;
-      Object.assign(this.slider, { min: facts.begin, max: facts.end, value: facts.begin });
+      this.scrub.reach(facts);
       await this.frames.want(facts.begin);
       if (this.phase === "opening") this.#become("marking");
       this.#changed();
@@ -107,39 +113,39 @@ export class Session {
     this.#say(words.refusal(code, detail));
   }
 
-  #seek() {
+  /** A frame of a film that was opened cannot be decoded; others can. @param {Refusal} refused */
+  #unseen(refused) {
+    if (this.phase === "opening") return this.#fail(refused);
+    this.scrub.show(this.frames.time);
+    this.#say(words.frameBroken());
+  }
+
+  /** @param {number} step so many frames on; 0: to where the slider is */
+  #seek(step) {
     if (this.phase === "marking" && this.setup.marked) this.setup.forgetMarks();
-    void this.frames.want(this.slider.valueAsNumber);
+    this.#turn += 1;
+    void (step ? this.frames.beside(step) : this.frames.want(this.scrub.time));
     if (this.phase === "marking") this.#changed();
   }
 
   /** @param {ImageBitmap} picture @param {number} time */
   #shown(picture, time) {
-    this.slider.value = String(time);
-    const clock = `${fixed(time, 3)} s`;
-    this.slider.setAttribute("aria-valuetext", clock);
-    say(need(this.root, ".carts-film-clock"), clock);
+    this.scrub.show(time, this.frames.newer);
     this.view.show(picture, this.#marks());
   }
 
   /** What is drawn over the frame. */
   #marks() {
-    const rows = this.#mending?.rows ?? [];
-    const row = this.#mending ? (rows[this.#mending.at(this.frames.time)] ?? null) : null;
-    const meant = this.#mending?.at(this.#filmed(this.#model.time));
-    const places = row && row === rows[meant ?? -1] ? this.#model.places : {}; // of this frame only
-    return [...marked(this.setup.points, row), ...crosses(places, this.#along, rows)];
+    return this.#laid?.marks(this.frames.time) ?? marked(this.setup.points, null);
   }
 
   /** Says what is to be done next. */
   #changed() {
-    if (this.phase === "followed") this.setup.show(CARTS);
+    this.setup.show();
     if (this.phase !== "marking") return;
-    this.setup.show(ALL);
-    const follow = /** @type {HTMLButtonElement} */ (need(this.root, ".carts-film-follow"));
-    follow.disabled = !this.setup.placed || !this.setup.ruler;
-    const open = this.setup.points[this.setup.aim] === undefined || !this.setup.placed;
-    this.#say(open ? words.asked(this.setup.aim) : words.askLength());
+    const { aim, placed, points, ruler } = this.setup;
+    this.#button("follow").disabled = !placed || !ruler;
+    this.#say(aim && (!placed || !points[aim]) ? words.asked(aim) : words.askLength());
     this.view.mark(this.#marks());
   }
 
@@ -150,10 +156,10 @@ export class Session {
     if (ENDS.includes(this.setup.aim)) this.setup.set(point);
     else {
       const { aim } = this.setup;
-      const when = this.slider.value;
+      const turn = this.#turn;
       const asked = { do: "mark", time: this.frames.time, click: point };
       const { mark } = await this.helper.ask(asked).catch(() => ({ mark: null }));
-      if (this.setup.aim !== aim || this.slider.value !== when) return; // of another frame now
+      if (this.setup.aim !== aim || this.#turn !== turn) return; // of another frame now
       if (!mark) return this.#say(words.nothingThere());
       this.setup.set(mark);
     }
@@ -170,11 +176,11 @@ export class Session {
     const clicks = this.setup.marks.map(({ x, y }) => ({ x, y }));
     const asked = { do: "follow", time: this.frames.time, clicks };
     try {
-      const { rows } = await this.helper.ask(asked, (part) => {
+      const { rows, broken } = await this.helper.ask(asked, (part) => {
         bar.value = part;
         this.#say(words.following(part));
       });
-      if (rows) this.#followed(rows);
+      if (rows) this.#followed(rows, broken);
       else {
         this.#become("marking");
         this.#changed();
@@ -185,26 +191,29 @@ export class Session {
     }
   }
 
-  /** @param {import("./along.js").Row[]} rows */
-  #followed(rows) {
+  /** @param {import("./along.js").Row[]} rows @param {boolean} broken what comes after them cannot be read */
+  #followed(rows, broken) {
     const { setup, view, frames } = this;
+    const mending = new Mending(rows);
     const say = (/** @type {string} */ text) => this.#say(text);
-    const changed = () => view.mark(this.#marks());
+    const changed = () => {
+      this.#button("undo").disabled = !mending.undoable;
+      view.mark(this.#marks());
+    };
     const read = () => this.read();
-    this.#mending = new Mending(rows);
-    this.#repair = new Repair(this.#mending, { setup, view, frames, say, changed, read });
+    this.#laid = new Laid(mending, setup);
+    this.#repair = new Repair(mending, { setup, view, frames, say, changed, read });
+    setup.aim = ""; // a click that only means to look changes nothing
     this.#become("followed");
-    this.setup.aim = "A";
-    this.setup.show(CARTS);
-    this.#say(words.followed(rows.length, this.#mending.counts(NAMES)));
+    const said = words.followed(rows.length, mending.counts(NAMES));
+    this.#say(broken ? `${words.brokenAt(fixed(Number(rows.at(-1)?.t), 2))} ${said}` : said);
     this.read();
-    this.view.mark(this.#marks());
+    changed();
   }
 
   /** Back to the first clicks; the ruler stays. */
   #again() {
-    this.#mending = null;
-    this.#along = null;
+    this.#laid = null;
     need(this.root, ".carts-film-key").hidden = true;
     this.setup.forgetMarks();
     this.#become("marking");
@@ -213,28 +222,19 @@ export class Session {
 
   /** Hands the readings over, as a file of readings would. */
   read() {
-    const [ruler, rows] = [this.setup.ruler, this.#mending?.rows];
-    if (!ruler || !rows) return;
-    this.#along = new Along(rows, ruler);
-    this.#model = { time: 0, places: {} };
-    const { slower } = this.setup;
-    const name = this.file.name.replace(/\.\w+$/, "");
-    const remarks = [`Newton's Carts, from the film ${this.file.name.replace(/\s+/g, " ")}`];
-    this.take(`${name}.csv`, readings(rows, ruler, { names: NAMES, slower, remarks }));
-  }
-
-  /** The time of the film when the readings say this one. @param {number} time s */
-  #filmed(time) {
-    return (this.#mending?.rows[0]?.t ?? 0) + time * this.setup.slower;
+    const found = this.#laid?.read(this.file.name);
+    if (!found) return;
+    const { name, text, clock } = found;
+    const same = this.#clock && (clock === this.#clock ? "clock" : "carts");
+    this.#clock = clock;
+    this.take(name, [text], same);
   }
 
   /** Shows the film where the model is; one that stands still leaves the film alone. @param {number} time s, of the readings @param {Record<string, number>} places m */
   at(time, places) {
-    if (this.phase !== "followed") return;
-    const moved = time !== this.#model.time;
-    this.#model = { time, places };
+    if (this.phase !== "followed" || !this.#laid) return;
     need(this.root, ".carts-film-key").hidden = false;
-    if (moved) void this.frames.want(this.#filmed(time));
+    if (this.#laid.at(time, places)) void this.frames.want(this.#laid.filmed(time));
     this.view.mark(this.#marks());
   }
 

@@ -13,8 +13,10 @@ const METRES = /** @type {Record<string, number>} */ ({ m: 1, cm: 0.01 });
 export class Setup {
   /** @type {Partial<Record<Aim, Chosen>>} */
   points = {};
-  /** @type {Aim} */
+  /** @type {Aim | ""} none: after following, until a button is pressed */
   aim = "A";
+  /** @type {Aim[]} what can be set now */
+  offered = [];
   #slower = 1;
 
   /** @param {HTMLElement} root @param {() => void} changed the aim or a number is another now */
@@ -42,7 +44,7 @@ export class Setup {
 
   /** @param {Chosen} point for what is aimed at; the first that is still open is aimed at next */
   set(point) {
-    this.points[this.aim] = point;
+    if (this.aim) this.points[this.aim] = point;
     this.aim = AIMS.find((aim) => !this.points[aim]) ?? this.aim;
   }
 
@@ -90,8 +92,9 @@ export class Setup {
     return A && B ? [A, B] : [];
   }
 
-  /** Shows what can be set now. @param {Aim[]} offered */
-  show(offered) {
+  /** Shows what can be set now. */
+  show() {
+    const { offered } = this;
     for (const button of this.buttons) {
       const aim = /** @type {Aim} */ (button.dataset.aim);
       button.disabled = !offered.includes(aim);

@@ -3,10 +3,13 @@
  * lens beside the cross shows what lies under it: on a phone a mark is smaller than a finger.
  */
 
+import { clamp } from "./clamp.js";
+
 /** @typedef {import("./along.js").Point} Point */
 /** @typedef {Point & {shape: "ring" | "cross" | "end", label: string, radius?: number}} Shown pixels of the frame */
 
 const STEP = 8; // pixels, with an arrow key
+const FAR = 8; // px on the screen: no tap any more
 const LENS = 0.36; // of the picture's height
 const ZOOM = 3; // of the lens
 const COLOURS = { ring: "#ffe14d", cross: "#ff5cf4", end: "#5ce1ff" };
@@ -31,14 +34,25 @@ export class View {
     const pen = canvas.getContext("2d", { alpha: false });
     if (!pen) throw new Error("no canvas");
     this.pen = pen;
-    canvas.addEventListener("pointermove", (event) => this.#move(this.#at(event)));
+    let [x, y, sets] = [0, 0, true]; // where it went down; a finger sets a place by a tap, or when it goes sideways
+    const far = (/** @type {PointerEvent} */ now) => {
+      const [across, along] = [Math.abs(now.clientX - x), Math.abs(now.clientY - y)];
+      sets ||= across > Math.max(FAR, along);
+      return !sets && along > FAR;
+    };
+    canvas.addEventListener("pointermove", (event) => {
+      far(event);
+      this.#move(this.#at(event));
+    });
     canvas.addEventListener("pointerdown", (event) => {
-      if (event.button > 0) return; // it opens a menu
+      if (event.button > 0 || !event.isPrimary) return; // it opens a menu, or enlarges
       canvas.setPointerCapture(event.pointerId);
+      [x, y, sets] = [event.clientX, event.clientY, event.pointerType === "mouse"];
       this.#move(this.#at(event));
     });
     canvas.addEventListener("pointerup", (event) => {
-      if (event.button > 0) return;
+      const held = event.isPrimary && canvas.hasPointerCapture(event.pointerId);
+      if (!held || far(event)) return; // it scrolled
       this.#move(this.#at(event));
       if (this.#cross) set(this.#cross);
     });
@@ -55,9 +69,7 @@ export class View {
     const way = KEYS[event.key];
     if (way) {
       const step = event.shiftKey ? 1 : STEP;
-      const x = Math.max(0, Math.min(width - 1, from.x + step * way[0]));
-      const y = Math.max(0, Math.min(height - 1, from.y + step * way[1]));
-      this.#move({ x, y });
+      this.#move(this.#inside({ x: from.x + step * way[0], y: from.y + step * way[1] }));
     } else if (event.key === "Enter" || event.key === " ") {
       this.#move(from);
       if (!event.repeat) set(from);
@@ -68,11 +80,15 @@ export class View {
   /** @param {PointerEvent} event @returns {Point} a pixel's middle has whole numbers */
   #at(event) {
     const box = this.canvas.getBoundingClientRect();
-    const within = (/** @type {number} */ v, /** @type {number} */ most) =>
-      Math.max(0, Math.min(most - 1, v));
     const x = ((event.clientX - box.left) / box.width) * this.canvas.width - 0.5;
     const y = ((event.clientY - box.top) / box.height) * this.canvas.height - 0.5;
-    return { x: within(x, this.canvas.width), y: within(y, this.canvas.height) };
+    return this.#inside({ x, y });
+  }
+
+  /** @param {Point} at @returns {Point} the nearest in the frame */
+  #inside({ x, y }) {
+    const { width, height } = this.canvas;
+    return { x: clamp(x, 0, width - 1), y: clamp(y, 0, height - 1) };
   }
 
   /** @param {Point | null} point */
@@ -93,6 +109,7 @@ export class View {
     if (this.canvas.width !== picture.width || this.canvas.height !== picture.height) {
       this.canvas.width = picture.width;
       this.canvas.height = picture.height;
+      this.canvas.style.setProperty("--carts-film-shape", `${picture.width / picture.height}`);
     }
     this.mark(shown);
   }

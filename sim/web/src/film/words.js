@@ -44,6 +44,9 @@ export const startFilming = () => tr("Start filming");
 export const stopFilming = () => tr("Stop filming");
 export const opening = () => tr("Opening the film …");
 export const cancelled = () => tr("Cancelled. Nothing was read.");
+export const frameBroken = () => tr("This frame cannot be read.");
+export const chooseMark = () =>
+  tr("Press the button of a mark first; a click then sets its place anew.");
 export const noneLost = () => tr("No lost place is left.");
 
 /** @param {number} part 0 to 1 */
@@ -53,6 +56,16 @@ export const following = (part) =>
 /** @param {string} name of a cart @param {string} time */
 export const clickLost = (name, time) =>
   tr("Lost at {time} s. Click where the mark of cart {name} is.", { name, time });
+
+/** @param {string} name of a cart @param {string} time */
+export const setAnew = (name, time) => tr("{name} at {time} s was set anew.", { name, time });
+
+/** @param {string} name of a cart @param {string} time */
+export const asBefore = (name, time) => tr("{name} at {time} s is as it was.", { name, time });
+
+/** @param {string} time */
+export const brokenAt = (time) =>
+  tr("Followed up to {time} s; the rest of the film cannot be read.", { time });
 
 /** @param {number} frames @param {{name: string, count: number}[]} lost */
 export function followed(frames, lost) {

@@ -2,10 +2,11 @@
  * Opens a film, shows its frames, looks at clicks and follows the marks: away from the page, which stays in hand.
  *
  *     {id, do: "open", file}                    → {facts}
- *     {id, do: "frame", time}                   → {time, picture}
+ *     {id, do: "frame", time, step}             → {time, picture}; step 1, −1: of the frame after, before it
  *     {id, do: "mark", time, click}             → {mark}; null: nothing stands out there
- *     {id, do: "follow", time, clicks}          → {part} many times, at last {rows}
- *     {do: "stop"}                              the one under way ends with {rows: null}
+ *     {id, do: "follow", time, clicks}          → {part} many times, at last {rows, broken}; broken: the
+ *                                               rest cannot be read
+ *     {id, do: "stop"}                          follows asked for until this one end with {rows: null}
  *
  * What cannot be done is answered with {refused: {code, detail}}.
  */
@@ -17,13 +18,14 @@ import { patchOf } from "./patch.js";
 /** @typedef {import("./along.js").Row} Row */
 /** @typedef {import("./follow.js").Point} Point */
 
+const ENOUGH = 2; // frames are something to read
 const OFTEN = 100; // ms between two words on how far it is
 
 /** @type {any} */
 const page = self;
 /** @type {Film | null} */
 let film = null;
-let stopped = false;
+let stopped = 0; // what was asked for until this one
 let last = Promise.resolve(); // one after the other: they share the decoder
 
 /** @returns {Film} */
@@ -46,8 +48,8 @@ const WAYS = {
     return { facts: film.facts };
   },
 
-  async frame({ time }) {
-    const sample = await opened().at(time);
+  async frame({ time, step }) {
+    const sample = await opened().at(time, step);
     return { time: sample.timestamp, picture: opened().picture(sample) };
   },
 
@@ -63,20 +65,25 @@ const WAYS = {
     /** @type {(Follower | null)[]} */
     let marks = [];
     let told = 0;
-    for await (const sample of from.from(time)) {
-      const t = sample.timestamp;
-      if (!rows.length) {
-        marks = clicks.map((/** @type {Point} */ click) => start(from, sample, click));
-        rows.push({ t, marks: marks.map((mark) => mark && { ...mark.place }) });
-      } else rows.push({ t, marks: marks.map((mark) => mark && seen(from, sample, mark)) });
-      sample.close();
-      if (stopped) return { rows: null };
-      if (performance.now() - told < OFTEN) continue;
-      told = performance.now();
-      page.postMessage({ id, part: (t - time) / (from.facts.end - time) });
-      await new Promise((resolve) => setTimeout(resolve)); // hears “stop”
+    try {
+      for await (const sample of from.from(time)) {
+        const t = sample.timestamp;
+        if (!rows.length) {
+          marks = clicks.map((/** @type {Point} */ click) => start(from, sample, click));
+          rows.push({ t, marks: marks.map((mark) => mark && { ...mark.place }) });
+        } else rows.push({ t, marks: marks.map((mark) => mark && seen(from, sample, mark)) });
+        sample.close();
+        if (id <= stopped) return { rows: null };
+        if (performance.now() - told < OFTEN) continue;
+        told = performance.now();
+        page.postMessage({ id, part: (t - time) / (from.facts.end - time) });
+        await new Promise((resolve) => setTimeout(resolve)); // hears “stop”
+      }
+    } catch (error) {
+      if (rows.length < ENOUGH) throw error;
+      return { rows, broken: true };
     }
-    return { rows };
+    return { rows, broken: false };
   },
 };
 
@@ -89,7 +96,6 @@ function seen(from, sample, mark) {
 /** @param {any} asked */
 async function answer(asked) {
   try {
-    stopped = false;
     const found = await WAYS[asked.do]?.(asked);
     const picture = found?.picture;
     page.postMessage({ id: asked.id, done: true, ...found }, picture ? [picture] : []);
@@ -100,6 +106,6 @@ async function answer(asked) {
 }
 
 page.onmessage = (/** @type {MessageEvent} */ { data }) => {
-  if (data.do === "stop") stopped = true;
+  if (data.do === "stop") stopped = data.id;
   else last = last.then(() => answer(data));
 };

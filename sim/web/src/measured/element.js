@@ -39,17 +39,17 @@ export function measuredElement(client, base) {
     #leaving = new AbortController(); // ends what the element hears of the worker
 
     connectedCallback() {
-      if (this.#facts) return;
-      /** @type {Facts} */
-      const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
-      this.#facts = facts;
+      this.#leaving = new AbortController();
+      if (this.#facts) return whenLive(this, client, this.#leaving.signal);
+      this.#facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
+      const facts = /** @type {Facts} */ (this.#facts);
       this.keeper = keeper(facts.id, this);
       this.picture = new Picture(this);
       this.hands = new Hands(this, () => this.#moved());
       this.settings = new Settings(this, (again) => this.#changed(again));
       this.source = new Source(
         need(this, ".carts-measured-source"),
-        (name, texts) => this.#take(name, texts),
+        (name, texts, same) => this.#take(name, texts, same),
         () => this.#keep(),
         (text) => this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []),
         (zip) => this.#asking.ask("unzip", { zip }),
@@ -80,12 +80,15 @@ export function measuredElement(client, base) {
 
     /** What was done here before, or the lesson's readings. */
     async #restore() {
-      const facts = /** @type {Facts} */ (this.#facts);
-      this.#kept = { ...empty(facts), ...(await this.keeper?.get()) };
+      this.#kept = { ...empty(/** @type {Facts} */ (this.#facts)), ...(await this.keeper?.get()) };
       this.settings?.fill(this.#kept);
       if (this.strip) this.strip.given = this.#kept.segments ?? [];
       this.source?.open(this.#kept);
-      if (!this.#given.texts.length) return whenLive(this, client, this.#leaving.signal);
+      return this.#given.texts.length ? this.#anew() : whenLive(this, client, this.#leaving.signal);
+    }
+
+    /** Reads, and does again what was done with the readings before. */
+    async #anew() {
       const { hand, fitted, texts } = this.#kept;
       await this.#reading();
       if (this.#kept.texts !== texts) return; // others were opened meanwhile
@@ -104,12 +107,13 @@ export function measuredElement(client, base) {
       return this.#kept.name || this.#facts?.name || "";
     }
 
-    /** @param {string} name @param {string[]} texts none: the lesson's own */
-    #take(name, texts) {
-      this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
-      this.settings?.clear(usual(texts, /** @type {Facts} */ (this.#facts)));
-      this.strip?.clear();
-      this.complete = this.#reading();
+    /** @param {string} name @param {string[]} texts none: the lesson's own @param {import("./films.js").Same} same what was so before */
+    #take(name, texts, same = "") {
+      const other = same !== "clock";
+      Object.assign(this.#kept, { name, texts }, other && { fitted: "", hand: null });
+      this.settings?.clear(usual(texts, /** @type {Facts} */ (this.#facts)), same);
+      if (other) this.strip?.clear();
+      this.complete = this.#anew();
     }
 
     /** @param {boolean} again whether the readings are others now */
@@ -125,12 +129,8 @@ export function measuredElement(client, base) {
     }
 
     #keep() {
-      this.#kept = {
-        ...this.#kept,
-        ...this.settings?.kept,
-        ...this.source?.typed,
-        segments: this.strip?.given ?? [],
-      };
+      const segments = this.strip?.given ?? [];
+      this.#kept = { ...this.#kept, ...this.settings?.kept, ...this.source?.typed, segments };
       this.keeper?.put(structuredClone(this.#kept));
     }
 
@@ -164,8 +164,8 @@ export function measuredElement(client, base) {
       const read = /** @type {Read} */ (this.#read);
       this.#keep();
       const found = await happened(client, this.#asking);
-      const still = this.#read === read && !this.#tried;
-      if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
+      if (found?.segments && this.#read === read && !this.#tried)
+        this.strip?.show(found, read.tracks[0].t);
     }
 
     /** Points, and where units are known the model. @param {Read} found @param {Drawn | null} drawn */

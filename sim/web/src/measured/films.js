@@ -5,7 +5,8 @@ import { bring } from "../shared/bring.js";
 import { need } from "../shared/dom.js";
 
 /** @typedef {{at: (time: number, places: Record<string, number>) => void, end: () => void}} Session */
-/** @typedef {(name: string, text: string) => void} Take what was read */
+/** @typedef {"" | "carts" | "clock"} Same what these readings have in common with those before */
+/** @typedef {(name: string, texts: string[], same?: Same) => void} Take what was read */
 /** @typedef {(text: string) => void} Tell */
 /**
  * @typedef {{open: (bench: HTMLElement, file: File, take: Take) => Session,
@@ -26,7 +27,7 @@ export class Films {
 
   /**
    * @param {HTMLElement} bench @param {string} base address of the page's script
-   * @param {(name: string, texts: string[]) => void} take @param {Tell} tell
+   * @param {Take} take @param {Tell} tell
    */
   constructor(bench, base, take, tell) {
     this.bench = bench;
@@ -61,9 +62,7 @@ export class Films {
   /** @param {File} file */
   async open(file) {
     const script = await this.#script();
-    const take = (/** @type {string} */ name, /** @type {string} */ text) =>
-      this.take(name, [text]);
-    this.#session = script?.open(this.bench, file, take) ?? null;
+    this.#session = script?.open(this.bench, file, this.take) ?? null;
   }
 
   /** Films with the camera of this computer. */

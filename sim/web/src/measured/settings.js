@@ -85,13 +85,16 @@ export class Settings {
     if (this.run.selectedIndex < 0) this.run.value = run;
   }
 
-  /** Another film has another clock and other carts, another log other runs. @param {string} effect the usual one of these readings */
-  clear(effect) {
-    this.effect.value = effect;
-    for (const box of [...this.#masses, this.distance, this.from, this.until]) {
+  /** Another film has another clock and other carts, another log other runs. @param {string} effect the usual one of these readings @param {import("./films.js").Same} same */
+  clear(effect, same) {
+    if (same === "clock") return;
+    const ours = same ? [] : [...this.#masses, this.distance];
+    for (const box of [...ours, this.from, this.until]) {
       box.value = "";
       complain(box, "");
     }
+    if (same) return;
+    this.effect.value = effect;
     this.together.checked = false;
     this.#wanted = "";
     this.run.replaceChildren();

@@ -16,7 +16,7 @@ const ZIP = 0x504b0304; // the first four bytes
 const TYPED = "typed readings"; // as it is kept; shown in the reader’s language
 const LINE = "line {line}"; // how Python names one: in_line of sim/measured/refusal.py
 
-/** @typedef {(name: string, texts: string[]) => void} Take */
+/** @typedef {import("./films.js").Take} Take */
 /** @typedef {import("../../../view/measured/types.js").Refused} Refused */
 /** @typedef {import("../../../view/language.js").Said} Said */
 
