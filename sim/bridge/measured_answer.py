@@ -73,11 +73,9 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
 
 def _finite(value: Any) -> bool:
     """Whether every number in it is."""
-    if isinstance(value, float):
-        return isfinite(value)
-    if isinstance(value, Mapping):
-        return all(map(_finite, value.values()))
-    return not isinstance(value, (list, tuple)) or all(map(_finite, value))
+    if isinstance(value, (Mapping, list, tuple)):
+        return all(map(_finite, value.values() if isinstance(value, Mapping) else value))
+    return not isinstance(value, float) or isfinite(value)
 
 
 def _told(value: Any) -> Any:
