@@ -1075,7 +1075,7 @@
 <p class="carts-film-say" role="status"></p>
 <canvas class="carts-film-view" width="640" height="360" tabindex="0" role="application" aria-label=${tr("frame of the film")} aria-describedby="${id}-film-keys"></canvas>
 <p class="carts-hidden" id="${id}-film-keys">${arrows}</p>
-<p class="carts-film-row"><input type="range" class="carts-film-time" min="0" max="1" step="any" value="0" aria-label=${tr("time in the film")} disabled><span class="carts-film-clock"></span><button type="button" class="carts-button carts-film-back" disabled>${tr("One frame back")}</button><button type="button" class="carts-button carts-film-on" disabled>${tr("One frame on")}</button></p>
+<p class="carts-film-row"><input type="range" class="carts-film-time" min="0" max="1" step="any" value="0" aria-label=${tr("time in the film")} disabled><span class="carts-film-clock"></span><span><button type="button" class="carts-button carts-film-back" disabled>${tr("One frame back")}</button> <button type="button" class="carts-button carts-film-on" disabled>${tr("One frame on")}</button></span></p>
 <p class="carts-film-row carts-film-aims" role="group" aria-label=${tr("what the next click sets")}>${aims()}</p>
 ${settings()}
 <p class="carts-film-row carts-film-acts"><button type="button" class="carts-button carts-film-follow" disabled>${tr("Follow")}</button> <button type="button" class="carts-button carts-film-cancel" hidden>${tr("Cancel")}</button><progress class="carts-film-part" max="1" value="0" aria-label=${tr("how much of the film is followed")} hidden></progress></p>
