@@ -3082,7 +3082,7 @@
           this.#next();
         },
         (error) => {
-          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (error?.reason !== "request-failed") return this.#lost(runtime, error);
           if (!landed()) return;
           for (const { reject } of job.settle) reject(error);
           this.#next();
@@ -3205,6 +3205,7 @@
     "python-failed": tr(
       "Python could not start. Copy the whole folder again or try another browser."
     ),
+    "request-failed": tr("This cannot be computed with these values."),
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
@@ -3685,7 +3686,7 @@
       if (data.tell === "answer") {
         current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
       } else {
-        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "request-failed", data.detail));
         if (data.dead) this.lose("worker-lost", data.detail);
       }
       if (!this.gone) this.send();

@@ -2232,7 +2232,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         this.player.pause();
         this.player.seek(Number(this.scrub?.value));
       });
-      this.clock = html("output", "carts-worlds-clock", "");
+      this.clock = html("span", "carts-worlds-clock");
       bar.append(this.play, this.scrub, this.clock);
       return bar;
     }
@@ -2964,6 +2964,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     "python-failed": tr(
       "Python could not start. Copy the whole folder again or try another browser."
     ),
+    "request-failed": tr("This cannot be computed with these values."),
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
@@ -3444,7 +3445,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       if (data.tell === "answer") {
         current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
       } else {
-        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "request-failed", data.detail));
         if (data.dead) this.lose("worker-lost", data.detail);
       }
       if (!this.gone) this.send();

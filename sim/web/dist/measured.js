@@ -257,6 +257,10 @@
     return { problem: noNumber(text2) };
   }
   var noNumber = (text2) => tr("“{text}” is not a number. Type for example 0.5", { text: text2 });
+  function outside({ label, unit }, low, high) {
+    const range = tr("{low} to {high}", { low, high });
+    return tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() });
+  }
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
@@ -285,41 +289,41 @@
     return "problem" in read ? read.problem : "";
   }
   var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";
-  function complainUnlessPositive(box, problem) {
+  function complainUnlessPositive(box, problem2) {
     const low = Number(numberIn(box) ?? 1) <= 0;
-    complain(box, low ? tr("A number above 0, please.") : problem);
+    complain(box, low ? tr("A number above 0, please.") : problem2);
   }
-  function complain(box, problem) {
+  function complain(box, problem2) {
     const place2 = box.closest("label, [data-hand]") ?? box.parentElement;
     const told4 = place2.querySelector(".carts-error") ?? html("span", "carts-error");
-    if (!problem) return told4.remove();
+    if (!problem2) return told4.remove();
     told4.setAttribute("role", "alert");
     place2.append(told4);
-    say(told4, problem);
+    say(told4, problem2);
   }
 
   // src/measured/hands.js
   var FASTER = 1.5;
   var RATIO = [0.1, 10];
+  var LIMITS = { e: [0, 1, ""], ratio: [1e-3, 1e3, ""], duration: [1e-4, 1e3, "s"] };
   var LONGEST2 = 0.4;
   var Hands = class {
     constructor(root, changed) {
       this.rows = /* @__PURE__ */ new Map();
-      for (const row of root.querySelectorAll(".carts-measured-hand")) {
-        const slide = need(row, "input[type=range]");
-        const box = need(row, "input[type=text]");
-        this.rows.set(row.dataset.hand ?? "", {
-          slide,
-          box
-        });
+      for (const place2 of root.querySelectorAll(".carts-measured-hand")) {
+        const slide = need(place2, "input[type=range]");
+        const box = need(place2, "input[type=text]");
+        const key = place2.dataset.hand ?? "";
+        const row = { key, slide, box, label: need(place2, "label") };
+        this.rows.set(key, row);
         slide.addEventListener("input", () => {
           put2(box, slide.valueAsNumber);
           changed();
         });
         box.addEventListener("change", () => {
-          complain(box, ifTyped(box));
+          complain(box, problem(row));
           if (!box.value.trim()) put2(box, slide.valueAsNumber);
-          const value = numberIn(box);
+          const value = taken(row);
           if (value === null) return;
           slide.value = String(value);
           changed();
@@ -352,8 +356,7 @@
       Object.assign(row.slide, { min: low, max: high, step });
       if (label) {
         row.slide.setAttribute("aria-label", label);
-        const text2 = row.slide.closest(".carts-measured-hand")?.querySelector("label");
-        if (text2) text2.textContent = label;
+        row.label.textContent = label;
       }
     }
     set value(hand) {
@@ -367,7 +370,7 @@
     get value() {
       const read = (key) => {
         const row = this.rows.get(key);
-        return row ? numberIn(row.box) ?? row.slide.valueAsNumber : 0;
+        return row ? taken(row) ?? row.slide.valueAsNumber : 0;
       };
       return {
         touch: read("touch"),
@@ -380,6 +383,13 @@
       };
     }
   };
+  function problem({ key, box, label }) {
+    const [low, high, unit] = LIMITS[key] ?? [-Infinity, Infinity, ""];
+    const value = numberIn(box);
+    if (value === null || value >= low && value <= high) return ifTyped(box);
+    return outside({ label: label.textContent ?? "", unit }, String(low), String(high));
+  }
+  var taken = (row) => problem(row) ? null : numberIn(row.box);
   function put2(box, value) {
     box.value = String(Number(value.toPrecision(4)));
     complain(box, "");
@@ -523,9 +533,9 @@
     if (found.length === 0) return;
     const take = () => takeOver(store, texts).catch(() => {
     });
-    const taken = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
+    const taken2 = Promise.resolve(navigator.locks?.request(`carts-texts:${site}`, take) ?? take());
     const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
-    await Promise.race([taken.catch(take), late]);
+    await Promise.race([taken2.catch(take), late]);
   }
   async function remember(store, site) {
     const { code = "" } = await store.get(STUDENT).catch(() => null) ?? {};
@@ -1171,7 +1181,7 @@
       return row;
     });
   }
-  function ladder({ line, taken, rows }) {
+  function ladder({ line, taken: taken2, rows }) {
     const item = ({ sentence }) => html("li", "", told(sentence));
     const list = html("ol", "carts-ladder");
     list.append(
@@ -1184,7 +1194,7 @@
       html("summary", "", tr("What do these readings call for?")),
       html("p", "", tr("Each effect alone, largest first:")),
       list,
-      html("p", "carts-quiet", told(taken))
+      html("p", "carts-quiet", told(taken2))
     );
     return root;
   }
@@ -1319,8 +1329,7 @@
     }
     async open(file) {
       const script2 = await this.#script();
-      const take = (name, text2) => this.take(name, [text2]);
-      this.#session = script2?.open(this.bench, file, take) ?? null;
+      this.#session = script2?.open(this.bench, file, this.take) ?? null;
     }
     async camera() {
       const script2 = await this.#script();
@@ -1868,12 +1877,15 @@
       this.run.value = this.#wanted;
       if (this.run.selectedIndex < 0) this.run.value = run;
     }
-    clear(effect) {
-      this.effect.value = effect;
-      for (const box of [...this.#masses, this.distance, this.from, this.until]) {
+    clear(effect, same) {
+      if (same === "clock") return;
+      const ours = same ? [] : [...this.#masses, this.distance];
+      for (const box of [...ours, this.from, this.until]) {
         box.value = "";
         complain(box, "");
       }
+      if (same) return;
+      this.effect.value = effect;
       this.together.checked = false;
       this.#wanted = "";
       this.run.replaceChildren();
@@ -2212,16 +2224,17 @@
       #leaving = new AbortController();
       // ends what the element hears of the worker
       connectedCallback() {
-        if (this.#facts) return;
-        const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
-        this.#facts = facts;
+        this.#leaving = new AbortController();
+        if (this.#facts) return whenLive(this, client, this.#leaving.signal);
+        this.#facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
+        const facts = this.#facts;
         this.keeper = keeper(facts.id, this);
         this.picture = new Picture(this);
         this.hands = new Hands(this, () => this.#moved());
         this.settings = new Settings(this, (again) => this.#changed(again));
         this.source = new Source(
           need(this, ".carts-measured-source"),
-          (name, texts) => this.#take(name, texts),
+          (name, texts, same) => this.#take(name, texts, same),
           () => this.#keep(),
           (text2) => this.#refuse(text2 ? [{ line: null, reason: text2, hint: "" }] : []),
           (zip) => this.#asking.ask("unzip", { zip }),
@@ -2250,12 +2263,13 @@
         this.source?.films.end();
       }
       async #restore() {
-        const facts = this.#facts;
-        this.#kept = { ...empty(facts), ...await this.keeper?.get() };
+        this.#kept = { ...empty(this.#facts), ...await this.keeper?.get() };
         this.settings?.fill(this.#kept);
         if (this.strip) this.strip.given = this.#kept.segments ?? [];
         this.source?.open(this.#kept);
-        if (!this.#given.texts.length) return whenLive(this, client, this.#leaving.signal);
+        return this.#given.texts.length ? this.#anew() : whenLive(this, client, this.#leaving.signal);
+      }
+      async #anew() {
         const { hand, fitted, texts } = this.#kept;
         await this.#reading();
         if (this.#kept.texts !== texts) return;
@@ -2271,11 +2285,12 @@
       get #name() {
         return this.#kept.name || this.#facts?.name || "";
       }
-      #take(name, texts) {
-        this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
-        this.settings?.clear(usual(texts, this.#facts));
-        this.strip?.clear();
-        this.complete = this.#reading();
+      #take(name, texts, same = "") {
+        const other = same !== "clock";
+        Object.assign(this.#kept, { name, texts }, other && { fitted: "", hand: null });
+        this.settings?.clear(usual(texts, this.#facts), same);
+        if (other) this.strip?.clear();
+        this.complete = this.#anew();
       }
       #changed(again) {
         this.#kept.fitted = "";
@@ -2287,12 +2302,8 @@
         if (this.#read?.kind === "length") this.complete = this.#byHand();
       }
       #keep() {
-        this.#kept = {
-          ...this.#kept,
-          ...this.settings?.kept,
-          ...this.source?.typed,
-          segments: this.strip?.given ?? []
-        };
+        const segments = this.strip?.given ?? [];
+        this.#kept = { ...this.#kept, ...this.settings?.kept, ...this.source?.typed, segments };
         this.keeper?.put(structuredClone(this.#kept));
       }
       async #newest(what, more, show) {
@@ -2321,8 +2332,8 @@
         const read = this.#read;
         this.#keep();
         const found = await happened(client, this.#asking);
-        const still = this.#read === read && !this.#tried;
-        if (found?.segments && still) this.strip?.show(found, read.tracks[0].t);
+        if (found?.segments && this.#read === read && !this.#tried)
+          this.strip?.show(found, read.tracks[0].t);
       }
       #show(found, drawn) {
         const read = { ...found, chosen: this.settings?.chosen ?? null };
@@ -2472,7 +2483,7 @@
           this.#next();
         },
         (error) => {
-          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (error?.reason !== "request-failed") return this.#lost(runtime, error);
           if (!landed()) return;
           for (const { reject } of job.settle) reject(error);
           this.#next();
@@ -2595,6 +2606,7 @@
     "python-failed": tr(
       "Python could not start. Copy the whole folder again or try another browser."
     ),
+    "request-failed": tr("This cannot be computed with these values."),
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
@@ -3075,7 +3087,7 @@
       if (data.tell === "answer") {
         current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
       } else {
-        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "request-failed", data.detail));
         if (data.dead) this.lose("worker-lost", data.detail);
       }
       if (!this.gone) this.send();

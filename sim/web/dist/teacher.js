@@ -80,7 +80,7 @@
           this.#next();
         },
         (error) => {
-          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (error?.reason !== "request-failed") return this.#lost(runtime, error);
           if (!landed()) return;
           for (const { reject } of job.settle) reject(error);
           this.#next();
@@ -236,6 +236,7 @@
     "python-failed": tr(
       "Python could not start. Copy the whole folder again or try another browser."
     ),
+    "request-failed": tr("This cannot be computed with these values."),
     stalled: tr("Python does not answer. Close other programs and load the page again."),
     stopped: tr("Python was stopped.")
   };
@@ -716,7 +717,7 @@
       if (data.tell === "answer") {
         current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
       } else {
-        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "request-failed", data.detail));
         if (data.dead) this.lose("worker-lost", data.detail);
       }
       if (!this.gone) this.send();
@@ -1852,7 +1853,7 @@ ${second && across2}
 <div class="carts-note" role="status" hidden></div>
 ${source(facts)}
 <div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label=${tr("the model’s carts; rings are the measured places")}></svg>
-<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">${tr("Play")}</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")}><output class="carts-measured-clock"></output></div></div>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">${tr("Play")}</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label=${tr("time")}><span class="carts-measured-clock"></span></div></div>
 <div class="carts-measured-figures">
 <p class="carts-measured-legend"></p>
 <div class="carts-measured-spans" hidden></div>

@@ -2191,7 +2191,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
         this.player.pause();
         this.player.seek(Number(this.scrub?.value));
       });
-      this.clock = html("output", "carts-worlds-clock", "");
+      this.clock = html("span", "carts-worlds-clock");
       bar.append(this.play, this.scrub, this.clock);
       return bar;
     }
